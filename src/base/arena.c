@@ -1,0 +1,54 @@
+#include "base/arena.h"
+
+#include <stdalign.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { BLOCK_MIN = 64 * 1024 };
+
+struct cr_arena_block {
+    struct cr_arena_block *next;
+    size_t used, size;
+    alignas(max_align_t) unsigned char data[];
+};
+
+void *cr_arena_take(struct cr_arena *arena, size_t n, size_t size) {
+    if (size != 0 && n > (SIZE_MAX - BLOCK_MIN) / size) {
+        return NULL;
+    }
+    size_t align = alignof(max_align_t);
+    size_t want = (n * size + align - 1) / align * align;
+    struct cr_arena_block *b = arena->head;
+    if (b == NULL || b->size - b->used < want) {
+        size_t bytes = want > BLOCK_MIN ? want : BLOCK_MIN;
+        b = calloc(1, sizeof *b + bytes);
+        if (b == NULL) {
+            return NULL;
+        }
+        b->size = bytes;
+        b->next = arena->head;
+        arena->head = b;
+    }
+    void *p = b->data + b->used;
+    b->used += want;
+    arena->total += want;
+    return p;
+}
+
+char *cr_arena_str(struct cr_arena *arena, const char *s) {
+    size_t n = strlen(s) + 1;
+    char *p = cr_arena_take(arena, n, 1);
+    return p == NULL ? NULL : memcpy(p, s, n);
+}
+
+void cr_arena_free(struct cr_arena *arena) {
+    struct cr_arena_block *b = arena->head;
+    while (b != NULL) {
+        struct cr_arena_block *next = b->next;
+        free(b);
+        b = next;
+    }
+    arena->head = NULL;
+    arena->total = 0;
+}

@@ -1,0 +1,24 @@
+/* Arena: memory that is taken piece by piece and given back all at once.
+ *
+ * Ownership: everything taken from an arena belongs to it and dies with cr_arena_free. Blocks are
+ * zeroed and aligned for any type. An arena is not shared between threads. */
+#ifndef CR_BASE_ARENA_H
+#define CR_BASE_ARENA_H
+
+#include <stddef.h>
+
+struct cr_arena {
+    struct cr_arena_block *head;
+    size_t total; /* bytes taken so far, for reports of memory use */
+};
+
+/* Zeroed memory for n objects of the given size; NULL when memory is out or n * size overflows. */
+void *cr_arena_take(struct cr_arena *arena, size_t n, size_t size);
+
+/* Copy of a string in the arena; NULL when memory is out. */
+char *cr_arena_str(struct cr_arena *arena, const char *s);
+
+/* Give back everything; the arena is empty and usable again. */
+void cr_arena_free(struct cr_arena *arena);
+
+#endif

@@ -1,0 +1,69 @@
+#include "base/err.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+static const struct {
+    int status;
+    const char *word;
+} codes[CR_ERR_COUNT] = {
+#define X(name, status, text) [CR_ERR_##name] = {status, text},
+    CR_ERR_LIST(X)
+#undef X
+};
+
+enum cr_err cr_err_set(struct cr_error *err, enum cr_err code, const char *fmt, ...) {
+    if (err == NULL) {
+        return code;
+    }
+    memset(err, 0, sizeof *err);
+    err->code = code;
+    va_list ap;
+    va_start(ap, fmt);
+    vsnprintf(err->text, sizeof err->text, fmt, ap);
+    va_end(ap);
+    return code;
+}
+
+void cr_err_hint(struct cr_error *err, const char *fmt, ...) {
+    if (err == NULL) {
+        return;
+    }
+    va_list ap;
+    va_start(ap, fmt);
+    vsnprintf(err->hint, sizeof err->hint, fmt, ap);
+    va_end(ap);
+}
+
+void cr_err_place(struct cr_error *err, const char *src, int line, int col) {
+    if (err == NULL) {
+        return;
+    }
+    if (src != NULL) {
+        snprintf(err->src, sizeof err->src, "%s", src);
+    }
+    err->line = line;
+    err->col = col;
+}
+
+int cr_err_status(enum cr_err code) {
+    return code < CR_ERR_COUNT ? codes[code].status : 4;
+}
+
+const char *cr_err_word(enum cr_err code) {
+    return code < CR_ERR_COUNT ? codes[code].word : "unknown";
+}
+
+char *cr_err_format(const struct cr_error *err, char *buf, int size) {
+    char place[320] = "";
+    if (err->src[0] != '\0' && err->line > 0) {
+        snprintf(place, sizeof place, "%s:%d:%d: ", err->src, err->line, err->col);
+    } else if (err->src[0] != '\0') {
+        snprintf(place, sizeof place, "%s: ", err->src);
+    }
+    snprintf(buf, (size_t)size, "%serror: %s%s%s%s%s%s", place,
+             err->where[0] != '\0' ? err->where : "", err->where[0] != '\0' ? ": " : "", err->text,
+             err->hint[0] != '\0' ? " (" : "", err->hint, err->hint[0] != '\0' ? ")" : "");
+    return buf;
+}

@@ -1,0 +1,24 @@
+/* Files: read whole, written whole or not at all. */
+#ifndef CR_BASE_FILE_H
+#define CR_BASE_FILE_H
+
+#include "base/err.h"
+
+#include <stddef.h>
+
+enum { CR_FILE_MAX_MB = 1024 };
+
+/* Read a whole file ("-" is standard input) into *text, terminated, to be freed by the caller.
+ * Errors: IO for what cannot be opened or read, is a directory or exceeds CR_FILE_MAX_MB. */
+CR_MUST_CHECK enum cr_err cr_file_read(const char *path, char **text, size_t *len,
+                                       struct cr_error *err);
+
+/* Write n bytes to path by way of a temporary file beside it, fsync and rename: after a failure
+ * the old file is as it was. Errors: IO. */
+CR_MUST_CHECK enum cr_err cr_file_write(const char *path, const char *text, size_t n,
+                                        struct cr_error *err);
+
+/* Folder part of a path, "." if there is none, into buf. */
+void cr_file_dir(const char *path, char *buf, size_t size);
+
+#endif

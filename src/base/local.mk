@@ -1,0 +1,9 @@
+noinst_LIBRARIES += libbase.a
+libbase_a_SOURCES = \
+	src/base/arena.c src/base/arena.h \
+	src/base/err.c src/base/err.h \
+	src/base/file.c src/base/file.h \
+	src/base/hash.c src/base/hash.h \
+	src/base/str.c src/base/str.h \
+	src/base/vec.h
+libbase_a_CFLAGS = $(CR_CFLAGS) $(NETTLE_CFLAGS)

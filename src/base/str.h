@@ -1,0 +1,35 @@
+/* Growing text and the search for the nearest word. */
+#ifndef CR_BASE_STR_H
+#define CR_BASE_STR_H
+
+#include "base/err.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Growing text. Start from {0}; when memory runs out `failed` is set and later calls do nothing,
+ * so only the end result needs a check. The owner calls cr_str_fini. */
+struct cr_str {
+    char *s; /* terminated text, NULL while empty */
+    size_t len, size;
+    bool failed;
+};
+
+void cr_str_add(struct cr_str *str, const char *text);
+void cr_str_addn(struct cr_str *str, const char *text, size_t n);
+void cr_str_addf(struct cr_str *str, const char *fmt, ...) CR_PRINTF(2, 3);
+void cr_str_fill(struct cr_str *str, char c, int n); /* n times c */
+void cr_str_clear(struct cr_str *str);               /* keeps the memory */
+void cr_str_fini(struct cr_str *str);
+/* The text, "" while empty; valid until the next change. */
+const char *cr_str_get(const struct cr_str *str);
+
+/* Word of the list nearest to `word` in edit distance (transpositions count one), or NULL when
+ * none is nearer than about a third of its length. */
+const char *cr_str_nearest(const char *word, const char *const *list, int n);
+
+/* Formats x with 12 significant digits and reads it back, so that text made from results is
+ * short and the same wherever the last bits differ. */
+double cr_round12(double x);
+
+#endif

@@ -1,0 +1,108 @@
+/* EES voxel models (method.md 2): six vehicle types, each with twelve principal directions of
+ * force, built from the recipes in models/, reduced to 2D and stretched onto a vehicle.
+ *
+ * A library is opened once, is safe to share between threads and keeps what it derived; grids made
+ * from it are owned by the arena that is passed in. */
+#ifndef CR_MODEL_MODEL_H
+#define CR_MODEL_MODEL_H
+
+#include "base/arena.h"
+#include "base/err.h"
+#include "base/hash.h"
+#include "model/grid.h"
+
+#include <stdbool.h>
+
+/* X(name, word, label) in order of the paper */
+#define CR_TYPE_LIST(X)                                                                            \
+    X(SUPER_COMPACT, "super-compact")                                                              \
+    X(MINI_COMPACT, "mini-compact")                                                                \
+    X(COMPACT, "compact")                                                                          \
+    X(STATION_WAGON, "station-wagon")                                                              \
+    X(SEDAN, "sedan")                                                                              \
+    X(SUV, "suv")
+
+enum cr_type {
+#define X(name, word) CR_TYPE_##name,
+    CR_TYPE_LIST(X)
+#undef X
+        CR_TYPES
+};
+
+/* Word of a type ("mini-compact"), and back: -1 if there is no such type. */
+const char *cr_type_word(enum cr_type type);
+int cr_type_find(const char *word);
+
+/* Outer dimensions and reference lines of a vehicle, m; x lines from the front end rearward. */
+struct cr_dims {
+    double length, width, height, wheelbase, track, front_overhang;
+    double cg_behind_front_axle, cg_height;
+};
+
+enum cr_curve {
+    CR_CURVE_DYNAMIC, /* depth while the force acts (profile `extended`) */
+    CR_CURVE_RESIDUAL /* depth that is left on the car (profile `paper`) */
+};
+
+struct cr_model_lib;
+
+/* Open the recipes of a folder (models/*.json). Errors: IO, SYNTAX, MODEL with their place. */
+CR_MUST_CHECK enum cr_err cr_model_lib_open(const char *dir, struct cr_model_lib **out,
+                                            struct cr_error *err);
+void cr_model_lib_free(struct cr_model_lib *lib);
+
+/* Reference dimensions and mass (kg) of a type's recipe. */
+const struct cr_dims *cr_model_dims(const struct cr_model_lib *lib, enum cr_type type,
+                                    double *mass_kg);
+
+/* SHA-256 of the recipe text, for the result's `input.models`. */
+const char *cr_model_hash(const struct cr_model_lib *lib, enum cr_type type);
+
+/* What a 2D substitute is asked for. */
+struct cr_model_query {
+    enum cr_type type;
+    double pdof;       /* rad clockwise from straight ahead, any value */
+    bool blend;        /* mix the two neighbouring sectors; else the nearest of the twelve */
+    struct cr_dims dims;
+    double mass_kg;
+    double voxel;      /* edge of the solver's voxels, m, 0.005..0.1 */
+    enum cr_curve curve;
+    double z_lo, z_hi; /* only layers in this height range, m; 0 and INFINITY for all */
+};
+
+/* Clock sector 1..12 of a PDOF in rad. */
+int cr_pdof_clock(double pdof);
+
+/* The 2D substitute model of a vehicle: arrays in the arena. Energy of the whole face crushed to
+ * depth d is 1/2 m EES(d)^2 (all layers). Errors: RANGE for dimensions that cannot be, MEMORY. */
+CR_MUST_CHECK enum cr_err cr_model_substitute(const struct cr_model_lib *lib,
+                                              const struct cr_model_query *query,
+                                              struct cr_arena *arena, struct cr_grid *out,
+                                              struct cr_error *err);
+
+/* CRASH3 stiffness pair of a face: energy per width (A c + B c^2/2 + A^2/2B). */
+struct cr_stiffness {
+    double a; /* N/m */
+    double b; /* N/m2 */
+};
+
+/* The same from A, B per face (front, side, rear); the recipe gives shape and what a face lacks
+ * (a = b = 0). */
+CR_MUST_CHECK enum cr_err cr_model_from_stiffness(const struct cr_model_lib *lib,
+                                                  const struct cr_model_query *query,
+                                                  const struct cr_stiffness face[3],
+                                                  struct cr_arena *arena, struct cr_grid *out,
+                                                  struct cr_error *err);
+
+/* A user's own voxel model from a JSON or CSV file (3D or 2D), stretched onto the vehicle; hash
+ * receives the SHA-256 of the file. Errors: IO, SYNTAX, MODEL, RANGE with their place. */
+CR_MUST_CHECK enum cr_err cr_model_from_file(const char *path, const struct cr_model_query *query,
+                                             struct cr_arena *arena, struct cr_grid *out,
+                                             char hash[CR_HASH_SIZE], struct cr_error *err);
+
+/* A box-shaped object of uniform voxels (deformable barrier): energy per area J/m2 of plan. */
+CR_MUST_CHECK enum cr_err cr_model_block(double length, double width, double voxel,
+                                         double joule_per_m2, struct cr_arena *arena,
+                                         struct cr_grid *out, struct cr_error *err);
+
+#endif

@@ -1,0 +1,117 @@
+/* Pictures in text: a grid of cells that a plain terminal, a file or curses can show.
+ *
+ * Drawing goes into memory only; cr_cells_text turns it into text with or without colour. Glyphs
+ * degrade: UTF-8 blocks and braille, or pure ASCII; colour is never the only carrier. */
+#ifndef CR_RENDER_RENDER_H
+#define CR_RENDER_RENDER_H
+
+#include "base/str.h"
+#include "result/result.h"
+#include "scene/scene.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/* What a cell means, not how it looks: a theme maps roles to colours. */
+enum cr_role {
+    CR_ROLE_TEXT, CR_ROLE_DIM, CR_ROLE_TITLE, CR_ROLE_FRAME, CR_ROLE_A, CR_ROLE_B, CR_ROLE_C,
+    CR_ROLE_OBJECT, CR_ROLE_CRUSHED, CR_ROLE_INDUCED, CR_ROLE_FORCE, CR_ROLE_GOOD, CR_ROLE_WARN,
+    CR_ROLE_BAD, CR_ROLE_REFERENCE, CR_ROLE_CURSOR, CR_ROLE_KEY, CR_ROLE_FIELD, CR_ROLES
+};
+
+struct cr_cell {
+    uint32_t ch;      /* Unicode code point, 0: the right half of a wide character */
+    uint8_t role;     /* enum cr_role */
+    uint8_t fg, bg;   /* field colours: step of the colour map + 1, 0: none */
+    uint8_t flags;    /* CR_CELL_* */
+};
+enum { CR_CELL_BOLD = 1, CR_CELL_REVERSE = 2, CR_CELL_DIM = 4 };
+
+struct cr_cells {
+    int w, h;
+    struct cr_cell *cell; /* [h * w], owned */
+};
+
+CR_MUST_CHECK enum cr_err cr_cells_new(int w, int h, struct cr_cells *out, struct cr_error *err);
+void cr_cells_fini(struct cr_cells *cells);
+void cr_cells_clear(struct cr_cells *cells);
+/* Text at column x, row y, cut with ~ at width w (0: the edge); returns the columns used. */
+int cr_cells_print(struct cr_cells *cells, int x, int y, int w, enum cr_role role,
+                   const char *utf8);
+
+enum cr_color { CR_COLOR_NONE, CR_COLOR_16, CR_COLOR_256 };
+
+struct cr_look {
+    bool ascii;          /* no character above 126 */
+    enum cr_color color;
+};
+/* Cells as lines of text, trailing blanks cut. */
+void cr_cells_text(const struct cr_cells *cells, const struct cr_look *look, struct cr_str *out);
+
+enum cr_field { CR_FIELD_EES, CR_FIELD_ENERGY, CR_FIELD_CRUSH, CR_FIELD_DEPTH, CR_FIELD_NONE };
+
+struct cr_rect {
+    int x, y, w, h;
+};
+
+struct cr_scene_view {
+    enum cr_field field;
+    double time;      /* s of the scene; NaN: after the solve (or the start, without a result) */
+    double m_per_col; /* scale; 0: the best round one that shows all */
+    struct cr_vec2 centre; /* world point in the middle; NaN: the bodies' middle */
+    bool vectors;     /* velocity and force arrows */
+    int selected;     /* participant to mark, -1: none */
+};
+
+/* The scene, before (result NULL), at a time, or after; with outline, heading, overlap and crushed
+ * voxels, arrows, scale bar and legend. compiled gives the voxels when there is no result yet. */
+CR_MUST_CHECK enum cr_err cr_render_scene(struct cr_cells *cells, struct cr_rect at,
+                                          const struct cr_look *look,
+                                          const struct cr_compiled *compiled,
+                                          const struct cr_scene *scene,
+                                          const struct cr_result *result,
+                                          const struct cr_scene_view *view, struct cr_error *err);
+
+struct cr_curve_line {
+    const double *x, *y;
+    int n;
+    char mark;        /* letter at its end, 'A' */
+    const char *name; /* legend */
+    enum cr_role role;
+    bool dashed;
+};
+struct cr_plot {
+    const char *title, *x_unit, *y_unit;
+    int curves;
+    const struct cr_curve_line *curve;
+    double cursor; /* x of a vertical cursor, NaN: none */
+};
+/* Curves over a common axis with round 1-2-5 ticks (braille, or * and o). */
+CR_MUST_CHECK enum cr_err cr_render_plot(struct cr_cells *cells, struct cr_rect at,
+                                         const struct cr_look *look, const struct cr_plot *plot,
+                                         struct cr_error *err);
+
+/* Pulse plot of participants' quantity from a result. magnitude: sqrt(ax2+ay2) in g when quantity
+ * is CR_QUANTITIES. */
+CR_MUST_CHECK enum cr_err cr_render_pulse(struct cr_cells *cells, struct cr_rect at,
+                                          const struct cr_look *look,
+                                          const struct cr_result *result,
+                                          enum cr_quantity quantity, double cursor,
+                                          struct cr_error *err);
+
+/* The results table (formats.md quantities with units, a column per participant), as text lines;
+ * time NaN: final values, else those of that instant. */
+CR_MUST_CHECK enum cr_err cr_render_table(struct cr_cells *cells, struct cr_rect at,
+                                          const struct cr_look *look,
+                                          const struct cr_result *result, double time,
+                                          struct cr_error *err);
+/* Rows the table needs for this result, for sizing. */
+int cr_render_table_rows(const struct cr_result *result);
+
+/* The whole report of `crumple run --format text`: before, after, pulses, table, balance,
+ * assumptions, warnings; width in columns. */
+CR_MUST_CHECK enum cr_err cr_render_report(const struct cr_result *result,
+                                           const struct cr_look *look, int width,
+                                           struct cr_str *out, struct cr_error *err);
+
+#endif

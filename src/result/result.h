@@ -1,0 +1,138 @@
+/* Results: one call from a scene to all that is reported of it, and its JSON, CSV and text forms
+ * (formats.md, result version 1). SI units inside; the writers convert. */
+#ifndef CR_RESULT_RESULT_H
+#define CR_RESULT_RESULT_H
+
+#include "base/err.h"
+#include "base/str.h"
+#include "scene/scene.h"
+#include "solver/solver.h"
+
+#include <stdbool.h>
+
+enum { CR_INJURY_MAX = 12, CR_PROFILE = 6, CR_WARNING_MAX = 24 };
+
+struct cr_injury {
+    char function[CR_NAME_MAX];
+    double probability; /* 0..1 */
+    bool extrapolated;  /* outside the range of the function's data */
+};
+
+/* What is reported of one participant. Directions in its own frame at first contact. */
+struct cr_severity {
+    double ees, energy, energy_induced; /* m/s, J, J */
+    double delta_v;                     /* m/s */
+    struct cr_vec2 delta_v_world, delta_v_body;
+    double pdof; /* rad clockwise, 0..2 pi, direction the impulse came from */
+    int pdof_clock;
+    char model[CR_NAME_MAX], cdc[12];
+    double yaw_rate_change, speed_after, course_after, yaw_rate_after;
+    double deformation_max;         /* residual, m, along the PDOF from the undeformed outline */
+    double deformation_dynamic_max; /* m */
+    double deformation_area;        /* plan area, m2 */
+    double area_contact, area_induced;
+    double profile[CR_PROFILE]; /* C1..C6 of the struck face, residual, m */
+    double profile_dynamic[CR_PROFILE];
+    enum cr_face face;          /* the struck face */
+    double acceleration_max;    /* CFC60, m/s2 */
+    double acceleration_mean;   /* m/s2 */
+    double t_max;               /* of acceleration_max after first contact, s */
+    double t_depth_max;         /* of the greatest dynamic depth after first contact, s */
+    double pulse;               /* length of contact, s */
+    double olc, asi, vpi;       /* m/s2, -, m/s2 */
+    double thiv, phd;           /* m/s, m/s2 */
+    int injuries;
+    struct cr_injury injury[CR_INJURY_MAX];
+    int outline_n;
+    struct cr_vec2 *outline; /* deformed outline, own frame, m; owned by the result */
+};
+
+struct cr_result {
+    struct cr_scene scene;    /* as given */
+    struct cr_scene resolved; /* with every default filled in */
+    struct cr_assumed assumed;
+    struct cr_compiled compiled; /* the case that was solved, with the models and their hashes */
+    struct cr_solver *solver;    /* owns the solution */
+    const struct cr_solution *solution;
+    struct cr_severity of[CR_BODY_MAX];
+    int warnings;
+    char warning[CR_WARNING_MAX][200];
+    int passes; /* solves it took to settle the PDOF */
+};
+
+/* Shared, immutable data a run needs: models and injury risk functions. */
+struct cr_irf_set;
+struct cr_context {
+    const struct cr_model_lib *models;
+    const struct cr_irf_set *irf; /* NULL: no injury probabilities */
+    int (*cancel)(void *);        /* polled while solving, NULL: never */
+    void *user;
+};
+
+/* Resolve, compile, choose the PDOF models (trial solve, solve, at most one repeat: method.md 2),
+ * solve and measure. Errors: all of the steps. The caller frees the result. */
+CR_MUST_CHECK enum cr_err cr_result_run(const struct cr_scene *scene, const struct cr_context *ctx,
+                                        struct cr_result **out, struct cr_error *err);
+void cr_result_free(struct cr_result *result);
+
+/* Measures of a finished solution into result->of[] (called by cr_result_run). */
+CR_MUST_CHECK enum cr_err cr_result_measure(struct cr_result *result, const struct cr_irf_set *irf,
+                                            struct cr_error *err);
+
+CR_MUST_CHECK enum cr_err cr_irf_load(const char *dir, struct cr_irf_set **out,
+                                      struct cr_error *err);
+void cr_irf_free(struct cr_irf_set *set);
+
+struct cr_result_opts {
+    bool trace;    /* with the time series */
+    bool resolved; /* with input.resolved */
+    bool pretty;   /* indented JSON, else one line */
+};
+
+/* Result -> JSON text with a newline at the end, appended to out. */
+CR_MUST_CHECK enum cr_err cr_result_json(const struct cr_result *result,
+                                         const struct cr_result_opts *opts, struct cr_str *out,
+                                         struct cr_error *err);
+/* The error object of a scene that could not be solved. */
+CR_MUST_CHECK enum cr_err cr_result_error_json(const char *scene, const struct cr_error *what,
+                                               bool pretty, struct cr_str *out,
+                                               struct cr_error *err);
+/* CSV: a row per participant; with trace a row per time slice and participant. Units in the
+ * header row. */
+CR_MUST_CHECK enum cr_err cr_result_csv(const struct cr_result *result,
+                                        const struct cr_result_opts *opts, struct cr_str *out,
+                                        struct cr_error *err);
+
+/* Traces as functions of time, for plots, tables and metrics: the quantities of "trace" in
+ * formats.md plus derived ones. X(NAME, key, unit, factor from SI) */
+#define CR_QUANTITY_LIST(X)                                                                        \
+    X(X, "x_m", "m", 1)                                                                            \
+    X(Y, "y_m", "m", 1)                                                                            \
+    X(HEADING, "heading_deg", "deg", 180 / CR_PI)                                                  \
+    X(VX, "vx_mps", "m/s", 1)                                                                      \
+    X(VY, "vy_mps", "m/s", 1)                                                                      \
+    X(YAW_RATE, "yaw_rate_deg_s", "deg/s", 180 / CR_PI)                                            \
+    X(AX, "ax_mps2", "m/s2", 1)                                                                    \
+    X(AY, "ay_mps2", "m/s2", 1)                                                                    \
+    X(YAW_ACC, "yaw_acc_deg_s2", "deg/s2", 180 / CR_PI)                                            \
+    X(FORCE, "force_kN", "kN", 1e-3)                                                               \
+    X(ENERGY, "energy_kJ", "kJ", 1e-3)
+
+enum cr_quantity {
+#define X(name, key, unit, factor) CR_QUANTITY_##name,
+    CR_QUANTITY_LIST(X)
+#undef X
+        CR_QUANTITIES
+};
+
+/* Value of a quantity of a participant in a sample, in the unit of the list (ax, ay and the
+ * velocities vx, vy: world for v, vehicle frame of that instant for a). */
+double cr_result_quantity(const struct cr_solution *sol, int sample, int body,
+                          enum cr_quantity quantity);
+
+/* Phaseless CFC filter of SAE J211 (literature.md 4.3) over n samples of spacing dt, in place.
+ * cfc 60, 180, 600, 1000. Errors: RANGE when dt is too coarse for the class. */
+CR_MUST_CHECK enum cr_err cr_cfc_filter(double cfc, double dt, double *x, int n,
+                                        struct cr_error *err);
+
+#endif

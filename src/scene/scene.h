@@ -1,0 +1,170 @@
+/* The scene: participants, settings, and its JSON form (formats.md, version 1).
+ *
+ * A scene is a value without pointers to the outside: copying it is cr_scene_copy, undo is a stack
+ * of copies. A number that was not given is NaN until cr_scene_resolve fills it in from type and
+ * mass. SI units inside; km/h, deg, mm, ms only in JSON and commands. */
+#ifndef CR_SCENE_SCENE_H
+#define CR_SCENE_SCENE_H
+
+#include "base/err.h"
+#include "base/str.h"
+#include "base/vec.h"
+#include "model/model.h"
+#include "solver/case.h"
+
+#include <stdbool.h>
+
+enum { CR_NAME_MAX = 64, CR_PATH_MAX = 512, CR_VERTEX_MAX = 64 };
+
+enum cr_method { CR_METHOD_EXTENDED, CR_METHOD_PAPER };
+enum cr_dive { CR_DIVE_OFF, CR_DIVE_ON };
+
+struct cr_settings {
+    enum cr_method method;
+    double restitution; /* 0..0.95 */
+    bool restitution_auto;
+    double friction;      /* between bodies */
+    double road_friction; /* tyres */
+    double dt;            /* s */
+    double voxel;         /* m */
+    double elastic;       /* s */
+    enum cr_end end;
+    /* what the profiles switch, each settable alone; -1: as the method says */
+    int induced, heights, residual_curve;
+    /* which of the above were given in the file, so that saving gives back the same file */
+    unsigned given; /* bit i: row i of the settings table */
+};
+
+enum cr_kind { CR_KIND_VEHICLE, CR_KIND_OBJECT };
+enum cr_object { CR_OBJECT_WALL, CR_OBJECT_POLE, CR_OBJECT_BOX, CR_OBJECT_POLYGON };
+enum cr_model_kind { CR_MODEL_TYPE, CR_MODEL_FILE, CR_MODEL_STIFFNESS };
+enum cr_pdof_kind { CR_PDOF_AUTO, CR_PDOF_GIVEN };
+
+struct cr_model_choice {
+    enum cr_model_kind kind;
+    enum cr_pdof_kind pdof_kind;
+    double pdof; /* rad clockwise from ahead, if given */
+    bool pdof_is_clock;
+    bool blend;
+    char file[CR_PATH_MAX]; /* relative to the scene file's folder unless absolute */
+    struct cr_stiffness face[3]; /* front, side, rear; a = b = 0: from the type */
+};
+
+struct cr_participant {
+    char id[CR_NAME_MAX];
+    enum cr_kind kind;
+    double mass; /* kg; NaN: absent (an object is then fixed) */
+    double length, width, height; /* m */
+    double friction;              /* of its surface, NaN: the setting */
+    struct cr_vec2 pos;           /* CG of a vehicle, reference point of an object, m */
+    double heading, course;       /* rad; course NaN: the heading */
+    double speed, yaw_rate;       /* m/s, rad/s */
+    int waypoints;                /* > 0: instead of pos, heading, speed */
+    struct cr_waypoint *waypoint; /* owned */
+    /* vehicle */
+    enum cr_type type;
+    double wheelbase, track, front_overhang, cg_behind_front_axle, cg_height, yaw_inertia;
+    struct cr_model_choice model;
+    double brake[CR_WHEELS], steer[CR_WHEELS]; /* 0..1, rad: front left, front right, rear l, r */
+    bool locked[CR_WHEELS];
+    /* object */
+    enum cr_object shape;
+    double radius, edge_radius;
+    int vertices;
+    struct cr_vec2 vertex[CR_VERTEX_MAX];
+    double z_lo, z_hi; /* height range of an object, m */
+    unsigned given;    /* bits: which optional keys the file had (see participant.def) */
+    char *extra;       /* owned JSON text of its x_ keys, NULL if none */
+};
+
+struct cr_scene {
+    char name[CR_NAME_MAX], pair[CR_NAME_MAX];
+    char dir[CR_PATH_MAX]; /* folder that relative model files start from */
+    struct cr_settings set;
+    int n;
+    struct cr_participant part[CR_BODY_MAX];
+    char *extra; /* owned JSON text of the scene's x_ keys, NULL if none */
+};
+
+void cr_scene_init(struct cr_scene *scene); /* empty scene with default settings */
+void cr_scene_fini(struct cr_scene *scene);
+CR_MUST_CHECK enum cr_err cr_scene_copy(const struct cr_scene *from, struct cr_scene *to,
+                                        struct cr_error *err);
+struct cr_participant *cr_scene_find(struct cr_scene *scene, const char *id);
+/* Participant of the kind with nothing given: what cr_scene_add puts at the end of the scene. */
+CR_MUST_CHECK enum cr_err cr_scene_add(struct cr_scene *scene, const char *id, enum cr_kind kind,
+                                       struct cr_participant **out, struct cr_error *err);
+CR_MUST_CHECK enum cr_err cr_scene_remove(struct cr_scene *scene, const char *id,
+                                          struct cr_error *err);
+
+/* JSON text -> scene. src names the file in messages (line and column of the fault). The scene is
+ * initialised by the call; after an error it is empty. */
+CR_MUST_CHECK enum cr_err cr_scene_parse(const char *text, size_t len, const char *src,
+                                         struct cr_scene *scene, struct cr_error *err);
+/* One scene out of a parsed document (struct cJSON, opaque here), for stacks. */
+struct cJSON;
+CR_MUST_CHECK enum cr_err cr_scene_from_json(const struct cJSON *json, struct cr_scene *scene,
+                                             struct cr_error *err);
+CR_MUST_CHECK enum cr_err cr_scene_load(const char *path, struct cr_scene *scene,
+                                        struct cr_error *err);
+/* Scene -> JSON object (caller deletes), exact inverse of parsing: what was given and nothing
+ * else; with all = true every value, for `input.resolved`. NULL when memory is out. */
+struct cJSON *cr_scene_to_json(const struct cr_scene *scene, bool all);
+CR_MUST_CHECK enum cr_err cr_scene_save(const struct cr_scene *scene, const char *path,
+                                        struct cr_error *err);
+
+/* "KEY=VALUE" as of `--set` and the `set` command: settings by their JSON name ("dt_ms=0.25") and
+ * participants' numbers as ID.key ("A.speed_kmh=60"). */
+CR_MUST_CHECK enum cr_err cr_scene_set(struct cr_scene *scene, const char *key, const char *value,
+                                       struct cr_error *err);
+
+/* List of "A.track_m" keys that cr_scene_resolve assumed. */
+struct cr_assumed {
+    int n;
+    char (*key)[CR_NAME_MAX + 32];
+};
+void cr_assumed_fini(struct cr_assumed *assumed);
+
+/* Fill in every value that was not given, from type and mass (regressions of literature.md 3.4,
+ * stiffness.md 7), and check that the whole is possible (axles within the length, CG between the
+ * axles ...). Adds the keys to assumed. Errors: MISSING, RANGE, with JSON pointer and hint. */
+CR_MUST_CHECK enum cr_err cr_scene_resolve(struct cr_scene *scene, const struct cr_model_lib *lib,
+                                           struct cr_assumed *assumed, struct cr_error *err);
+
+/* What a compiled case was made of. */
+struct cr_compiled {
+    struct cr_case cs;
+    struct cr_arena arena;                  /* owns the grids, vertices and waypoints of cs */
+    char model[CR_BODY_MAX][CR_NAME_MAX];   /* "suv/12", "file my.json", "stiffness" */
+    char hash[CR_BODY_MAX][CR_HASH_SIZE];   /* of the model's source */
+};
+
+/* Resolved scene -> case. pdof[i] is the PDOF (rad) for vehicle i's model, used where the model
+ * choice is auto. Own model files are read here. Errors: those of the model functions. */
+CR_MUST_CHECK enum cr_err cr_scene_compile(const struct cr_scene *scene,
+                                           const struct cr_model_lib *lib,
+                                           const double pdof[CR_BODY_MAX],
+                                           struct cr_compiled *out, struct cr_error *err);
+void cr_compiled_fini(struct cr_compiled *compiled);
+
+/* Outline of a participant in its own frame, counter-clockwise, for drawing, placing and overlap
+ * tests; returns the number of points (a wall: a long rectangle behind its face). */
+int cr_scene_outline(const struct cr_participant *part, struct cr_vec2 *out, int max);
+
+/* Placement (command `place`): put `part` with its face against another's. side is the part of
+ * the struck participant that is met: front, left, rear or right. overlap 0..1 of the narrower
+ * width, from the given side of the struck one; angle turns it about the first touch, gap in m. */
+enum cr_place_rel { CR_PLACE_FACING, CR_PLACE_BEHIND, CR_PLACE_BESIDE, CR_PLACE_HITTING };
+struct cr_place {
+    enum cr_place_rel rel;
+    enum cr_face side; /* of the other participant (facing: front, behind: rear) */
+    double overlap;    /* 0..1 */
+    int overlap_side;  /* +1: its left, -1: its right half of the other is met, 0: centred */
+    double along;      /* hitting a side: m behind the front end of the struck face's vehicle */
+    double angle;      /* rad */
+    double gap;        /* m between the outlines */
+};
+CR_MUST_CHECK enum cr_err cr_scene_place(struct cr_scene *scene, const char *id, const char *other,
+                                         const struct cr_place *how, struct cr_error *err);
+
+#endif

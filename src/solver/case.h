@@ -1,0 +1,85 @@
+/* The case: everything the solver needs, constant while it runs. Made from a scene by
+ * scene/compile.c or by hand in a test. SI units, world frame x east, y north, headings
+ * counter-clockwise; body frame x forward, y left, origin at the CG. */
+#ifndef CR_SOLVER_CASE_H
+#define CR_SOLVER_CASE_H
+
+#include "base/vec.h"
+#include "model/grid.h"
+
+#include <stdbool.h>
+
+enum { CR_BODY_MAX = 16, CR_WHEELS = 4 };
+
+enum cr_shape_kind {
+    CR_SHAPE_NONE,    /* the body is a voxel grid */
+    CR_SHAPE_WALL,    /* half plane behind the origin: material at body x <= 0, normal +x */
+    CR_SHAPE_POLE,    /* circle about the origin */
+    CR_SHAPE_POLYGON, /* closed polygon, counter-clockwise, edges rounded by edge_radius */
+};
+
+/* Rigid exact outline of an object, body frame. */
+struct cr_shape {
+    enum cr_shape_kind kind;
+    double radius;                /* pole, m */
+    double edge_radius;           /* polygon: its corners are drawn in and rounded by this, m */
+    int n;                        /* vertices of the polygon */
+    const struct cr_vec2 *vertex; /* borrowed, [n] */
+};
+
+struct cr_wheel {
+    struct cr_vec2 at; /* contact point, body frame, m */
+    double load;       /* static vertical load, N */
+    double brake;      /* share of the available friction used for braking, 0..1 */
+    double steer;      /* steer angle, rad, counter-clockwise */
+    bool locked;       /* slides with all its friction against its own velocity */
+};
+
+/* One row of a prescribed motion that ends at the first contact. */
+struct cr_waypoint {
+    double t; /* s, increasing */
+    struct cr_vec2 pos;
+    double heading; /* rad */
+    double speed;   /* m/s along the path */
+};
+
+struct cr_body {
+    double mass;    /* kg; <= 0: fixed to the ground */
+    double inertia; /* about the vertical axis through the CG, kg m2; <= 0: does not turn */
+    struct cr_vec2 pos, vel;
+    double heading, yaw_rate;
+    struct cr_grid grid;   /* nx = 0 for a rigid object */
+    struct cr_shape shape; /* CR_SHAPE_NONE for a grid */
+    double friction;       /* of its surface; < 0: the case's friction */
+    int wheels;            /* 0 or CR_WHEELS */
+    struct cr_wheel wheel[CR_WHEELS]; /* front left, front right, rear left, rear right */
+    const double *energy_against[CR_BODY_MAX]; /* grid energies of the layers that meet this
+                                                  partner in height; NULL: grid.energy */
+    int waypoints;                             /* 0: pos, vel, heading above are the start */
+    const struct cr_waypoint *waypoint;        /* borrowed, [waypoints] */
+};
+
+enum cr_end { CR_END_SEPARATION, CR_END_REST };
+
+struct cr_opts {
+    double dt;             /* longest time slice, s */
+    double friction;       /* Coulomb coefficient between bodies, 0: force along the normal */
+    double road_friction;  /* of the tyres */
+    double restitution;    /* 0..1, see restitution_auto */
+    bool restitution_auto; /* from closing speed and kind of partner instead (literature.md 6) */
+    double elastic_s;      /* length of the elastic compression, and of the restitution, s */
+    bool induced;          /* plastic string on the struck face (method.md 5) */
+    enum cr_end end;
+    double max_time;       /* s before the first contact after which there is none */
+    double rest_time;      /* s after the first contact after which motion to rest is cut */
+};
+
+struct cr_opts cr_opts_default(void);
+
+struct cr_case {
+    int n; /* bodies, in the order of the scene; contacts are worked in this order too */
+    struct cr_body body[CR_BODY_MAX];
+    struct cr_opts opts;
+};
+
+#endif

@@ -1,0 +1,14 @@
+# one fragment per folder of src/, so that a test lives beside what it tests
+include $(srcdir)/tests/unit/base.mk
+include $(srcdir)/tests/unit/model.mk
+include $(srcdir)/tests/unit/solver.mk
+include $(srcdir)/tests/unit/scene.mk
+include $(srcdir)/tests/unit/result.mk
+include $(srcdir)/tests/unit/render.mk
+include $(srcdir)/tests/unit/cmd.mk
+include $(srcdir)/tests/unit/repl.mk
+include $(srcdir)/tests/unit/tui.mk
+include $(srcdir)/tests/unit/batch.mk
+include $(srcdir)/tests/checks.mk
+include $(srcdir)/tests/bench/local.mk
+include $(srcdir)/tests/fuzz/local.mk
