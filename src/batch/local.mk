@@ -1,4 +1,13 @@
 noinst_LIBRARIES += libbatch.a
 libbatch_a_SOURCES = \
-	src/batch/batch.h
+	src/batch/batch.h \
+	src/batch/batch_priv.h \
+	src/batch/data.c \
+	src/batch/options.c src/batch/options.h \
+	src/batch/output.c \
+	src/batch/run.c \
+	src/batch/shared.c
+# where the data are: of a build in its source tree, and once installed (data.c)
+libbatch_a_CPPFLAGS = $(AM_CPPFLAGS) -DPKGDATADIR='"$(pkgdatadir)"' \
+	-DSRCDIR='"$(abs_srcdir)"' -DBUILDDIR='"$(abs_builddir)"'
 libbatch_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)

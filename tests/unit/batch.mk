@@ -1,1 +1,6 @@
 # unit tests of src/batch
+check_PROGRAMS += test_options
+TESTS += test_options
+test_options_SOURCES = tests/unit/test_options.c
+test_options_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
+test_options_LDADD = libbatch.a libbase.a $(CMOCKA_LIBS) $(NETTLE_LIBS)

@@ -1,0 +1,56 @@
+#include "batch/batch_priv.h"
+
+#include <signal.h>
+#include <string.h>
+
+static volatile sig_atomic_t interrupted;
+
+static void on_signal(int sig) {
+    (void)sig;
+    interrupted = 1;
+}
+
+void cr_batch_catch(void) {
+    struct sigaction act = {.sa_handler = on_signal};
+    sigemptyset(&act.sa_mask);
+    /* a second ^C ends the program at once, should it be somewhere that does not poll */
+    act.sa_flags = (int)SA_RESETHAND;
+    sigaction(SIGINT, &act, NULL);
+    sigaction(SIGTERM, &act, NULL);
+    struct sigaction ignore = {.sa_handler = SIG_IGN};
+    sigemptyset(&ignore.sa_mask);
+    sigaction(SIGPIPE, &ignore, NULL);
+}
+
+int cr_batch_cancelled(void *unused) {
+    (void)unused;
+    return interrupted;
+}
+
+enum cr_err cr_batch_open(struct cr_batch_shared *shared, struct cr_error *err) {
+    char path[4200];
+    memset(shared, 0, sizeof *shared);
+    enum cr_err code = cr_batch_data("models", path, sizeof path, err);
+    if (code == CR_ERR_OK) {
+        code = cr_model_lib_open(path, &shared->models, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_batch_data("share/irf", path, sizeof path, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_irf_load(path, &shared->irf, err);
+    }
+    if (code != CR_ERR_OK) {
+        cr_batch_close(shared);
+        return code;
+    }
+    shared->ctx = (struct cr_context){
+        .models = shared->models, .irf = shared->irf, .cancel = cr_batch_cancelled};
+    return CR_ERR_OK;
+}
+
+void cr_batch_close(struct cr_batch_shared *shared) {
+    cr_model_lib_free(shared->models);
+    cr_irf_free(shared->irf);
+    memset(shared, 0, sizeof *shared);
+}
