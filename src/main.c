@@ -1,12 +1,52 @@
 #include "config.h"
 
+#include "batch/batch.h"
+
+#include <locale.h>
 #include <stdio.h>
 #include <string.h>
 
-int main(int argc, char **argv) {
-    if (argc > 1 && strcmp(argv[1], "--version") == 0) {
-        puts(PACKAGE_STRING);
-        return 0;
+static const char help[] =
+    "usage: crumple                          full screen on a terminal, else commands from stdin\n"
+    "       crumple FILE.crumple ...         command files in order ( - is standard input )\n"
+    "       crumple -e 'COMMAND' ...         commands likewise; -i stays interactive afterwards\n"
+    "       crumple --repl                   commands at a plain prompt\n"
+    "       crumple run SCENE.json           solve one scene\n"
+    "       crumple stack INPUT ...          solve many, one result per line\n"
+    "       crumple validate [CLASS ...]     compare with crash tests\n"
+    "       crumple models [NAME]            list, show or export the models\n"
+    "       crumple --help | --version\n"
+    "\n"
+    "crumple run --help explains run, and likewise for the other words.\n"
+    "Exit status: 0 done; 1 an assert or compare missed its tolerance, or a scene of a stack\n"
+    "failed; 2 usage or file system; 3 a script or JSON file is invalid; 4 the solver failed;\n"
+    "130 interrupted.\n";
+
+static const char version[] = PACKAGE_STRING
+    "\n"
+    "built with " CR_LIBRARIES "\n"
+    "sanitizers: " CR_SANITIZERS "\n"
+    "Free software under the GNU General Public License, version 3 or later; no warranty.\n";
+
+static int print(const char *text) {
+    if (fputs(text, stdout) == EOF || fflush(stdout) != 0) {
+        perror("crumple: error: cannot write to standard output");
+        return 2;
     }
+    return 0;
+}
+
+int main(int argc, char **argv) {
+    setlocale(LC_ALL, "");
+    /* JSON and command files have a decimal point wherever the program runs */
+    setlocale(LC_NUMERIC, "C");
+    const char *word = argc > 1 ? argv[1] : "";
+    if (strcmp(word, "--version") == 0 || strcmp(word, "-V") == 0) {
+        return print(version);
+    }
+    if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0) {
+        return print(help);
+    }
+    fputs(help, stderr);
     return 2;
 }

@@ -9,5 +9,5 @@ libbatch_a_SOURCES = \
 	src/batch/shared.c
 # where the data are: of a build in its source tree, and once installed (data.c)
 libbatch_a_CPPFLAGS = $(AM_CPPFLAGS) -DPKGDATADIR='"$(pkgdatadir)"' \
-	-DSRCDIR='"$(abs_srcdir)"' -DBUILDDIR='"$(abs_builddir)"'
+	-DSRCDIR='"$(CR_SRCDIR)"' -DBUILDDIR='"$(abs_builddir)"'
 libbatch_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)
