@@ -39,11 +39,16 @@ static void own_folder(char *buf, size_t size) {
     }
 }
 
+static const char *empty(char *buf) {
+    buf[0] = '\0';
+    return buf;
+}
+
 const char *cr_data_dir(char *buf, int size) {
     const char *given = getenv("CRUMPLE_DATA");
     if (given != NULL && given[0] != '\0') {
         snprintf(buf, (size_t)size, "%s", given);
-        return is_data_dir(buf) ? buf : strcpy(buf, "");
+        return is_data_dir(buf) ? buf : empty(buf);
     }
     char own[4096];
     own_folder(own, sizeof own);
@@ -58,7 +63,7 @@ const char *cr_data_dir(char *buf, int size) {
         return buf;
     }
     snprintf(buf, (size_t)size, "%s", PKGDATADIR);
-    return is_data_dir(buf) ? buf : strcpy(buf, "");
+    return is_data_dir(buf) ? buf : empty(buf);
 }
 
 enum cr_err cr_batch_data(const char *name, char *buf, int size, struct cr_error *err) {

@@ -1,0 +1,44 @@
+#!/bin/sh
+# What the libraries export, keep and call: prefix cr_, no mutable globals, no output, exit,
+# environment or clock below cmd, no files in the solver.
+. "$SRC/tests/tap.sh"
+cd "$BUILD" || exit 99
+NM=${NM:-nm}
+core="base model solver scene result render"
+
+if ! command -v "$NM" >/dev/null 2>&1 || ! command -v objdump >/dev/null 2>&1; then
+    echo "1..0 # SKIP no nm or objdump here"
+    exit 0
+fi
+
+for lib in lib*.a; do
+    foreign=$($NM -g --defined-only "$lib" 2>/dev/null |
+        awk 'NF == 3 && $3 !~ /^(cr_|_)/ { print $3 }')
+    empty "exported names of $lib begin with cr_" "$foreign"
+done
+
+# calls LIBRARY NAMES: undefined symbols among the names, fortified ones read as the plain ones
+calls() {
+    $NM -u -A "lib$1.a" 2>/dev/null | sed 's/ __\([a-z_]*\)_chk$/ \1/' |
+        awk -v p="^($2)\$" '$NF ~ p { print $1, $NF }'
+}
+
+edge='printf|fprintf|vprintf|vfprintf|dprintf|puts|fputs|fputc|putc|putchar|fwrite|perror|exit'
+edge="$edge|_exit|quick_exit|getenv|secure_getenv|setenv|time|clock|clock_gettime|gettimeofday"
+edge="$edge|localtime|localtime_r|gmtime|rand|srand|random|drand48|setlocale|signal|sigaction"
+for name in $core; do
+    empty "$name neither prints nor exits nor asks environment or clock" "$(calls "$name" "$edge")"
+done
+empty "the solver opens no files" \
+    "$(calls solver 'open|openat|read|write|fopen|fread|fscanf|mmap|socket')"
+
+# symbols in sections that a program can write; those of sanitizers and gcov begin with _ or a dot
+writable() {
+    objdump -t "lib$1.a" 2>/dev/null |
+        awk 'NF > 4 && $(NF - 2) ~ /^\.(data|bss|tdata|tbss)/ && $(NF - 2) !~ /\.ro/ &&
+             $NF !~ /^[._*]/ { print $(NF - 2), $NF }'
+}
+for name in $core; do
+    empty "$name has no mutable globals" "$(writable "$name")"
+done
+finish

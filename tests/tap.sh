@@ -1,0 +1,54 @@
+# shellcheck shell=sh
+# TAP for shell tests: sourced. A test says what it checks and the evidence when it fails.
+tap_n=0
+tap_bad=0
+
+# report STATUS NAME: one line of TAP
+report() {
+    tap_n=$((tap_n + 1))
+    if [ "$1" -eq 0 ]; then
+        echo "ok $tap_n - $2"
+    else
+        echo "not ok $tap_n - $2"
+        tap_bad=1
+    fi
+}
+
+# explain: standard input as TAP comments
+explain() {
+    sed 's/^/# /'
+}
+
+# empty NAME TEXT: passes if the text is empty, else shows it
+empty() {
+    [ -z "$2" ]
+    report $? "$1"
+    [ -z "$2" ] || printf '%s\n' "$2" | explain
+}
+
+# same NAME GOT WANT
+same() {
+    [ "$2" = "$3" ]
+    report $? "$1"
+    [ "$2" = "$3" ] || printf 'got:  %s\nwant: %s\n' "$2" "$3" | explain
+}
+
+# has NAME TEXT PATTERN: TEXT contains the extended regular expression
+has() {
+    printf '%s\n' "$2" | grep -Eq -e "$3"
+    tap_has=$?
+    report $tap_has "$1"
+    [ $tap_has -eq 0 ] || printf 'no match for: %s\nin: %s\n' "$3" "$2" | explain
+}
+
+# skip NAME REASON
+skip() {
+    tap_n=$((tap_n + 1))
+    echo "ok $tap_n - $1 # SKIP $2"
+}
+
+# finish: the plan; last line of each test
+finish() {
+    echo "1..$tap_n"
+    exit $tap_bad
+}
