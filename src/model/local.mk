@@ -1,5 +1,18 @@
 noinst_LIBRARIES += libmodel.a
 libmodel_a_SOURCES = \
+	src/model/body.c \
+	src/model/curve.c \
 	src/model/grid.h \
-	src/model/model.h
+	src/model/json.c src/model/json.h \
+	src/model/library.c \
+	src/model/model.h src/model/model_priv.h \
+	src/model/recipe.c \
+	src/model/stretch.c \
+	src/model/substitute.c \
+	src/model/type.c
 libmodel_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)
+
+modelsdir = $(pkgdatadir)/models
+dist_models_DATA = \
+	models/compact.json models/mini-compact.json models/sedan.json \
+	models/station-wagon.json models/super-compact.json models/suv.json

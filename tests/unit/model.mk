@@ -1,1 +1,6 @@
 # unit tests of src/model
+check_PROGRAMS += test_model
+TESTS += test_model
+test_model_SOURCES = tests/unit/test_model.c
+test_model_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
+test_model_LDADD = libmodel.a libbase.a $(CMOCKA_LIBS) $(CJSON_LIBS) $(NETTLE_LIBS)

@@ -1,0 +1,52 @@
+/* Face curves: energy per kg over depth, dynamic and residual (method.md 5, "Dynamic and residual
+ * crush"). */
+#include "config.h"
+
+#include "model/model_priv.h"
+
+/* Segment of the knots that x lies in, or the nearest one; the ends are extended. */
+static int segment(const struct cr_model_knots *k, double x) {
+    int i = 0;
+    while (i + 2 < k->n && x >= k->x[i + 1]) {
+        i++;
+    }
+    return i;
+}
+
+double cr_model_knots_at(const struct cr_model_knots *k, double x) {
+    int i = segment(k, x);
+    double u = (x - k->x[i]) / (k->x[i + 1] - k->x[i]);
+    u = u < 0 ? 0 : u > 1 ? 1 : u;
+    return u == 1 ? k->y[i + 1] : k->y[i] + u * (k->y[i + 1] - k->y[i]);
+}
+
+/* Energy per kg of the dynamic curve; behind the last knot its last slope goes on. */
+static double dynamic_energy(const struct cr_model_face *f, double depth) {
+    const struct cr_model_knots *k = &f->ees;
+    if (depth <= 0) {
+        return 0;
+    }
+    int i = segment(k, depth);
+    double u = (depth - k->x[i]) / (k->x[i + 1] - k->x[i]);
+    double a = k->y[i], b = k->y[i + 1];
+    if (f->energy_linear) {
+        return (a * a + u * (b * b - a * a)) / 2;
+    }
+    double v = a + u * (b - a);
+    return v * v / 2;
+}
+
+/* The residual curve is the dynamic one moved by the springback; the energy that leaves no
+ * residual depth is spread over the first `spread` metres, so that it starts at zero
+ * (stiffness.md 8.1). */
+double cr_model_face_energy(const struct cr_model_face *f, enum cr_curve curve, double depth) {
+    if (depth <= 0) {
+        return 0;
+    }
+    if (curve == CR_CURVE_DYNAMIC || f->springback <= 0) {
+        return dynamic_energy(f, depth);
+    }
+    double hidden = dynamic_energy(f, f->springback);
+    double rest = f->spread > depth ? hidden * (1 - depth / f->spread) : 0;
+    return dynamic_energy(f, depth + f->springback) - rest;
+}

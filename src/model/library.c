@@ -1,0 +1,217 @@
+/* The library: six recipes, and what was derived from them, shared by all threads. */
+#include "config.h"
+
+#include "model/model_priv.h"
+
+#include "base/file.h"
+#include "base/vec.h"
+
+#include <math.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* height ranges kept per type; more are derived each time */
+enum { PLANS = 64 };
+
+struct kept {
+    struct cr_arena arena;
+    bool built;
+    struct cr_model_body body;
+    struct cr_model_plan whole; /* all layers */
+    int plans;
+    double range[PLANS][2];
+    struct cr_model_plan plan[PLANS];
+};
+
+struct cache {
+    pthread_mutex_t lock;
+    struct kept kept[CR_TYPES];
+};
+
+struct cr_model_lib {
+    struct cr_model_recipe recipe[CR_TYPES];
+    struct cache *cache;
+};
+
+static enum cr_err read_recipe(const char *dir, int type, struct cr_model_recipe *r,
+                               struct cr_error *err) {
+    char path[512];
+    char *text = NULL;
+    size_t len = 0;
+    snprintf(path, sizeof path, "%s/%s.json", dir, cr_type_word((enum cr_type)type));
+    enum cr_err rc = cr_file_read(path, &text, &len, err);
+    if (!rc) {
+        rc = cr_model_recipe_read(text, len, path, r, err);
+    }
+    free(text);
+    return rc;
+}
+
+enum cr_err cr_model_lib_open(const char *dir, struct cr_model_lib **out, struct cr_error *err) {
+    struct cr_model_lib *lib = calloc(1, sizeof *lib);
+    struct cache *cache = calloc(1, sizeof *cache);
+    if (lib == NULL || cache == NULL || pthread_mutex_init(&cache->lock, NULL) != 0) {
+        free(lib);
+        free(cache);
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for the models");
+    }
+    lib->cache = cache;
+    for (int i = 0; i < CR_TYPES; i++) {
+        enum cr_err rc = read_recipe(dir, i, &lib->recipe[i], err);
+        if (rc) {
+            cr_model_lib_free(lib);
+            return rc;
+        }
+    }
+    *out = lib;
+    return CR_ERR_OK;
+}
+
+void cr_model_lib_free(struct cr_model_lib *lib) {
+    if (lib == NULL) {
+        return;
+    }
+    for (int i = 0; i < CR_TYPES; i++) {
+        cr_arena_free(&lib->cache->kept[i].arena);
+    }
+    pthread_mutex_destroy(&lib->cache->lock);
+    free(lib->cache);
+    free(lib);
+}
+
+const struct cr_dims *cr_model_dims(const struct cr_model_lib *lib, enum cr_type type,
+                                    double *mass_kg) {
+    if (mass_kg != NULL) {
+        *mass_kg = lib->recipe[type].mass;
+    }
+    return &lib->recipe[type].dims;
+}
+
+const char *cr_model_hash(const struct cr_model_lib *lib, enum cr_type type) {
+    return lib->recipe[type].hash;
+}
+
+/* Under the lock: body and whole plan of a type. */
+static enum cr_err build(const struct cr_model_recipe *r, struct kept *k, struct cr_error *err) {
+    if (k->built) {
+        return CR_ERR_OK;
+    }
+    enum cr_err rc = cr_model_body_build(r, &k->arena, &k->body, err);
+    if (!rc) {
+        rc = cr_model_plan_build(&k->body, 0, r->dims.height, &k->arena, &k->whole, err);
+    }
+    if (!rc) {
+        k->whole.weight[0] = k->whole.full[0];
+        k->whole.weight[1] = k->whole.full[1];
+        k->built = true;
+    }
+    return rc;
+}
+
+/* Plan of a height range (m of the reference vehicle): kept while there is room. */
+static enum cr_err plan_of(const struct cr_model_recipe *r, struct kept *k, double lo, double hi,
+                           struct cr_arena *scratch, struct cr_model_plan *out,
+                           struct cr_error *err) {
+    enum cr_err rc = build(r, k, err);
+    if (rc) {
+        return rc;
+    }
+    if (lo <= 0 && hi >= r->dims.height) {
+        *out = k->whole;
+        return CR_ERR_OK;
+    }
+    for (int i = 0; i < k->plans; i++) {
+        if (k->range[i][0] == lo && k->range[i][1] == hi) {
+            *out = k->plan[i];
+            return CR_ERR_OK;
+        }
+    }
+    bool keep = k->plans < PLANS;
+    rc = cr_model_plan_build(&k->body, lo, hi, keep ? &k->arena : scratch, out, err);
+    if (!rc && keep) {
+        k->range[k->plans][0] = lo;
+        k->range[k->plans][1] = hi;
+        k->plan[k->plans++] = *out;
+    }
+    return rc;
+}
+
+static enum cr_err substitute(const struct cr_model_lib *lib, const struct cr_model_query *q,
+                              const struct cr_model_face face[CR_MODEL_ENDS],
+                              struct cr_arena *arena, struct cr_grid *out, struct cr_error *err) {
+    const struct cr_model_recipe *r = &lib->recipe[q->type];
+    struct cr_model_stretch stretch;
+    struct cr_model_plan plan;
+    struct cr_arena scratch = {0};
+    enum cr_err rc = cr_model_query_check(q, err);
+    if (!rc) {
+        rc = cr_model_stretch_make(r, &q->dims, &stretch, err);
+    }
+    if (rc) {
+        return rc;
+    }
+    double top = q->dims.height;
+    double lo = cr_model_map_ref(&stretch.z, cr_clamp(q->z_lo, 0, top));
+    double hi = cr_model_map_ref(&stretch.z, cr_clamp(q->z_hi, 0, top));
+    pthread_mutex_lock(&lib->cache->lock);
+    rc = plan_of(r, &lib->cache->kept[q->type], lo, hi, &scratch, &plan, err);
+    pthread_mutex_unlock(&lib->cache->lock);
+    if (!rc) {
+        rc = cr_model_resample(r, face != NULL ? face : r->face, &plan, &stretch, q, arena, out,
+                               err);
+    }
+    cr_arena_free(&scratch);
+    return rc;
+}
+
+enum cr_err cr_model_substitute(const struct cr_model_lib *lib, const struct cr_model_query *q,
+                                struct cr_arena *arena, struct cr_grid *out, struct cr_error *err) {
+    return substitute(lib, q, NULL, arena, out, err);
+}
+
+/* CRASH3 energy over a width: E = width (A c + B c^2/2 + A^2/2B) is linear in EES:
+ * EES = sqrt(B width / m) (c + A/B); as a dynamic curve it begins A/B earlier, or as much earlier
+ * as the recipe's springback. */
+static void stiffness_face(const struct cr_stiffness *s, double width, double mass,
+                           struct cr_model_face *f) {
+    const double far = 3; /* m, deeper than any half of a car */
+    f->own_metres = true;
+    if (s->b <= 0) { /* steady force A, no energy without residual depth */
+        f->energy_linear = true;
+        f->springback = 0;
+        f->ees = (struct cr_model_knots){2, {0, far}, {0, sqrt(2 * s->a * width * far / mass)}};
+        return;
+    }
+    double slope = sqrt(s->b * width / mass), hidden = s->a / s->b;
+    f->energy_linear = false;
+    f->springback = hidden < f->springback ? hidden : f->springback;
+    f->ees = (struct cr_model_knots){2, {0, far}, {0, slope * far}};
+    if (f->springback > 0 && f->springback < far) {
+        double residual = far - f->springback;
+        f->ees = (struct cr_model_knots){
+            3, {0, f->springback, far}, {0, slope * hidden, slope * (residual + hidden)}};
+    }
+}
+
+enum cr_err cr_model_from_stiffness(const struct cr_model_lib *lib, const struct cr_model_query *q,
+                                    const struct cr_stiffness face[3], struct cr_arena *arena,
+                                    struct cr_grid *out, struct cr_error *err) {
+    static const char *const name[] = {"front", "side", "rear"};
+    struct cr_model_face own[CR_MODEL_ENDS];
+    enum cr_err rc = cr_model_query_check(q, err);
+    for (int i = 0; i < CR_MODEL_ENDS && !rc; i++) {
+        const struct cr_stiffness *s = &face[i];
+        own[i] = lib->recipe[q->type].face[i];
+        if (!(s->a >= 0 && s->a <= 1e7 && s->b >= 0 && s->b <= 1e8)) {
+            rc = cr_err_set(err, CR_ERR_RANGE, "%s stiffness A %g N/m, B %g N/m2 cannot be",
+                            name[i], s->a, s->b);
+            cr_err_hint(err, "A 0 to 1e7 N/m, B 0 to 1e8 N/m2; both 0 for the type's own");
+        } else if (s->a > 0 || s->b > 0) {
+            stiffness_face(s, i == CR_MODEL_SIDE ? q->dims.length : q->dims.width, q->mass_kg,
+                           &own[i]);
+        }
+    }
+    return rc ? rc : substitute(lib, q, own, arena, out, err);
+}

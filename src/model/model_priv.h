@@ -1,0 +1,126 @@
+/* Inside of the model folder: recipes, the reference body and the reference grid.
+ *
+ * Recipe coordinates (also of the reference body): x from the front end rearward, y from the
+ * centre line (models are mirror images left and right, so only y >= 0 is held), z from the road,
+ * all in m of the reference vehicle. */
+#ifndef CR_MODEL_PRIV_H
+#define CR_MODEL_PRIV_H
+
+#include "model/model.h"
+
+#include <stddef.h>
+
+enum cr_model_end { CR_MODEL_FRONT, CR_MODEL_SIDE, CR_MODEL_REAR, CR_MODEL_ENDS };
+
+enum { CR_MODEL_KNOTS = 24, CR_MODEL_BOXES = 64, CR_MODEL_NAME = 32 };
+
+/* Piecewise linear function of one variable. */
+struct cr_model_knots {
+    int n;
+    double x[CR_MODEL_KNOTS], y[CR_MODEL_KNOTS];
+};
+double cr_model_knots_at(const struct cr_model_knots *k, double x);
+
+/* Energy that a whole face takes over depth. */
+struct cr_model_face {
+    struct cr_model_knots ees; /* depth m -> EES m/s, dynamic */
+    bool energy_linear;        /* between the knots EES^2 is linear (steady force), not EES */
+    bool own_metres;           /* depth in m of the vehicle itself, not of the reference vehicle */
+    double springback;         /* dynamic minus residual depth, m */
+    double spread;         /* residual curve: what the springback hides is spread over this, m */
+    double tension_per_kg; /* string of the induced deformation, N/kg */
+};
+
+/* Plastic energy per kg of vehicle mass (J/kg = EES^2/2) of the face crushed to a depth, m. */
+double cr_model_face_energy(const struct cr_model_face *face, enum cr_curve curve, double depth);
+
+/* A structure: adds its weights to the plan inside its box. */
+struct cr_model_box {
+    char name[CR_MODEL_NAME];
+    double x[2], y[2], z[2]; /* m */
+    double weight[2];        /* longitudinal, lateral; relative to the other structures */
+};
+
+struct cr_model_recipe {
+    char label[CR_MODEL_NAME];
+    char hash[CR_HASH_SIZE];
+    struct cr_dims dims;
+    double mass;                       /* kg */
+    double a_pillar, b_pillar;         /* x, m */
+    struct cr_model_knots end[2];      /* front, rear: share of half width -> setback m */
+    struct cr_model_knots top, bottom; /* x -> z, m */
+    struct cr_model_knots side;        /* z m -> share of half width */
+    double keep_below;                 /* z up to which heights are not stretched, m */
+    double wheel_radius, wheel_width, house_radius; /* m */
+    struct cr_model_face face[CR_MODEL_ENDS];
+    double body_weight[2]; /* longitudinal, lateral: of the body between the structures */
+    int boxes;
+    struct cr_model_box box[CR_MODEL_BOXES];
+};
+
+/* Read a recipe from its text; src names the file in errors. Errors: SYNTAX, MISSING, TYPE, RANGE,
+ * KEY, MODEL with JSON pointer. */
+CR_MUST_CHECK enum cr_err cr_model_recipe_read(const char *text, size_t len, const char *src,
+                                               struct cr_model_recipe *out, struct cr_error *err);
+
+/* The reference body: weight per m of height of each cubic cell, longitudinal and lateral, and
+ * how much of the cell is material. */
+struct cr_model_body {
+    double edge;             /* m */
+    int nx, ny, nz;          /* cells from the front end, from the centre line, from the road */
+    const double *weight[2]; /* [(ix * ny + iy) * nz + iz] */
+    const double *fill;      /* 0..1, in height and profile; the plan outline is not in it */
+};
+
+CR_MUST_CHECK enum cr_err cr_model_body_build(const struct cr_model_recipe *r,
+                                              struct cr_arena *arena, struct cr_model_body *out,
+                                              struct cr_error *err);
+
+/* The reference body seen from above: weights and presence of material per column. */
+struct cr_model_plan {
+    int nx, ny;
+    double edge;
+    const double *weight[2]; /* [ix * ny + iy], of the layers asked for */
+    const double *full[2];   /* the same of all layers */
+    const double *present;   /* share of the column's plan that has material in those layers */
+};
+
+/* Columns of the layers between z_lo and z_hi (m of the reference vehicle). */
+CR_MUST_CHECK enum cr_err cr_model_plan_build(const struct cr_model_body *body, double z_lo,
+                                              double z_hi, struct cr_arena *arena,
+                                              struct cr_model_plan *out, struct cr_error *err);
+
+/* Monotone piecewise linear map between the vehicle's own lines and the reference grid's. */
+enum { CR_MODEL_LINES = 6 };
+struct cr_model_map {
+    int n;
+    double own[CR_MODEL_LINES], ref[CR_MODEL_LINES];
+};
+double cr_model_map_ref(const struct cr_model_map *map, double own);
+
+/* The reference grid of a vehicle: x (from the front end), y (from the centre line), z. */
+struct cr_model_stretch {
+    struct cr_model_map x, y, z;
+};
+/* Errors: RANGE where lines of the vehicle are not in order. */
+CR_MUST_CHECK enum cr_err cr_model_stretch_make(const struct cr_model_recipe *r,
+                                                const struct cr_dims *dims,
+                                                struct cr_model_stretch *out, struct cr_error *err);
+
+/* Check mass, dimensions and voxel of a query. */
+CR_MUST_CHECK enum cr_err cr_model_query_check(const struct cr_model_query *q,
+                                               struct cr_error *err);
+
+/* Shares of the longitudinal and the lateral field at a PDOF: cos^2 and sin^2 of the sector, or
+ * of the two neighbouring sectors mixed. */
+void cr_model_mix(double pdof, bool blend, double share[2]);
+
+/* The 2D substitute from its parts; faces may differ from the recipe's. */
+CR_MUST_CHECK enum cr_err cr_model_resample(const struct cr_model_recipe *r,
+                                            const struct cr_model_face face[CR_MODEL_ENDS],
+                                            const struct cr_model_plan *plan,
+                                            const struct cr_model_stretch *stretch,
+                                            const struct cr_model_query *q, struct cr_arena *arena,
+                                            struct cr_grid *out, struct cr_error *err);
+
+#endif

@@ -1,0 +1,286 @@
+/* The 2D vehicle substitute model on the solver's voxels (paper, "2 D vehicle substitute models").
+ *
+ * Longitudinal field: the layer between depths d1 and d2 behind the foremost point holds exactly
+ * m (e(d2) - e(d1)), shared out over its material by the weights of the structures; lateral field
+ * alike, in depth behind the flank. So the energy of a face crushed to a depth does not depend on
+ * voxel size, outline or stretch. */
+#include "config.h"
+
+#include "model/model_priv.h"
+
+#include "base/vec.h"
+
+#include <math.h>
+
+/* strips per voxel in which the outline is followed */
+enum { STRIPS = 8 };
+
+/* The half grid y >= 0 while it is made: rows of voxels at the same y, k counted from the front. */
+struct work {
+    const struct cr_model_recipe *r;
+    const struct cr_model_face *face;
+    const struct cr_model_stretch *stretch;
+    const struct cr_model_query *q;
+    int nx, half;
+    double h, length, width;
+    double *row_budget; /* [nx] J of a layer at depth k, both halves */
+    double *row_weight; /* [nx] */
+    double *slab[5];    /* [ny of the plan][nx]: plan weights resampled along x */
+    double *line[5];    /* [nx]: the same across y, of one row */
+    double *fill;       /* [nx] of one row, before the height range */
+};
+
+/* Energy per kg from the front end to x (m behind it), over front and rear half. */
+static double along(const struct work *w, double x) {
+    const struct cr_model_face *front = &w->face[CR_MODEL_FRONT], *rear = &w->face[CR_MODEL_REAR];
+    double middle = w->length / 2; /* where the depths from both ends meet */
+    double ref_middle = cr_model_map_ref(&w->stretch->x, middle);
+    double ref = cr_model_map_ref(&w->stretch->x, x), ref_end = w->r->dims.length;
+    double at = x < middle ? x : middle, ref_at = x < middle ? ref : ref_middle;
+    double e = cr_model_face_energy(front, w->q->curve, front->own_metres ? at : ref_at);
+    if (x > middle) {
+        double whole = rear->own_metres ? w->length - middle : ref_end - ref_middle;
+        double left = rear->own_metres ? w->length - x : ref_end - ref;
+        e += cr_model_face_energy(rear, w->q->curve, whole) -
+             cr_model_face_energy(rear, w->q->curve, left);
+    }
+    return e;
+}
+
+/* Energy per kg from a flank inward to y. */
+static double inward(const struct work *w, double y) {
+    const struct cr_model_face *side = &w->face[CR_MODEL_SIDE];
+    double own = w->width / 2 - y;
+    double ref = w->r->dims.width / 2 - cr_model_map_ref(&w->stretch->y, y);
+    return cr_model_face_energy(side, w->q->curve, side->own_metres ? own : ref);
+}
+
+/* Mean of v (a value per cell of the plan, `step` apart, n cells) over [lo, hi] in cells. */
+static double mean_over(const double *v, size_t step, int n, double lo, double hi) {
+    int from = (int)lo;
+    double sum = 0;
+    for (int i = from; i < n && i < hi; i++) {
+        double a = i > lo ? i : lo, b = i + 1 < hi ? i + 1 : hi;
+        sum += v[(size_t)i * step] * (b - a);
+    }
+    return sum / (hi - lo);
+}
+
+/* Interval of the vehicle in cells of the plan. */
+static void to_cells(const struct cr_model_map *map, double edge, int n, double lo, double hi,
+                     double out[2]) {
+    out[0] = cr_clamp(cr_model_map_ref(map, lo) / edge, 0, n - 1e-6);
+    out[1] = cr_clamp(cr_model_map_ref(map, hi) / edge, out[0] + 1e-6, n);
+}
+
+static void resample_x(struct work *w, const struct cr_model_plan *p, const double *const *from) {
+    for (int k = 0; k < w->nx; k++) {
+        double to = (k + 1) * w->h < w->length ? (k + 1) * w->h : w->length, cells[2];
+        to_cells(&w->stretch->x, p->edge, p->nx, k * w->h, to, cells);
+        for (int v = 0; v < 5; v++) {
+            for (int j = 0; j < p->ny && from[v] != NULL; j++) {
+                w->slab[v][(size_t)j * (size_t)w->nx + (size_t)k] =
+                    mean_over(from[v] + j, (size_t)p->ny, p->nx, cells[0], cells[1]);
+            }
+        }
+        w->row_budget[k] = w->q->mass_kg * (along(w, to) - along(w, k * w->h));
+    }
+}
+
+static void resample_y(struct work *w, const struct cr_model_plan *p, const double *const *from,
+                       double y_lo, double y_hi) {
+    double cells[2];
+    to_cells(&w->stretch->y, p->edge, p->ny, y_lo, y_hi, cells);
+    for (int v = 0; v < 5; v++) {
+        double *line = w->line[v];
+        if (from[v] == NULL) {
+            continue;
+        }
+        for (int k = 0; k < w->nx; k++) {
+            line[k] = 0;
+        }
+        for (int j = (int)cells[0]; j < p->ny && j < cells[1]; j++) {
+            double a = j > cells[0] ? j : cells[0], b = j + 1 < cells[1] ? j + 1 : cells[1];
+            double share = (b - a) / (cells[1] - cells[0]);
+            const double *slab = w->slab[v] + (size_t)j * (size_t)w->nx;
+            for (int k = 0; k < w->nx; k++) {
+                line[k] += share * slab[k];
+            }
+        }
+    }
+}
+
+/* Share of each voxel of row j that lies inside the plan outline. */
+static void fill_row(struct work *w, int j) {
+    for (int k = 0; k < w->nx; k++) {
+        w->fill[k] = 0;
+    }
+    for (int s = 0; s < STRIPS; s++) {
+        double lo = (j + (double)s / STRIPS) * w->h, hi = lo + w->h / STRIPS;
+        double inside = cr_clamp((w->width / 2 - lo) / (hi - lo), 0, 1) / STRIPS;
+        double share = cr_clamp((lo + hi) / w->width, 0, 1);
+        double a = cr_model_knots_at(&w->r->end[0], share) / w->h;
+        double b = (w->length - cr_model_knots_at(&w->r->end[1], share)) / w->h;
+        for (int k = (int)a; k < w->nx && k < b && inside > 0; k++) {
+            double from = k > a ? k : a, to = k + 1 < b ? k + 1 : b;
+            w->fill[k] += inside * (to - from);
+        }
+    }
+}
+
+/* One row: fill, lateral energy and the weight of the longitudinal one (into energy, lateral). */
+static void make_row(struct work *w, int j, double lateral_share, double *fill, double *energy,
+                     double *lateral) {
+    const double *const *l = (const double *const *)w->line;
+    double lo = j * w->h, hi = lo + w->h < w->width / 2 ? lo + w->h : w->width / 2, sum = 0;
+    for (int k = 0; k < w->nx; k++) {
+        w->row_weight[k] += 2 * w->fill[k] * l[2][k];
+        sum += w->fill[k] * l[3][k];
+    }
+    double budget = w->q->mass_kg * (inward(w, lo) - inward(w, hi)) * lateral_share;
+    double scale = sum > 0 ? budget / sum : 0;
+    for (int k = 0; k < w->nx; k++) {
+        energy[k] = w->fill[k] * l[0][k];
+        lateral[k] = w->fill[k] * l[1][k] * scale;
+        fill[k] = w->fill[k] * l[4][k];
+    }
+}
+
+static bool take_work(struct work *w, int plan_ny, bool ranged, struct cr_arena *scratch) {
+    size_t nx = (size_t)w->nx;
+    for (int v = 0; v < 5; v++) {
+        bool same = !ranged && (v == 2 || v == 3);
+        w->slab[v] = same ? w->slab[v - 2] : cr_arena_take(scratch, nx * (size_t)plan_ny, 8);
+        w->line[v] = same ? w->line[v - 2] : cr_arena_take(scratch, nx, 8);
+        if (w->slab[v] == NULL || w->line[v] == NULL) {
+            return false;
+        }
+    }
+    w->row_budget = cr_arena_take(scratch, nx, 8);
+    w->row_weight = cr_arena_take(scratch, nx, 8);
+    w->fill = cr_arena_take(scratch, nx, 8);
+    return w->row_budget != NULL && w->row_weight != NULL && w->fill != NULL;
+}
+
+/* Turn rows counted from the front into rows along x, and mirror them to the right half. */
+static void mirror(const struct work *w, const double *half, double *out) {
+    size_t nx = (size_t)w->nx;
+    for (int j = 0; j < w->half; j++) {
+        double *left = out + (size_t)(w->half + j) * nx,
+               *right = out + (size_t)(w->half - 1 - j) * nx;
+        for (size_t k = 0; k < nx; k++) {
+            left[nx - 1 - k] = right[nx - 1 - k] = half[(size_t)j * nx + k];
+        }
+    }
+}
+
+static void set_faces(const struct work *w, struct cr_grid *g) {
+    static const int end_of[CR_FACES] = {[CR_FACE_FRONT] = CR_MODEL_FRONT,
+                                         [CR_FACE_LEFT] = CR_MODEL_SIDE,
+                                         [CR_FACE_REAR] = CR_MODEL_REAR,
+                                         [CR_FACE_RIGHT] = CR_MODEL_SIDE};
+    for (int i = 0; i < CR_FACES; i++) {
+        const struct cr_model_face *f = &w->face[end_of[i]];
+        g->tension[i] = f->tension_per_kg * w->q->mass_kg;
+        g->springback[i] = w->q->curve == CR_CURVE_DYNAMIC ? f->springback : 0;
+    }
+}
+
+static enum cr_err run(struct work *w, const struct cr_model_plan *p, struct cr_arena *scratch,
+                       struct cr_arena *arena, struct cr_grid *g, struct cr_error *err) {
+    size_t nx = (size_t)w->nx, n = nx * (size_t)w->half;
+    bool ranged = p->weight[0] != p->full[0];
+    double *fill = cr_arena_take(scratch, n, 8), *energy = cr_arena_take(scratch, n, 8);
+    double *lateral = cr_arena_take(scratch, n, 8);
+    double *fill_out = cr_arena_take(arena, 2 * n, 8), *energy_out = cr_arena_take(arena, 2 * n, 8);
+    if (fill == NULL || energy == NULL || lateral == NULL || fill_out == NULL ||
+        energy_out == NULL || !take_work(w, p->ny, ranged, scratch)) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for a model of %zu voxels", 2 * n);
+    }
+    const double *from[5] = {p->weight[0], p->weight[1], ranged ? p->full[0] : NULL,
+                             ranged ? p->full[1] : NULL, p->present};
+    double share[2];
+    cr_model_mix(w->q->pdof, w->q->blend, share);
+    resample_x(w, p, from);
+    for (int j = 0; j < w->half; j++) {
+        size_t at = (size_t)j * nx;
+        double hi = (j + 1) * w->h < w->width / 2 ? (j + 1) * w->h : w->width / 2;
+        resample_y(w, p, from, j * w->h, hi);
+        fill_row(w, j);
+        make_row(w, j, share[1], fill + at, energy + at, lateral + at);
+    }
+    for (size_t k = 0; k < nx; k++) {
+        w->row_budget[k] *= w->row_weight[k] > 0 ? share[0] / w->row_weight[k] : 0;
+    }
+    for (size_t i = 0; i < n; i++) {
+        energy[i] = energy[i] * w->row_budget[i % nx] + lateral[i];
+    }
+    mirror(w, fill, fill_out);
+    mirror(w, energy, energy_out);
+    g->fill = fill_out;
+    g->energy = energy_out;
+    return CR_ERR_OK;
+}
+
+enum cr_err cr_model_resample(const struct cr_model_recipe *r,
+                              const struct cr_model_face face[CR_MODEL_ENDS],
+                              const struct cr_model_plan *plan,
+                              const struct cr_model_stretch *stretch,
+                              const struct cr_model_query *q, struct cr_arena *arena,
+                              struct cr_grid *out, struct cr_error *err) {
+    struct work w = {.r = r,
+                     .face = face,
+                     .stretch = stretch,
+                     .q = q,
+                     .h = q->voxel,
+                     .length = q->dims.length,
+                     .width = q->dims.width};
+    w.nx = (int)ceil(w.length / w.h - 1e-9);
+    w.half = (int)ceil(w.width / 2 / w.h - 1e-9);
+    struct cr_arena scratch = {0};
+    struct cr_grid g = {.nx = w.nx, .ny = 2 * w.half, .h = w.h};
+    g.x0 = q->dims.cg_behind_front_axle + q->dims.front_overhang - w.nx * w.h;
+    g.y0 = -w.half * w.h;
+    enum cr_err rc = run(&w, plan, &scratch, arena, &g, err);
+    cr_arena_free(&scratch);
+    if (rc) {
+        return rc;
+    }
+    set_faces(&w, &g);
+    *out = g;
+    return CR_ERR_OK;
+}
+
+enum cr_err cr_model_block(double length, double width, double voxel, double joule_per_m2,
+                           struct cr_arena *arena, struct cr_grid *out, struct cr_error *err) {
+    if (!(length > 0 && length <= 100 && width > 0 && width <= 100 && voxel >= 0.005 &&
+          voxel <= 0.1 && joule_per_m2 >= 0 && isfinite(joule_per_m2))) {
+        return cr_err_set(err, CR_ERR_RANGE,
+                          "a block of %g x %g m with %g J/m2 in voxels of %g m cannot be", length,
+                          width, joule_per_m2, voxel);
+    }
+    struct cr_grid g = {.h = voxel};
+    int half = (int)ceil(width / 2 / voxel - 1e-9);
+    g.nx = (int)ceil(length / voxel - 1e-9);
+    g.ny = 2 * half;
+    g.x0 = length / 2 - g.nx * voxel;
+    g.y0 = -half * voxel;
+    size_t n = (size_t)g.nx * (size_t)g.ny;
+    double *fill = cr_arena_take(arena, n, 8), *energy = cr_arena_take(arena, n, 8);
+    if (n > 50000000 || fill == NULL || energy == NULL) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for a block of %zu voxels", n);
+    }
+    for (int iy = 0; iy < g.ny; iy++) {
+        int j = iy < half ? half - 1 - iy : iy - half;
+        double across = cr_clamp(width / 2 / voxel - j, 0, 1);
+        for (int ix = 0; ix < g.nx; ix++) {
+            size_t i = (size_t)iy * (size_t)g.nx + (size_t)ix;
+            fill[i] = across * cr_clamp(length / voxel - (g.nx - 1 - ix), 0, 1);
+            energy[i] = fill[i] * joule_per_m2 * voxel * voxel;
+        }
+    }
+    g.fill = fill;
+    g.energy = energy;
+    *out = g;
+    return CR_ERR_OK;
+}
