@@ -2,6 +2,8 @@
 
 #include "model/json.h"
 
+#include <cjson/cJSON.h>
+
 #include "base/str.h"
 
 #include <math.h>

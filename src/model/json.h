@@ -5,7 +5,7 @@
 
 #include "model/model_priv.h"
 
-#include <cjson/cJSON.h>
+struct cJSON;
 
 struct cr_model_json {
     struct cr_error *err; /* nullable */
@@ -16,8 +16,8 @@ struct cr_model_json {
 };
 
 /* The root object of a text, owned by the caller; NULL after a fault (see code). */
-cJSON *cr_model_json_parse(struct cr_model_json *j, const char *text, size_t len, const char *src,
-                           struct cr_error *err);
+struct cJSON *cr_model_json_parse(struct cr_model_json *j, const char *text, size_t len,
+                                  const char *src, struct cr_error *err);
 
 /* Note a fault at a key of the present container (NULL: the container). */
 void cr_model_json_fail(struct cr_model_json *j, enum cr_err code, const char *key,
@@ -28,22 +28,25 @@ void cr_model_json_enter(struct cr_model_json *j, const char *key, int index);
 void cr_model_json_leave(struct cr_model_json *j);
 
 /* Required members. Object and array enter the member. */
-const cJSON *cr_model_json_object(struct cr_model_json *j, const cJSON *o, const char *key);
-const cJSON *cr_model_json_array(struct cr_model_json *j, const cJSON *o, const char *key);
-double cr_model_json_number(struct cr_model_json *j, const cJSON *o, const char *key, double lo,
-                            double hi);
-void cr_model_json_text(struct cr_model_json *j, const cJSON *o, const char *key, char *buf,
+const struct cJSON *cr_model_json_object(struct cr_model_json *j, const struct cJSON *o,
+                                         const char *key);
+const struct cJSON *cr_model_json_array(struct cr_model_json *j, const struct cJSON *o,
+                                        const char *key);
+double cr_model_json_number(struct cr_model_json *j, const struct cJSON *o, const char *key,
+                            double lo, double hi);
+void cr_model_json_text(struct cr_model_json *j, const struct cJSON *o, const char *key, char *buf,
                         size_t size);
-int cr_model_json_word(struct cr_model_json *j, const cJSON *o, const char *key,
+int cr_model_json_word(struct cr_model_json *j, const struct cJSON *o, const char *key,
                        const char *const *word, int n);
 /* [lo, hi] with lo < hi */
-void cr_model_json_range(struct cr_model_json *j, const cJSON *o, const char *key, double out[2],
-                         double lo, double hi);
+void cr_model_json_range(struct cr_model_json *j, const struct cJSON *o, const char *key,
+                         double out[2], double lo, double hi);
 /* [[x, y], ...], x increasing, at least two */
-void cr_model_json_knots(struct cr_model_json *j, const cJSON *o, const char *key,
+void cr_model_json_knots(struct cr_model_json *j, const struct cJSON *o, const char *key,
                          struct cr_model_knots *out);
 
 /* Fault for a key that is not in the list and does not begin with x_. */
-void cr_model_json_only(struct cr_model_json *j, const cJSON *o, const char *const *known, int n);
+void cr_model_json_only(struct cr_model_json *j, const struct cJSON *o, const char *const *known,
+                        int n);
 
 #endif

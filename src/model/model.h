@@ -46,11 +46,7 @@ enum cr_curve {
 
 struct cr_model_lib;
 
-<<<<<<< Updated upstream
 /* Open the recipes of a folder (models/TYPE.json). Errors: IO, SYNTAX, MODEL with their place. */
-=======
-/* Open the recipes of a folder (one JSON file per type). Errors: IO, SYNTAX, MODEL with their place. */
->>>>>>> Stashed changes
 CR_MUST_CHECK enum cr_err cr_model_lib_open(const char *dir, struct cr_model_lib **out,
                                             struct cr_error *err);
 void cr_model_lib_free(struct cr_model_lib *lib);

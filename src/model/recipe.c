@@ -2,6 +2,8 @@
 #include "config.h"
 
 #include "model/json.h"
+
+#include <cjson/cJSON.h>
 #include "model/model_priv.h"
 
 #include "base/vec.h"
