@@ -15,14 +15,15 @@ enum cr_shape_kind {
     CR_SHAPE_NONE,    /* the body is a voxel grid */
     CR_SHAPE_WALL,    /* half plane behind the origin: material at body x <= 0, normal +x */
     CR_SHAPE_POLE,    /* circle about the origin */
-    CR_SHAPE_POLYGON, /* closed polygon, counter-clockwise, edges rounded by edge_radius */
+    CR_SHAPE_POLYGON, /* closed polygon, counter-clockwise, grown by edge_radius all round */
 };
 
 /* Rigid exact outline of an object, body frame. */
 struct cr_shape {
     enum cr_shape_kind kind;
     double radius;                /* pole, m */
-    double edge_radius;           /* polygon: its corners are drawn in and rounded by this, m */
+    double edge_radius;           /* polygon: the outline is the vertices' polygon grown by this,
+                                     so a rounded box has its vertices drawn in by it, m */
     int n;                        /* vertices of the polygon */
     const struct cr_vec2 *vertex; /* borrowed, [n] */
 };

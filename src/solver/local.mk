@@ -1,5 +1,17 @@
 noinst_LIBRARIES += libsolver.a
 libsolver_a_SOURCES = \
+	src/solver/abort.c \
 	src/solver/case.h \
-	src/solver/solver.h
+	src/solver/deform.c \
+	src/solver/elastic.c \
+	src/solver/force.c \
+	src/solver/kinematics.c \
+	src/solver/kinetics.c \
+	src/solver/record.c \
+	src/solver/shape.c \
+	src/solver/solver.c \
+	src/solver/solver.h \
+	src/solver/solver_priv.h \
+	src/solver/string.c \
+	src/solver/tyre.c
 libsolver_a_CFLAGS = $(CR_CFLAGS)

@@ -132,8 +132,8 @@ CR_MUST_CHECK enum cr_err cr_solver_new(const struct cr_case *cs, struct cr_solv
  * when a number is no longer finite. */
 enum cr_status cr_solver_step(struct cr_solver *s, struct cr_error *err);
 
-/* What has come out so far; valid until the next step. */
-const struct cr_solution *cr_solver_solution(const struct cr_solver *s);
+/* What has come out so far, brought up to date by this call; valid until the next step. */
+const struct cr_solution *cr_solver_solution(struct cr_solver *s);
 
 /* Present state of a body, also before the first contact. */
 struct cr_sample cr_solver_state(const struct cr_solver *s, int body);

@@ -1,0 +1,58 @@
+/* Step 5 of the paper: when the plastic compression of a contact is over. */
+#include "solver/solver_priv.h"
+
+/* A slice without new deformation is not the end: structures leave gaps behind the bumper and
+ * before the wheel (method.md 9). This much of relative path, or time, without any is. */
+static const double gap_path = 0.35; /* m */
+static const double gap_time = 0.05; /* s */
+/* remaining share of the plastic impulse at which the threshold counts as reached */
+static const double reached = 1e-4;
+
+static double mass_along(const struct cr_solver *s, int a, int b, const struct cr_touch *t) {
+    return 1 / cr_vec2_dot(cr_compliance(s, a, b, t->coe, t->normal), t->normal);
+}
+
+/* momentum of approach that is left above the threshold e/(1-e) of the plastic impulse, N s */
+static double momentum_left(const struct cr_solver *s, int a, int b, const struct cr_touch *t,
+                            const struct cr_contact *c) {
+    double vn = cr_vec2_dot(cr_relative_velocity(s, a, b, t->coe), t->normal);
+    double kappa = c->restitution / (1 - c->restitution);
+    return mass_along(s, a, b, t) * vn - kappa * c->plastic_impulse;
+}
+
+void cr_abort_check(struct cr_solver *s, int pair, int a, int b, bool deformed) {
+    struct cr_touch *t = &s->touch[pair];
+    struct cr_contact *c = &s->contact[t->record];
+    struct cr_vec2 rel = cr_relative_velocity(s, a, b, t->coe);
+    double vn = cr_vec2_dot(rel, t->normal);
+    t->quiet = deformed ? 0 : t->quiet + s->dt;
+    if (vn <= 0) {
+        c->stop = CR_STOP_SEPARATION;
+    } else if (t->quiet > gap_time || t->quiet * cr_vec2_len(rel) > gap_path) {
+        c->stop = CR_STOP_NO_OVERLAP;
+    } else if (t->quiet == 0 &&
+               momentum_left(s, a, b, t, c) <= reached * c->plastic_impulse) {
+        c->stop = CR_STOP_MOMENTUM;
+    }
+    if (c->stop != CR_STOP_NONE) {
+        cr_elastic_begin(s, pair, a, b);
+    }
+}
+
+/* Longest slice that does not run past the momentum threshold, with the force of the last slice;
+ * the phase would otherwise end up to a whole slice late, by chance of where the grid lies. */
+double cr_abort_within(const struct cr_solver *s, int pair, int a, int b) {
+    const struct cr_touch *t = &s->touch[pair];
+    const struct cr_contact *c = &s->contact[t->record];
+    if (c->phase != CR_PHASE_PLASTIC) {
+        return c->phase == CR_PHASE_APART ? (double)INFINITY : t->elastic_left;
+    }
+    if (!(t->force > 0) || t->quiet > 0) {
+        return INFINITY;
+    }
+    double kappa = c->restitution / (1 - c->restitution);
+    double fn = t->force * cr_vec2_dot(t->direction, t->normal);
+    double left = momentum_left(s, a, b, t, c) / (fn * (1 + kappa));
+    double least = s->cs->opts.dt / 64;
+    return left < least ? least : left;
+}

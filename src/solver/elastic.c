@@ -1,0 +1,102 @@
+/* Step 6 of the paper: elastic compression and elastic restitution with equal momentum, spread
+ * over 5 ms each, along the last force direction at the last COE.
+ *
+ * What the compression stores of the motion along the normal the restitution gives back to the
+ * last joule; where the contact slides, the tangential part is friction as before. */
+#include "solver/solver_priv.h"
+
+double cr_restitution_auto(double closing, bool rigid_partner) {
+    /* stiffness.md 6, the rule through the read points; closing in m/s */
+    if (rigid_partner) {
+        return closing <= 4.3 ? 0.33
+               : closing <= 10 ? 0.33 + (closing - 4.3) / (10 - 4.3) * (0.15 - 0.33)
+                               : 0.16;
+    }
+    return closing <= 2 ? 0.3 : closing <= 10 ? 0.3 + (closing - 2) / 8 * (0.10 - 0.3) : 0.10;
+}
+
+/* the direction along which energy is stored: the force itself while the contact sticks */
+static struct cr_vec2 axis_of(const struct cr_touch *t) {
+    return t->sliding ? t->normal : t->direction;
+}
+
+static void finish(struct cr_solver *s, struct cr_touch *t, struct cr_contact *c) {
+    c->phase = CR_PHASE_APART;
+    c->t_end = s->t;
+    c->coe = t->moment_weight > 0 ? cr_vec2_scale(t->moment_coe, 1 / t->moment_weight) : t->coe;
+    c->normal = cr_vec2_unit(t->normal_sum, t->normal);
+    t->record = -1;
+}
+
+void cr_elastic_begin(struct cr_solver *s, int pair, int a, int b) {
+    struct cr_touch *t = &s->touch[pair];
+    struct cr_contact *c = &s->contact[t->record];
+    struct cr_vec2 axis = axis_of(t);
+    double v = cr_vec2_dot(cr_relative_velocity(s, a, b, t->coe), axis);
+    double give = cr_vec2_dot(cr_compliance(s, a, b, t->coe, t->direction), axis);
+    c->t_plastic_end = c->t_elastic_end = s->t;
+    /* without overlap there is nothing to press against, without approach nothing to store */
+    if (c->stop != CR_STOP_MOMENTUM || v <= 0 || give <= 0 || c->restitution <= 0) {
+        finish(s, t, c);
+        return;
+    }
+    c->phase = CR_PHASE_COMPRESSION;
+    t->elastic_left = s->cs->opts.elastic_s;
+    t->elastic_rate = v / give / s->cs->opts.elastic_s;
+    t->elastic_done = 0;
+}
+
+/* impulse that ends the phase exactly: approach zero, or all stored energy given back */
+static double last_impulse(const struct cr_contact *c, double v, double give, double along) {
+    if (c->phase == CR_PHASE_COMPRESSION) {
+        return fmax(v / give, 0);
+    }
+    /* along j (v + v - give j)/2 = -stored */
+    return (v + sqrt(v * v + 2 * give * fmax(c->stored, 0) / along)) / give;
+}
+
+void cr_elastic_slice(struct cr_solver *s, int pair, int a, int b) {
+    struct cr_touch *t = &s->touch[pair];
+    struct cr_contact *c = &s->contact[t->record];
+    struct cr_vec2 axis = axis_of(t), f = t->direction;
+    struct cr_vec2 rel = cr_relative_velocity(s, a, b, t->coe);
+    struct cr_vec2 yield = cr_compliance(s, a, b, t->coe, f);
+    double v = cr_vec2_dot(rel, axis), give = cr_vec2_dot(yield, axis);
+    double along = cr_vec2_dot(f, axis);
+    bool last = t->elastic_left - s->dt <= 1e-12;
+    double j = last && give > 0 ? last_impulse(c, v, give, along) : t->elastic_rate * s->dt;
+    double stored = along * j * (v - 0.5 * give * j);
+    double work = j * (cr_vec2_dot(rel, f) - 0.5 * cr_vec2_dot(yield, f) * j);
+    cr_impulse_apply(s, a, b, t->coe, cr_vec2_scale(f, j));
+    c->stored += stored;
+    c->friction += work - stored;
+    s->friction += work - stored;
+    c->impulse = cr_vec2_axpy(c->impulse, j, f);
+    t->moment_coe = cr_vec2_axpy(t->moment_coe, j, t->coe);
+    t->moment_weight += j;
+    t->elastic_done += j;
+    struct cr_slice *sl = cr_record_slice(s, pair);
+    if (sl != NULL) {
+        *sl = (struct cr_slice){.sample = s->samples, .contact = t->record, .phase = c->phase,
+                                .coe = t->coe, .normal = t->normal, .direction = f,
+                                .approach = v, .path = v * s->dt, .force = j / s->dt,
+                                .impulse = j, .mass_eff = 1 / cr_vec2_dot(yield, f),
+                                .friction = work - stored};
+    }
+    t->elastic_left -= s->dt;
+    if (!last) {
+        return;
+    }
+    if (c->phase == CR_PHASE_COMPRESSION) {
+        c->elastic_impulse = t->elastic_done * along;
+        c->t_elastic_end = s->t;
+        c->phase = CR_PHASE_RESTITUTION;
+        t->elastic_left = s->cs->opts.elastic_s;
+        t->elastic_rate = t->elastic_done / s->cs->opts.elastic_s;
+        t->elastic_done = 0;
+    } else {
+        s->friction += c->stored; /* what rounding has left */
+        c->stored = 0;
+        finish(s, t, c);
+    }
+}

@@ -1,0 +1,191 @@
+/* Step 2 of the paper: the force vector from the voxels that were deformed. */
+#include "solver/solver_priv.h"
+
+/* Least cosine between normal and relative velocity: a face that slides along exactly has no
+ * approach, and E / s would have no limit (method.md 9). */
+static const double cosine_min = 0.15;
+
+/* Spread of the patch, in voxels, over which its axis takes over from the relative velocity. */
+static const double patch_from = 1.0, patch_to = 4.0;
+
+static double smoothstep(double x) {
+    x = cr_clamp(x, 0, 1);
+    return x * x * (3 - 2 * x);
+}
+
+/* Eq. (1) and Eq. (3) */
+static double energy_and_coe(const struct cr_solver *s, int a, int b, struct cr_vec2 *coe) {
+    struct cr_vec2 sum = {0, 0};
+    double energy = 0, weight = 0;
+    for (int side = 0; side < 2; side++) {
+        const struct cr_losses *losses = &s->losses[side];
+        const struct cr_moving *m = &s->m[side == 0 ? a : b];
+        const struct cr_grid *g = &m->body->grid;
+        struct cr_vec2 local = {0, 0};
+        double mine = 0;
+        for (int i = 0; i < losses->n; i++) {
+            const struct cr_loss *loss = &losses->loss[i];
+            struct cr_vec2 p = {g->x0 + (loss->voxel % g->nx + 0.5) * g->h,
+                                g->y0 + ((loss->voxel / g->nx) + 0.5) * g->h};
+            local = cr_vec2_axpy(local, loss->energy, p);
+            mine += loss->energy;
+        }
+        if (mine > 0) {
+            struct cr_vec2 at = cr_to_world(m, cr_vec2_scale(local, 1 / mine));
+            sum = cr_vec2_axpy(sum, mine, at);
+            weight += mine;
+        }
+        energy += losses->energy;
+    }
+    *coe = weight > 0 ? cr_vec2_scale(sum, 1 / weight) : sum;
+    return energy;
+}
+
+/* second moments of the contact voxels of both bodies about a world point */
+struct moments {
+    double w, xx, xy, yy;
+    struct cr_vec2 first;
+};
+
+static struct moments moments_of(const struct cr_solver *s, int a, int b, struct cr_vec2 about) {
+    struct moments mo = {0};
+    for (int side = 0; side < 2; side++) {
+        const struct cr_losses *losses = &s->losses[side];
+        const struct cr_moving *m = &s->m[side == 0 ? a : b];
+        const struct cr_grid *g = &m->body->grid;
+        for (int i = 0; i < losses->contact; i++) {
+            const struct cr_loss *loss = &losses->loss[i];
+            struct cr_vec2 p = {g->x0 + (loss->voxel % g->nx + 0.5) * g->h,
+                                g->y0 + ((loss->voxel / g->nx) + 0.5) * g->h};
+            struct cr_vec2 d = cr_vec2_sub(cr_to_world(m, p), about);
+            mo.w += loss->energy;
+            mo.first = cr_vec2_axpy(mo.first, loss->energy, d);
+            mo.xx += loss->energy * d.x * d.x;
+            mo.xy += loss->energy * d.x * d.y;
+            mo.yy += loss->energy * d.y * d.y;
+        }
+    }
+    if (mo.w > 0) {
+        struct cr_vec2 c = cr_vec2_scale(mo.first, 1 / mo.w);
+        mo.xx = mo.xx / mo.w - c.x * c.x;
+        mo.xy = mo.xy / mo.w - c.x * c.y;
+        mo.yy = mo.yy / mo.w - c.y * c.y;
+    }
+    return mo;
+}
+
+/* How far the patch has an axis, 0..1, and the axis' normal on the side of `outward`. */
+static double axis_of_patch(const struct moments *mo, double h, struct cr_vec2 outward,
+                            struct cr_vec2 *normal) {
+    double mean = 0.5 * (mo->xx + mo->yy), diff = 0.5 * (mo->xx - mo->yy);
+    double root = sqrt(diff * diff + mo->xy * mo->xy);
+    double major = sqrt(fmax(mean + root, 0)), minor = sqrt(fmax(mean - root, 0));
+    double axis = 0.5 * atan2(mo->xy, diff); /* of the major axis */
+    struct cr_vec2 n = {-sin(axis), cos(axis)};
+    *normal = cr_vec2_dot(n, outward) < 0 ? cr_vec2_scale(n, -1) : n;
+    double size = smoothstep((major / h - patch_from) / (patch_to - patch_from));
+    double shape = major > 0 ? smoothstep((1 - minor / major) / 0.5) : 0;
+    return size * shape;
+}
+
+static struct cr_vec2 mix(struct cr_vec2 a, double w, struct cr_vec2 b) {
+    return cr_vec2_unit(cr_vec2(w * a.x + (1 - w) * b.x, w * a.y + (1 - w) * b.y), b);
+}
+
+/* Normal to the line through the deformed voxels (their minor principal axis), faded to the
+ * direction v of relative velocity while the patch is too small or too round to have an axis.
+ * False where the bodies are leaving each other. */
+static bool normal_of_patch(const struct cr_solver *s, int a, int b, struct cr_vec2 coe,
+                            struct cr_vec2 v, struct cr_vec2 *normal) {
+    const struct cr_moving *ma = &s->m[a], *mb = &s->m[b];
+    struct moments mo = moments_of(s, a, b, coe);
+    struct cr_vec2 none = {0, 0};
+    struct cr_vec2 out = cr_vec2_sub(cr_vec2_unit(cr_vec2_sub(coe, ma->pos), none),
+                                     cr_vec2_unit(cr_vec2_sub(coe, mb->pos), none));
+    out = cr_vec2_unit(out, v);
+    double w = axis_of_patch(&mo, ma->body->grid.h, out, normal);
+    if (cr_vec2_dot(mix(*normal, w, out), v) <= 0) {
+        return false;
+    }
+    *normal = mix(*normal, w, v);
+    return true;
+}
+
+/* energy-weighted surface normal of a rigid partner, out of it */
+static struct cr_vec2 normal_of_shape(const struct cr_moving *rigid, const struct cr_moving *soft,
+                                      const struct cr_losses *losses) {
+    const struct cr_grid *g = &soft->body->grid;
+    struct cr_vec2 sum = {0, 0};
+    for (int i = 0; i < losses->contact; i++) {
+        const struct cr_loss *loss = &losses->loss[i];
+        struct cr_vec2 p = {g->x0 + (loss->voxel % g->nx + 0.5) * g->h,
+                            g->y0 + ((loss->voxel / g->nx) + 0.5) * g->h};
+        struct cr_vec2 n;
+        cr_shape_distance(&rigid->body->shape, cr_to_body(rigid, cr_to_world(soft, p)), &n);
+        sum = cr_vec2_axpy(sum, loss->energy, n);
+    }
+    return cr_vec2_rotate(sum, rigid->c, rigid->s);
+}
+
+double cr_force_friction(const struct cr_solver *s, int a, int b) {
+    double fa = s->cs->body[a].friction, fb = s->cs->body[b].friction, mu = s->cs->opts.friction;
+    /* with a surface of its own on either side the smoother one decides */
+    fa = fa >= 0 ? fa : mu;
+    fb = fb >= 0 ? fb : mu;
+    return fmin(fa, fb);
+}
+
+/* tilt n towards the unit vector v until their cosine is cosine_min */
+static struct cr_vec2 tilt(struct cr_vec2 n, struct cr_vec2 v) {
+    double dot = cr_vec2_dot(n, v);
+    if (dot >= cosine_min) {
+        return n;
+    }
+    struct cr_vec2 t = cr_vec2_unit(cr_vec2_axpy(n, -dot, v), cr_vec2_perp(v));
+    return cr_vec2_add(cr_vec2_scale(v, cosine_min),
+                       cr_vec2_scale(t, sqrt(1 - cosine_min * cosine_min)));
+}
+
+/* direction of the force within the Coulomb cone about n: along v inside it (sticking) */
+static void within_cone(struct cr_force *f, struct cr_vec2 v, double mu) {
+    struct cr_vec2 n = f->normal;
+    double vn = cr_vec2_dot(v, n);
+    struct cr_vec2 vt = cr_vec2_axpy(v, -vn, n);
+    double t = cr_vec2_len(vt);
+    f->sliding = t > mu * vn;
+    if (!f->sliding) {
+        f->direction = v;
+    } else {
+        struct cr_vec2 d = t > 0 ? cr_vec2_axpy(n, mu / t, vt) : n;
+        f->direction = cr_vec2_unit(d, n);
+    }
+    f->cosine = cr_vec2_dot(f->direction, n);
+}
+
+bool cr_force_find(struct cr_solver *s, int a, int b, struct cr_force *force) {
+    *force = (struct cr_force){0};
+    force->energy = energy_and_coe(s, a, b, &force->coe);
+    if (!(force->energy > 0)) {
+        return false;
+    }
+    const struct cr_moving *ma = &s->m[a], *mb = &s->m[b];
+    struct cr_vec2 rel = cr_relative_velocity(s, a, b, force->coe);
+    struct cr_vec2 v = cr_vec2_unit(rel, cr_vec2(0, 0));
+    if (v.x == 0 && v.y == 0) {
+        return false;
+    }
+    if (mb->body->grid.nx == 0) {
+        struct cr_vec2 n = normal_of_shape(mb, ma, &s->losses[0]);
+        force->normal = cr_vec2_unit(cr_vec2_scale(n, -1), v);
+    } else if (ma->body->grid.nx == 0) {
+        force->normal = cr_vec2_unit(normal_of_shape(ma, mb, &s->losses[1]), v);
+    } else if (!normal_of_patch(s, a, b, force->coe, v, &force->normal)) {
+        return false;
+    }
+    if (cr_vec2_dot(force->normal, v) <= 0) {
+        return false; /* leaving */
+    }
+    force->normal = tilt(force->normal, v);
+    within_cone(force, v, cr_force_friction(s, a, b));
+    return true;
+}

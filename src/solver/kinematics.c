@@ -1,0 +1,142 @@
+/* Step 4 of the paper: velocities and places, by semi-implicit Euler with an adapted slice. */
+#include "solver/solver_priv.h"
+
+/* share of a voxel that two bodies may approach each other by in one slice */
+static const double approach_max = 0.5;
+/* free motion with nothing near: slices this many times longer */
+static const double free_stretch = 4;
+
+void cr_kinematics_place(struct cr_moving *m, struct cr_vec2 pos, double heading) {
+    m->pos = pos;
+    m->heading = heading;
+    m->c = cos(heading);
+    m->s = sin(heading);
+}
+
+static double lerp(double a, double b, double u) {
+    return a + u * (b - a);
+}
+
+/* state on the prescribed path; past its end the body runs on by itself */
+static void follow(struct cr_moving *m, double t) {
+    const struct cr_waypoint *w = m->body->waypoint;
+    int n = m->body->waypoints, i = 0;
+    while (i + 2 < n && t >= w[i + 1].t) {
+        i++;
+    }
+    if (n < 2 || t > w[n - 1].t) {
+        m->driven = false;
+        return;
+    }
+    const struct cr_waypoint *p = &w[i], *q = &w[i + 1];
+    double span = q->t - p->t, u = cr_clamp((t - p->t) / span, 0, 1);
+    double turn = cr_angle_wrap(q->heading - p->heading);
+    struct cr_vec2 pos = {lerp(p->pos.x, q->pos.x, u), lerp(p->pos.y, q->pos.y, u)};
+    cr_kinematics_place(m, pos, p->heading + u * turn);
+    double speed = lerp(p->speed, q->speed, u);
+    struct cr_vec2 ahead = {m->c, m->s}, along = cr_vec2_sub(q->pos, p->pos);
+    /* the direction is the path's; a negative speed reverses along it */
+    along = cr_vec2_unit(along, ahead);
+    m->vel = cr_vec2_scale(along, fabs(speed));
+    m->yaw_rate = turn / span;
+}
+
+/* total energy and momentum of a driven body change by what drives it: booked as the ground's */
+static void drive(struct cr_solver *s, struct cr_moving *m) {
+    double mass = m->inv_mass > 0 ? 1 / m->inv_mass : 0;
+    double inertia = m->inv_inertia > 0 ? 1 / m->inv_inertia : 0;
+    double k0 = 0.5 * mass * cr_vec2_dot(m->vel, m->vel) + 0.5 * inertia * m->yaw_rate * m->yaw_rate;
+    double l0 = mass * cr_vec2_cross(m->pos, m->vel) + inertia * m->yaw_rate;
+    struct cr_vec2 p0 = cr_vec2_scale(m->vel, mass);
+    follow(m, s->t);
+    if (!m->driven) {
+        m->pos = cr_vec2_axpy(m->pos, s->dt, m->vel);
+        cr_kinematics_place(m, m->pos, m->heading + s->dt * m->yaw_rate);
+    }
+    double k1 = 0.5 * mass * cr_vec2_dot(m->vel, m->vel) + 0.5 * inertia * m->yaw_rate * m->yaw_rate;
+    double l1 = mass * cr_vec2_cross(m->pos, m->vel) + inertia * m->yaw_rate;
+    s->tyre += k0 - k1;
+    s->l_ground += l0 - l1;
+    s->p_ground = cr_vec2_add(s->p_ground, cr_vec2_sub(p0, cr_vec2_scale(m->vel, mass)));
+}
+
+void cr_kinematics_move(struct cr_solver *s) {
+    s->t += s->dt;
+    for (int i = 0; i < s->cs->n; i++) {
+        struct cr_moving *m = &s->m[i];
+        if (m->driven) {
+            drive(s, m);
+        } else if (!m->at_rest) {
+            m->pos = cr_vec2_axpy(m->pos, s->dt, m->vel);
+            if (m->yaw_rate != 0) {
+                cr_kinematics_place(m, m->pos, m->heading + s->dt * m->yaw_rate);
+            }
+        }
+    }
+    for (int p = 0, a = 0; a < s->cs->n; a++) {
+        for (int b = a + 1; b < s->cs->n; b++, p++) {
+            struct cr_touch *t = &s->touch[p];
+            if (t->record >= 0) { /* the last COE rides along with both bodies */
+                struct cr_vec2 v = cr_vec2_add(cr_velocity_at(&s->m[a], t->coe),
+                                               cr_velocity_at(&s->m[b], t->coe));
+                t->coe = cr_vec2_axpy(t->coe, 0.5 * s->dt, v);
+            }
+        }
+    }
+}
+
+/* greatest speed at which any point of the two can approach the other */
+static double closing_bound(const struct cr_moving *a, const struct cr_moving *b) {
+    double spin = 0;
+    if (isfinite(a->reach)) {
+        spin += fabs(a->yaw_rate) * a->reach;
+    }
+    if (isfinite(b->reach)) {
+        spin += fabs(b->yaw_rate) * b->reach;
+    }
+    return cr_vec2_len(cr_vec2_sub(a->vel, b->vel)) + spin;
+}
+
+static double gap(const struct cr_moving *a, const struct cr_moving *b) {
+    if (isfinite(a->reach) && isfinite(b->reach)) {
+        return cr_vec2_len(cr_vec2_sub(a->pos, b->pos)) - a->reach - b->reach;
+    }
+    const struct cr_moving *wall = isfinite(a->reach) ? b : a, *car = isfinite(a->reach) ? a : b;
+    struct cr_vec2 p = cr_to_body(wall, car->pos);
+    return p.x - car->reach;
+}
+
+double cr_kinematics_slice_length(const struct cr_solver *s) {
+    double dt = s->cs->opts.dt, least_gap = INFINITY;
+    for (int p = 0, a = 0; a < s->cs->n; a++) {
+        for (int b = a + 1; b < s->cs->n; b++, p++) {
+            const struct cr_moving *ma = &s->m[a], *mb = &s->m[b];
+            if (ma->inv_mass == 0 && mb->inv_mass == 0) {
+                continue;
+            }
+            double near = gap(ma, mb), fast = closing_bound(ma, mb);
+            least_gap = fmin(least_gap, near);
+            double h = fmax(ma->body->grid.h, mb->body->grid.h);
+            if (near <= fast * s->cs->opts.dt && fast > 0 && h > 0) {
+                /* whole parts of dt, so that the slices of a crash are of one length */
+                double parts = ceil(fast * s->cs->opts.dt / (approach_max * h) - 1e-9);
+                dt = fmin(dt, s->cs->opts.dt / fmax(parts, 1));
+            }
+        }
+    }
+    for (int p = 0, a = 0; a < s->cs->n; a++) {
+        for (int b = a + 1; b < s->cs->n; b++, p++) {
+            if (s->touch[p].record >= 0) {
+                dt = fmin(dt, cr_abort_within(s, p, a, b));
+            }
+        }
+    }
+    bool driven = false;
+    for (int i = 0; i < s->cs->n; i++) {
+        driven = driven || s->m[i].driven;
+    }
+    if (s->touched && least_gap > 0.5 && !driven) {
+        dt *= free_stretch;
+    }
+    return dt;
+}

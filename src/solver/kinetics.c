@@ -1,0 +1,86 @@
+/* Step 3 of the paper: the accelerations, here as the exact impulse of a slice. */
+#include "solver/solver_priv.h"
+
+struct cr_vec2 cr_relative_velocity(const struct cr_solver *s, int a, int b, struct cr_vec2 p) {
+    return cr_vec2_sub(cr_velocity_at(&s->m[a], p), cr_velocity_at(&s->m[b], p));
+}
+
+static struct cr_vec2 yield_of(const struct cr_moving *m, struct cr_vec2 p, struct cr_vec2 f) {
+    struct cr_vec2 r = cr_vec2_sub(p, m->pos);
+    double turn = cr_vec2_cross(r, f) * m->inv_inertia;
+    return cr_vec2_axpy(cr_vec2_scale(f, m->inv_mass), turn, cr_vec2_perp(r));
+}
+
+struct cr_vec2 cr_compliance(const struct cr_solver *s, int a, int b, struct cr_vec2 p,
+                             struct cr_vec2 f) {
+    return cr_vec2_add(yield_of(&s->m[a], p, f), yield_of(&s->m[b], p, f));
+}
+
+static void push(struct cr_solver *s, struct cr_moving *m, struct cr_vec2 p, struct cr_vec2 j) {
+    struct cr_vec2 r = cr_vec2_sub(p, m->pos);
+    m->vel = cr_vec2_axpy(m->vel, m->inv_mass, j);
+    m->yaw_rate += m->inv_inertia * cr_vec2_cross(r, j);
+    /* what is fixed hands on to the ground; a fixed CG with free yaw does not occur */
+    if (m->inv_mass == 0) {
+        s->p_ground = cr_vec2_add(s->p_ground, j);
+        s->l_ground += cr_vec2_cross(p, j);
+    } else if (m->inv_inertia == 0) {
+        s->l_ground += cr_vec2_cross(r, j);
+    }
+    double weight = cr_vec2_len(j);
+    m->slice_impulse = cr_vec2_add(m->slice_impulse, j);
+    m->slice_coe = cr_vec2_axpy(m->slice_coe, weight, p);
+    m->slice_weight += weight;
+    m->impulse = cr_vec2_add(m->impulse, j);
+}
+
+void cr_impulse_apply(struct cr_solver *s, int a, int b, struct cr_vec2 p,
+                      struct cr_vec2 impulse) {
+    push(s, &s->m[a], p, cr_vec2_scale(impulse, -1));
+    push(s, &s->m[b], p, impulse);
+}
+
+/* Eq. (2), (4), (5) as an impulse: J v - J^2 / (2 m_eff) = W takes exactly the work W out of the
+ * two bodies, where |F| = E / s would overshoot as the approach goes to zero (method.md 3, step
+ * 3). W is the crush energy and the friction work of the slice. Where there is less energy than W
+ * asks for, the bodies stop and only the share lambda of the deformation takes place. */
+void cr_kinetics_slice(struct cr_solver *s, int pair, int a, int b, const struct cr_force *f) {
+    struct cr_touch *t = &s->touch[pair];
+    struct cr_contact *c = &s->contact[t->record];
+    struct cr_vec2 rel = cr_relative_velocity(s, a, b, f->coe);
+    double vn = cr_vec2_dot(rel, f->normal), vf = cr_vec2_dot(rel, f->direction);
+    double mass = 1 / cr_vec2_dot(cr_compliance(s, a, b, f->coe, f->direction), f->direction);
+    double work = f->energy * vf / (vn * f->cosine), most = 0.5 * mass * vf * vf;
+    double lambda = work > most ? most / work : 1;
+    double j = lambda < 1 ? mass * vf : mass * (vf - sqrt(vf * vf - 2 * work / mass));
+    cr_deform_settle(s, &s->m[a], &s->losses[0], lambda);
+    cr_deform_settle(s, &s->m[b], &s->losses[1], lambda);
+    cr_impulse_apply(s, a, b, f->coe, cr_vec2_scale(f->direction, j));
+    double friction = lambda * (work - f->energy);
+    s->friction += friction;
+    c->friction += friction;
+    c->plastic_impulse += j * f->cosine;
+    c->impulse = cr_vec2_axpy(c->impulse, j, f->direction);
+    for (int side = 0; side < 2; side++) {
+        c->energy[side] += s->losses[side].energy;
+        c->induced[side] += s->losses[side].induced;
+    }
+    t->coe = f->coe;
+    t->normal = f->normal;
+    t->direction = f->direction;
+    t->sliding = f->sliding;
+    t->force = j / s->dt;
+    t->moment_coe = cr_vec2_axpy(t->moment_coe, j, f->coe);
+    t->moment_weight += j;
+    t->normal_sum = cr_vec2_axpy(t->normal_sum, lambda * f->energy, f->normal);
+    struct cr_slice *sl = cr_record_slice(s, pair);
+    if (sl != NULL) {
+        *sl = (struct cr_slice){
+            .sample = s->samples, .contact = t->record, .phase = CR_PHASE_PLASTIC,
+            .deformed = {s->losses[0].n, s->losses[1].n},
+            .energy = {s->losses[0].energy, s->losses[1].energy},
+            .induced = s->losses[0].induced + s->losses[1].induced, .coe = f->coe,
+            .normal = f->normal, .direction = f->direction, .approach = vn, .path = vn * s->dt,
+            .force = j / s->dt, .impulse = j, .mass_eff = mass, .friction = friction};
+    }
+}

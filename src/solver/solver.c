@@ -1,0 +1,505 @@
+#include "solver/solver_priv.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* how long the bodies are watched for another touch after the last contact, s */
+static const double linger = 0.02;
+/* plan area that two bodies may share at the start without being called overlapping, m2: the
+ * voxels of an outline stand out by up to half an edge */
+static const double overlap_area = 0.01;
+/* slower than this a body is at rest (literature.md 7.5) */
+static const double rest_speed = 0.05, rest_yaw = 0.02;
+
+const char *cr_stop_word(enum cr_stop stop) {
+    static const char *const words[] = {
+#define X(name, word) [CR_STOP_##name] = word,
+        CR_STOP_LIST(X)
+#undef X
+    };
+    return words[stop];
+}
+
+struct cr_opts cr_opts_default(void) {
+    return (struct cr_opts){.dt = 0.5e-3, .friction = 0.5, .road_friction = 0.8,
+                            .restitution = 0.1, .elastic_s = 5e-3, .induced = true,
+                            .end = CR_END_SEPARATION, .max_time = 20, .rest_time = 30};
+}
+
+static bool new_lines(struct cr_solver *s, struct cr_moving *m) {
+    const struct cr_grid *g = &m->body->grid;
+    size_t nx = (size_t)g->nx, ny = (size_t)g->ny;
+    m->row = cr_arena_take(&s->arena, ny, sizeof *m->row);
+    m->col = cr_arena_take(&s->arena, nx, sizeof *m->col);
+    for (int f = 0; f < CR_FACES; f++) {
+        size_t n = f == CR_FACE_FRONT || f == CR_FACE_REAR ? ny : nx;
+        m->depth[f] = cr_arena_take(&s->arena, n, sizeof(double));
+        m->pulled[f] = cr_arena_take(&s->arena, n, 1);
+        if (m->depth[f] == NULL || m->pulled[f] == NULL) {
+            return false;
+        }
+    }
+    return m->row != NULL && m->col != NULL;
+}
+
+static void span_lines(struct cr_moving *m) {
+    const struct cr_grid *g = &m->body->grid;
+    for (int ix = 0; ix < g->nx; ix++) {
+        m->col[ix] = (struct cr_span){g->ny, 0};
+    }
+    for (int iy = 0; iy < g->ny; iy++) {
+        struct cr_span *row = &m->row[iy];
+        *row = (struct cr_span){g->nx, 0};
+        for (int ix = 0; ix < g->nx; ix++) {
+            if (m->left[iy * g->nx + ix] > 0) {
+                struct cr_span *col = &m->col[ix];
+                row->lo = ix < row->lo ? ix : row->lo;
+                row->hi = ix + 1;
+                col->lo = iy < col->lo ? iy : col->lo;
+                col->hi = iy + 1;
+            }
+        }
+        row->lo = row->hi == 0 ? 0 : row->lo;
+    }
+}
+
+/* energy per unit of material against each partner, shared where the layers are the same */
+static bool new_units(struct cr_solver *s, struct cr_moving *m) {
+    const struct cr_grid *g = &m->body->grid;
+    for (int p = 0; p < s->cs->n; p++) {
+        const double *energy = m->body->energy_against[p];
+        energy = energy != NULL ? energy : g->energy;
+        for (int q = 0; q < p; q++) {
+            const double *other = m->body->energy_against[q];
+            if ((other != NULL ? other : g->energy) == energy) {
+                m->unit[p] = m->unit[q];
+            }
+        }
+        if (m->unit[p] != NULL) {
+            continue;
+        }
+        size_t n = (size_t)g->nx * (size_t)g->ny;
+        double *unit = cr_arena_take(&s->arena, n, sizeof *unit);
+        if (unit == NULL) {
+            return false;
+        }
+        for (size_t k = 0; k < n; k++) {
+            unit[k] = g->fill[k] > 1e-6 ? energy[k] / g->fill[k] : 0;
+        }
+        m->unit[p] = unit;
+    }
+    return true;
+}
+
+static bool new_grid(struct cr_solver *s, struct cr_moving *m) {
+    const struct cr_grid *g = &m->body->grid;
+    size_t n = (size_t)g->nx * (size_t)g->ny;
+    m->left = cr_arena_take(&s->arena, n, sizeof *m->left);
+    m->t_sum = cr_arena_take(&s->arena, n, sizeof *m->t_sum);
+    m->how = cr_arena_take(&s->arena, n, sizeof *m->how);
+    if (m->left == NULL || m->t_sum == NULL || m->how == NULL || !new_lines(s, m)) {
+        return false;
+    }
+    for (size_t k = 0; k < n; k++) {
+        m->left[k] = g->fill[k] > 1e-6 ? g->fill[k] : 0;
+    }
+    span_lines(m);
+    m->lo = cr_vec2(g->x0, g->y0);
+    m->hi = cr_vec2(g->x0 + g->nx * g->h, g->y0 + g->ny * g->h);
+    return new_units(s, m);
+}
+
+static bool new_body(struct cr_solver *s, int i) {
+    struct cr_moving *m = &s->m[i];
+    const struct cr_body *b = &s->cs->body[i];
+    m->body = b;
+    m->inv_mass = b->mass > 0 ? 1 / b->mass : 0;
+    m->inv_inertia = b->mass > 0 && b->inertia > 0 ? 1 / b->inertia : 0;
+    m->vel = b->mass > 0 || b->waypoints > 0 ? b->vel : cr_vec2(0, 0);
+    m->yaw_rate = b->mass > 0 ? b->yaw_rate : 0;
+    m->driven = b->waypoints > 1;
+    m->t_first = m->t_last = m->t_rest = NAN;
+    cr_kinematics_place(m, b->pos, b->heading);
+    if (m->driven) {
+        cr_kinematics_place(m, b->waypoint[0].pos, b->waypoint[0].heading);
+        s->t = fmin(s->t, b->waypoint[0].t);
+    }
+    cr_shape_box(&b->shape, &m->lo, &m->hi);
+    if (b->grid.nx > 0 && !new_grid(s, m)) {
+        return false;
+    }
+    double x = fmax(fabs(m->lo.x), fabs(m->hi.x)), y = fmax(fabs(m->lo.y), fabs(m->hi.y));
+    m->reach = b->shape.kind == CR_SHAPE_WALL ? (double)INFINITY : sqrt(x * x + y * y);
+    float *when = b->grid.nx == 0 ? NULL
+                                  : cr_arena_take(&s->arena,
+                                                  (size_t)b->grid.nx * (size_t)b->grid.ny,
+                                                  sizeof *when);
+    s->out.body[i].t_crushed = when;
+    return when != NULL || b->grid.nx == 0;
+}
+
+static enum cr_err check_body(const struct cr_body *b, int i, struct cr_error *err) {
+    double numbers[] = {b->mass, b->inertia, b->pos.x, b->pos.y, b->vel.x,
+                        b->vel.y, b->heading, b->yaw_rate};
+    for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++) {
+        if (!isfinite(numbers[k])) {
+            return cr_err_set(err, CR_ERR_RANGE, "body %d has a number that is not finite", i);
+        }
+    }
+    const struct cr_grid *g = &b->grid;
+    if (g->nx == 0 && b->shape.kind == CR_SHAPE_NONE) {
+        return cr_err_set(err, CR_ERR_RANGE, "body %d has neither voxels nor a shape", i);
+    }
+    if (g->nx < 0 || g->ny < 0 || (g->nx > 0 && (g->ny == 0 || !(g->h > 0)))) {
+        return cr_err_set(err, CR_ERR_RANGE, "body %d has an empty voxel grid", i);
+    }
+    return CR_ERR_OK;
+}
+
+/* bodies that overlap from the start have no crash to compute; what touches by less than the
+ * voxels of an outline can tell is taken off without energy */
+static enum cr_err check_overlap(struct cr_solver *s, struct cr_error *err) {
+    for (int a = 0; a < s->cs->n; a++) {
+        for (int b = a + 1; b < s->cs->n; b++) {
+            if (!cr_deform_collect(s, a, b)) {
+                return cr_err_set(err, CR_ERR_MEMORY, "no memory for the solve");
+            }
+            double area = 0;
+            for (int side = 0; side < 2; side++) {
+                double h = s->m[side == 0 ? a : b].body->grid.h;
+                for (int i = 0; i < s->losses[side].n; i++) {
+                    area += s->losses[side].loss[i].amount * h * h;
+                }
+            }
+            if (area > overlap_area) {
+                cr_err_set(err, CR_ERR_OVERLAP,
+                           "participants %d and %d overlap at the start by %.3g m2", a + 1, b + 1,
+                           area);
+                cr_err_hint(err, "move them apart, or back along their velocities");
+                return CR_ERR_OVERLAP;
+            }
+            cr_deform_apply(&s->m[a], &s->losses[0], 0);
+            cr_deform_apply(&s->m[b], &s->losses[1], 0);
+        }
+    }
+    for (int i = 0; i < s->cs->n; i++) { /* that was no crush */
+        const struct cr_grid *g = &s->cs->body[i].grid;
+        for (int f = 0; f < CR_FACES && g->nx > 0; f++) {
+            int n = f == CR_FACE_FRONT || f == CR_FACE_REAR ? g->ny : g->nx;
+            memset(s->m[i].depth[f], 0, (size_t)n * sizeof(double));
+        }
+    }
+    s->visits = 0;
+    return CR_ERR_OK;
+}
+
+static bool new_scratch(struct cr_solver *s) {
+    int longest = 1;
+    for (int i = 0; i < s->cs->n; i++) {
+        const struct cr_grid *g = &s->cs->body[i].grid;
+        longest = g->nx > longest ? g->nx : longest;
+        longest = g->ny > longest ? g->ny : longest;
+    }
+    s->string.w = cr_arena_take(&s->arena, (size_t)longest, sizeof(double));
+    s->string.gain = cr_arena_take(&s->arena, (size_t)longest, sizeof(double));
+    s->string.r = cr_arena_take(&s->arena, (size_t)longest, sizeof(double));
+    s->freed = cr_arena_take(&s->arena, 1, sizeof *s->freed);
+    return s->string.w != NULL && s->string.gain != NULL && s->string.r != NULL &&
+           s->freed != NULL;
+}
+
+enum cr_err cr_solver_new(const struct cr_case *cs, struct cr_solver **out,
+                          struct cr_error *err) {
+    *out = NULL;
+    if (cs->n < 1 || cs->n > CR_BODY_MAX) {
+        return cr_err_set(err, CR_ERR_RANGE, "a case has 1 to %d bodies", CR_BODY_MAX);
+    }
+    for (int i = 0; i < cs->n; i++) {
+        if (check_body(&cs->body[i], i, err) != CR_ERR_OK) {
+            return CR_ERR_RANGE;
+        }
+    }
+    struct cr_solver *s = calloc(1, sizeof *s);
+    bool ok = s != NULL;
+    if (ok) {
+        s->cs = cs;
+        s->t_free = NAN;
+        ok = new_scratch(s);
+    }
+    for (int i = 0; ok && i < cs->n; i++) {
+        ok = new_body(s, i);
+    }
+    for (int p = 0; ok && p < CR_PAIR_MAX; p++) {
+        s->touch[p].record = -1;
+    }
+    enum cr_err code = ok ? check_overlap(s, err)
+                          : cr_err_set(err, CR_ERR_MEMORY, "no memory for the solve");
+    if (code != CR_ERR_OK) {
+        cr_solver_free(s);
+        return code;
+    }
+    *out = s;
+    return CR_ERR_OK;
+}
+
+void cr_solver_free(struct cr_solver *s) {
+    if (s != NULL) {
+        free(s->losses[0].loss);
+        free(s->losses[1].loss);
+        free(s->contact);
+        free(s->times);
+        free(s->trace);
+        free(s->slice);
+        cr_arena_free(&s->arena);
+        free(s);
+    }
+}
+
+const struct cr_solution *cr_solver_solution(struct cr_solver *s) {
+    cr_record_outcome(s);
+    return &s->out;
+}
+
+double cr_solver_time(const struct cr_solver *s) {
+    return s->t;
+}
+
+/* steps 1 to 3 for a pair whose materials meet; false when memory is out */
+static bool crush(struct cr_solver *s, int pair, int a, int b, struct cr_force *f) {
+    struct cr_moving *ma = &s->m[a], *mb = &s->m[b];
+    if (s->touch[pair].record < 0) {
+        if (!s->touched) {
+            s->touched = true;
+            s->dt_contact = s->dt;
+            cr_record_before(s);
+        }
+        if (!cr_record_contact(s, pair, a, b, f)) {
+            return false;
+        }
+    }
+    cr_deform_apply(ma, &s->losses[0], 0);
+    cr_deform_apply(mb, &s->losses[1], 0);
+    if (s->cs->opts.induced) {
+        struct cr_vec2 onto_a = cr_vec2_scale(f->normal, -1);
+        if (!cr_string_pull(s, ma, b, onto_a, &s->losses[0]) ||
+            !cr_string_pull(s, mb, a, f->normal, &s->losses[1])) {
+            return false;
+        }
+        struct cr_force whole;
+        if (cr_force_find(s, a, b, &whole)) {
+            *f = whole;
+        }
+    }
+    cr_kinetics_slice(s, pair, a, b, f);
+    return true;
+}
+
+static bool work_pair(struct cr_solver *s, int pair, int a, int b) {
+    struct cr_moving *ma = &s->m[a], *mb = &s->m[b];
+    struct cr_touch *t = &s->touch[pair];
+    if ((ma->inv_mass == 0 && mb->inv_mass == 0) || (ma->at_rest && mb->at_rest)) {
+        return true;
+    }
+    if (t->record >= 0 && s->contact[t->record].phase != CR_PHASE_PLASTIC) {
+        cr_elastic_slice(s, pair, a, b);
+        return true;
+    }
+    if (!cr_deform_collect(s, a, b)) {
+        return false;
+    }
+    struct cr_force f;
+    bool deformed = s->losses[0].n + s->losses[1].n > 0 && cr_force_find(s, a, b, &f);
+    if (deformed && !crush(s, pair, a, b, &f)) {
+        return false;
+    }
+    if (t->record >= 0) {
+        cr_abort_check(s, pair, a, b, deformed);
+    }
+    return true;
+}
+
+/* a wheel whose place was crushed to more than half slides (issue: after the impact) */
+static void drag_wheels(struct cr_moving *m) {
+    const struct cr_grid *g = &m->body->grid;
+    for (int i = 0; i < m->body->wheels && g->nx > 0; i++) {
+        struct cr_vec2 at = m->body->wheel[i].at;
+        int ix = (int)floor((at.x - g->x0) / g->h), iy = (int)floor((at.y - g->y0) / g->h);
+        if (ix >= 0 && iy >= 0 && ix < g->nx && iy < g->ny) {
+            int k = iy * g->nx + ix;
+            m->drag[i] = m->drag[i] || m->left[k] < 0.5 * g->fill[k];
+        }
+    }
+}
+
+static void begin_slice(struct cr_solver *s) {
+    for (int i = 0; i < s->cs->n; i++) {
+        struct cr_moving *m = &s->m[i];
+        m->vel_begin = m->vel;
+        m->yaw_begin = m->yaw_rate;
+        m->slice_impulse = m->slice_coe = cr_vec2(0, 0);
+        m->slice_weight = 0;
+    }
+}
+
+/* velocity changes of the slice count into delta-v for the bodies that are in contact */
+static void end_slice(struct cr_solver *s, const bool in_contact[]) {
+    for (int i = 0; i < s->cs->n; i++) {
+        struct cr_moving *m = &s->m[i];
+        if (in_contact[i]) {
+            m->delta_v = cr_vec2_add(m->delta_v, cr_vec2_sub(m->vel, m->vel_begin));
+            m->yaw_change += m->yaw_rate - m->yaw_begin;
+            m->t_last = s->t;
+            s->out.body[i].after = cr_solver_state(s, i);
+            drag_wheels(m);
+        }
+    }
+}
+
+static void settle_rest(struct cr_solver *s, const bool in_contact[]) {
+    for (int i = 0; i < s->cs->n; i++) {
+        struct cr_moving *m = &s->m[i];
+        bool slow = cr_vec2_len(m->vel) < rest_speed && fabs(m->yaw_rate) < rest_yaw;
+        if (m->at_rest || m->driven || in_contact[i] || !slow || m->inv_mass == 0 ||
+            isnan(m->t_first)) {
+            continue;
+        }
+        double mass = 1 / m->inv_mass, inertia = m->inv_inertia > 0 ? 1 / m->inv_inertia : 0;
+        s->tyre += 0.5 * mass * cr_vec2_dot(m->vel, m->vel) +
+                   0.5 * inertia * m->yaw_rate * m->yaw_rate;
+        s->p_ground = cr_vec2_axpy(s->p_ground, mass, m->vel);
+        s->l_ground += mass * cr_vec2_cross(m->pos, m->vel) + inertia * m->yaw_rate;
+        m->vel = cr_vec2(0, 0);
+        m->yaw_rate = 0;
+        m->at_rest = true;
+        m->t_rest = s->t;
+    }
+}
+
+static void remember(struct cr_solver *s) {
+    struct cr_snapshot *f = s->freed;
+    f->t = s->t;
+    f->tyre = s->tyre;
+    f->samples = s->samples;
+    f->p_ground = s->p_ground;
+    f->l_ground = s->l_ground;
+    for (int i = 0; i < s->cs->n; i++) {
+        f->m[i].pos = s->m[i].pos;
+        f->m[i].vel = s->m[i].vel;
+        f->m[i].heading = s->m[i].heading;
+        f->m[i].yaw_rate = s->m[i].yaw_rate;
+    }
+}
+
+static void go_back(struct cr_solver *s) {
+    const struct cr_snapshot *f = s->freed;
+    s->t = f->t;
+    s->tyre = f->tyre;
+    s->samples = f->samples;
+    s->p_ground = f->p_ground;
+    s->l_ground = f->l_ground;
+    for (int i = 0; i < s->cs->n; i++) {
+        cr_kinematics_place(&s->m[i], f->m[i].pos, f->m[i].heading);
+        s->m[i].vel = f->m[i].vel;
+        s->m[i].yaw_rate = f->m[i].yaw_rate;
+    }
+}
+
+static void check_end(struct cr_solver *s, bool any_contact) {
+    if (any_contact) {
+        s->t_free = NAN;
+        return;
+    }
+    if (isnan(s->t_free)) {
+        s->t_free = s->t;
+        remember(s);
+    }
+    if (s->cs->opts.end == CR_END_SEPARATION) {
+        s->done = s->t - s->t_free >= linger;
+        if (s->done) {
+            go_back(s);
+        }
+        return;
+    }
+    bool moving = false;
+    for (int i = 0; i < s->cs->n; i++) {
+        const struct cr_moving *m = &s->m[i];
+        /* what nothing has touched need not stop for the crash to be over */
+        moving = moving || (m->inv_mass > 0 && !m->at_rest && !isnan(m->t_first));
+    }
+    s->done = !moving || s->t - s->contact[0].t_begin > s->cs->opts.rest_time;
+}
+
+static enum cr_status failed(struct cr_error *err, enum cr_err code, const char *text) {
+    cr_err_set(err, code, "%s", text);
+    return CR_STATUS_FAILED;
+}
+
+static bool finite_state(const struct cr_solver *s) {
+    for (int i = 0; i < s->cs->n; i++) {
+        const struct cr_moving *m = &s->m[i];
+        if (!isfinite(m->pos.x + m->pos.y + m->vel.x + m->vel.y + m->heading + m->yaw_rate)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+enum cr_status cr_solver_step(struct cr_solver *s, struct cr_error *err) {
+    if (s->done) {
+        return CR_STATUS_DONE;
+    }
+    bool in_contact[CR_BODY_MAX] = {false}, any = false;
+    s->dt = cr_kinematics_slice_length(s);
+    begin_slice(s);
+    cr_kinematics_move(s);
+    for (int p = 0, a = 0; a < s->cs->n; a++) {
+        for (int b = a + 1; b < s->cs->n; b++, p++) {
+            bool before = s->touch[p].record >= 0;
+            int contacts = s->contacts;
+            if (!work_pair(s, p, a, b)) {
+                return failed(err, CR_ERR_MEMORY, "no memory for the solve");
+            }
+            if (before || s->contacts > contacts) {
+                in_contact[a] = in_contact[b] = any = true;
+            }
+        }
+    }
+    for (int i = 0; i < s->cs->n; i++) {
+        cr_tyres_apply(s, i);
+    }
+    if (!finite_state(s)) {
+        return failed(err, CR_ERR_SOLVER, "a velocity is no longer finite");
+    }
+    end_slice(s, in_contact);
+    if (!s->touched) {
+        if (s->t > s->cs->opts.max_time) {
+            cr_err_set(err, CR_ERR_NO_CONTACT, "the participants never meet within %g s",
+                       s->cs->opts.max_time);
+            cr_err_hint(err, "check positions, headings, speeds and height ranges");
+            return CR_STATUS_FAILED;
+        }
+        return CR_STATUS_RUNNING;
+    }
+    if (s->cs->opts.end == CR_END_REST) {
+        settle_rest(s, in_contact);
+    }
+    if (!cr_record_sample(s)) {
+        return failed(err, CR_ERR_MEMORY, "no memory for the trace");
+    }
+    check_end(s, any);
+    return s->done ? CR_STATUS_DONE : CR_STATUS_RUNNING;
+}
+
+enum cr_err cr_solver_run(struct cr_solver *s, int (*cancel)(void *), void *user,
+                          struct cr_error *err) {
+    struct cr_error unasked;
+    err = err != NULL ? err : &unasked;
+    enum cr_status status = CR_STATUS_RUNNING;
+    while (status == CR_STATUS_RUNNING) {
+        if (cancel != NULL && cancel(user) != 0) {
+            return cr_err_set(err, CR_ERR_INTERRUPTED, "interrupted at t = %.4g s", s->t);
+        }
+        status = cr_solver_step(s, err);
+    }
+    return status == CR_STATUS_DONE ? CR_ERR_OK : err->code;
+}

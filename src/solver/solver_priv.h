@@ -1,0 +1,212 @@
+/* State of a running solve and the steps that work on it. Private to src/solver. */
+#ifndef CR_SOLVER_PRIV_H
+#define CR_SOLVER_PRIV_H
+
+#include "base/arena.h"
+#include "solver/solver.h"
+
+#include <stddef.h>
+
+enum { CR_PAIR_MAX = CR_BODY_MAX * (CR_BODY_MAX - 1) / 2 };
+
+/* Live part of a line of voxels: [lo, hi) can still hold material. */
+struct cr_span {
+    int lo, hi;
+};
+
+/* What changes of a body while the solve runs. */
+struct cr_moving {
+    const struct cr_body *body;
+    struct cr_vec2 pos, vel;
+    double heading, yaw_rate;
+    double c, s; /* cosine and sine of the heading */
+    double inv_mass, inv_inertia;
+    double reach;         /* radius about the CG that holds the body, m; a wall: infinite */
+    struct cr_vec2 lo, hi; /* box that holds it, body frame */
+    bool driven;          /* follows its waypoints */
+    bool at_rest;
+    bool drag[CR_WHEELS]; /* the wheel's place was crushed: it slides */
+    /* grid, NULL for rigid shapes */
+    double *left;                      /* material left, 0..fill */
+    double *t_sum;                     /* sum of time x material lost: gives t_crushed */
+    uint8_t *how;                      /* enum cr_crush flags */
+    const double *unit[CR_BODY_MAX];   /* energy per unit of material against each partner, J */
+    struct cr_span *row, *col;         /* live span of each row (along x) and column (along y) */
+    double *depth[CR_FACES];           /* material lost per line of a face, m: rows for front and
+                                          rear, columns for left and right */
+    double membrane[CR_FACES];         /* string energy of a face, J */
+    uint8_t *pulled[CR_FACES];         /* lines that the string pulls */
+    double energy, induced;            /* plastic so far, J */
+    double crushed;                    /* plan area so far, m2 */
+    struct cr_vec2 slice_impulse;      /* contact impulse in this slice, N s */
+    struct cr_vec2 slice_coe;          /* its |impulse|-weighted place, summed */
+    double slice_weight;
+    struct cr_vec2 vel_begin;          /* at the begin of the slice */
+    double yaw_begin;
+    struct cr_vec2 delta_v;
+    double yaw_change;
+    struct cr_vec2 impulse;
+    double t_first, t_last, t_rest;
+};
+
+/* One voxel that would lose material in this slice. */
+struct cr_loss {
+    int voxel;
+    uint8_t how;
+    double amount; /* material, 0..1 */
+    double energy; /* J */
+};
+
+/* Losses of one body in one contact and slice. */
+struct cr_losses {
+    int n, size;
+    struct cr_loss *loss;
+    double energy;  /* of all, string included, J */
+    double induced; /* part outside the contact, string included, J */
+    double area;    /* m2 */
+    double stretch; /* energy that stretched the string in this slice, J */
+    enum cr_face face; /* it acts on */
+    int contact;       /* the first losses are of contact, the rest induced */
+};
+
+/* Scratch of string.c, one entry a line of the longest face. */
+struct cr_string {
+    double *w;     /* depth, m */
+    double *gain;  /* of the elimination */
+    double *r;     /* sag of a free line below the mean of its neighbours, m */
+    uint8_t *free; /* borrowed: lines the string pulls */
+};
+
+/* A contact being worked: the record that is reported and what only the solver needs. */
+struct cr_touch {
+    int record;           /* index into solver.contact, -1: never touched or over */
+    double quiet;         /* time since it last deformed something, s */
+    struct cr_vec2 coe;   /* carried along with the bodies between slices */
+    struct cr_vec2 normal, direction;
+    bool sliding;         /* force on the edge of the friction cone */
+    double force;         /* of the last plastic slice along direction, N */
+    double mass_eff;      /* along the normal, at the last COE, kg */
+    double elastic_left;  /* time left of the elastic phase, s */
+    double elastic_rate;  /* impulse per second of the elastic phase, N */
+    double elastic_done;  /* impulse given in the phase so far, N s */
+    struct cr_vec2 moment_coe; /* sum of impulse x COE */
+    double moment_weight;
+    struct cr_vec2 normal_sum; /* energy-weighted, J */
+};
+
+struct cr_solver {
+    const struct cr_case *cs;
+    struct cr_arena arena;
+    struct cr_moving m[CR_BODY_MAX];
+    struct cr_losses losses[2]; /* of the pair being worked */
+    struct cr_string string;
+    struct cr_touch touch[CR_PAIR_MAX];
+    double t, dt, dt_contact;
+    bool touched;       /* some contact has begun */
+    double t_free;      /* since when nothing is in contact, s; NaN while something is */
+    bool done;
+    /* records, grown on the heap */
+    struct cr_contact *contact;
+    int contacts, contacts_size;
+    double *times;
+    struct cr_sample *trace;
+    int samples, samples_size;
+    struct cr_slice *slice;
+    int slices, slices_size;
+    /* ledger since first contact */
+    double kinetic_before, scale_p, scale_l;
+    struct cr_vec2 p_before, p_ground;
+    double l_before, l_ground;
+    double friction, tyre;
+    long visits, deformed;
+    struct cr_sample before[CR_BODY_MAX];
+    struct cr_snapshot *freed; /* as it was when the last contact ended */
+    struct cr_solution out;
+};
+
+/* Kinematic state to go back to when nothing touched again. */
+struct cr_snapshot {
+    double t, tyre;
+    int samples;
+    struct cr_vec2 p_ground;
+    double l_ground;
+    struct {
+        struct cr_vec2 pos, vel;
+        double heading, yaw_rate;
+    } m[CR_BODY_MAX];
+};
+
+static inline struct cr_vec2 cr_to_world(const struct cr_moving *m, struct cr_vec2 p) {
+    return cr_vec2_add(m->pos, cr_vec2_rotate(p, m->c, m->s));
+}
+static inline struct cr_vec2 cr_to_body(const struct cr_moving *m, struct cr_vec2 p) {
+    return cr_vec2_unrotate(cr_vec2_sub(p, m->pos), m->c, m->s);
+}
+/* velocity of the body's material at a world point */
+static inline struct cr_vec2 cr_velocity_at(const struct cr_moving *m, struct cr_vec2 p) {
+    struct cr_vec2 r = cr_vec2_sub(p, m->pos);
+    return cr_vec2_axpy(m->vel, m->yaw_rate, cr_vec2_perp(r));
+}
+
+/* shape.c: signed distance (negative inside) and outward unit normal of an object, its frame */
+double cr_shape_distance(const struct cr_shape *shape, struct cr_vec2 p, struct cr_vec2 *normal);
+void cr_shape_box(const struct cr_shape *shape, struct cr_vec2 *lo, struct cr_vec2 *hi);
+
+/* step 1, deform.c: losses of both bodies of a pair at their present places (nothing changes);
+ * false when memory is out */
+bool cr_deform_collect(struct cr_solver *s, int a, int b);
+bool cr_deform_add(struct cr_losses *losses, int voxel, uint8_t how, double amount, double energy);
+/* take the losses [from, n) out of the body; what is taken back is settled below */
+void cr_deform_apply(struct cr_moving *m, const struct cr_losses *losses, int from);
+/* give back the share 1 - lambda of the losses, and book the rest */
+void cr_deform_settle(struct cr_solver *s, struct cr_moving *m, struct cr_losses *losses,
+                      double lambda);
+
+/* string.c: induced deformation, added to the losses of one body and applied (method.md 5);
+ * inward: direction of the force on the body, world */
+bool cr_string_pull(struct cr_solver *s, struct cr_moving *m, int partner, struct cr_vec2 inward,
+                    struct cr_losses *losses);
+
+/* step 2, force.c */
+struct cr_force {
+    struct cr_vec2 coe;       /* Eq. (3) */
+    struct cr_vec2 normal;    /* from a to b */
+    struct cr_vec2 direction; /* of the force on b */
+    double cosine;            /* between the two */
+    double energy;            /* Eq. (1), J */
+    bool sliding;
+};
+bool cr_force_find(struct cr_solver *s, int a, int b, struct cr_force *force);
+double cr_force_friction(const struct cr_solver *s, int a, int b);
+
+/* step 3, kinetics.c */
+struct cr_vec2 cr_relative_velocity(const struct cr_solver *s, int a, int b, struct cr_vec2 p);
+/* change of the relative velocity at p per unit of impulse along f, both bodies */
+struct cr_vec2 cr_compliance(const struct cr_solver *s, int a, int b, struct cr_vec2 p,
+                             struct cr_vec2 f);
+void cr_impulse_apply(struct cr_solver *s, int a, int b, struct cr_vec2 p, struct cr_vec2 impulse);
+void cr_kinetics_slice(struct cr_solver *s, int pair, int a, int b, const struct cr_force *force);
+void cr_tyres_apply(struct cr_solver *s, int body); /* tyre.c */
+
+/* step 4, kinematics.c */
+void cr_kinematics_move(struct cr_solver *s);
+void cr_kinematics_place(struct cr_moving *m, struct cr_vec2 pos, double heading);
+double cr_kinematics_slice_length(const struct cr_solver *s);
+
+/* step 5, abort.c: end of the plastic compression, and the longest slice before it */
+void cr_abort_check(struct cr_solver *s, int pair, int a, int b, bool deformed);
+double cr_abort_within(const struct cr_solver *s, int pair, int a, int b);
+
+/* step 6, elastic.c */
+void cr_elastic_begin(struct cr_solver *s, int pair, int a, int b);
+void cr_elastic_slice(struct cr_solver *s, int pair, int a, int b);
+
+/* record.c: contacts, trace, ledger, outcome */
+bool cr_record_contact(struct cr_solver *s, int pair, int a, int b, const struct cr_force *force);
+bool cr_record_sample(struct cr_solver *s);
+struct cr_slice *cr_record_slice(struct cr_solver *s, int pair);
+void cr_record_before(struct cr_solver *s);
+void cr_record_outcome(struct cr_solver *s);
+double cr_kinetic_energy(const struct cr_solver *s);
+
+#endif
