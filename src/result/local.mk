@@ -1,4 +1,22 @@
 noinst_LIBRARIES += libresult.a
 libresult_a_SOURCES = \
-	src/result/result.h
+	src/result/cdc.c \
+	src/result/csv.c \
+	src/result/deform.c src/result/deform.h \
+	src/result/filter.c \
+	src/result/irf.c \
+	src/result/json.c \
+	src/result/measure.c \
+	src/result/outline.c \
+	src/result/pulse.c src/result/pulse.h \
+	src/result/result.h src/result/result_priv.h \
+	src/result/run.c \
+	src/result/trace.c \
+	src/result/warn.c
 libresult_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)
+irfdir = $(pkgdatadir)/share/irf
+dist_irf_DATA = \
+	share/irf/gidas-2019.json \
+	share/irf/lubbe-2022.json \
+	share/irf/malliaris-1997.json \
+	share/irf/tum-crss.json

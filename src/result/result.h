@@ -10,10 +10,11 @@
 
 #include <stdbool.h>
 
-enum { CR_INJURY_MAX = 12, CR_PROFILE = 6, CR_WARNING_MAX = 24 };
+enum { CR_INJURY_MAX = 20, CR_PROFILE = 6, CR_WARNING_MAX = 24 };
 
 struct cr_injury {
     char function[CR_NAME_MAX];
+    char level[16];     /* "MAIS2+" */
     double probability; /* 0..1 */
     bool extrapolated;  /* outside the range of the function's data */
 };
@@ -33,14 +34,18 @@ struct cr_severity {
     double area_contact, area_induced;
     double profile[CR_PROFILE]; /* C1..C6 of the struck face, residual, m */
     double profile_dynamic[CR_PROFILE];
-    enum cr_face face;          /* the struck face */
-    double acceleration_max;    /* CFC60, m/s2 */
-    double acceleration_mean;   /* m/s2 */
-    double t_max;               /* of acceleration_max after first contact, s */
-    double t_depth_max;         /* of the greatest dynamic depth after first contact, s */
-    double pulse;               /* length of contact, s */
-    double olc, asi, vpi;       /* m/s2, -, m/s2 */
-    double thiv, phd;           /* m/s, m/s2 */
+    enum cr_face face;         /* the struck face: most of the plastic energy went in there */
+    double face_depth;         /* greatest depth square to that face, residual, m */
+    double face_depth_dynamic; /* m */
+    double damage_width;       /* damaged length along the struck face, direct + induced, m */
+    double contact_width;      /* its directly struck part, m */
+    double acceleration_max;   /* CFC60, m/s2 */
+    double acceleration_mean;  /* m/s2 */
+    double t_max;              /* of acceleration_max after first contact, s */
+    double t_depth_max;        /* of the greatest dynamic depth after first contact, s */
+    double pulse;              /* length of contact, s */
+    double olc, asi, vpi;      /* m/s2, -, m/s2 */
+    double thiv, phd;          /* m/s, m/s2 */
     int injuries;
     struct cr_injury injury[CR_INJURY_MAX];
     int outline_n;

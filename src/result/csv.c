@@ -1,0 +1,128 @@
+/* Result -> CSV for spreadsheets: a row per participant, or with trace a row per time slice and
+ * participant; the unit is part of every column's name. */
+#include "result/result_priv.h"
+
+#include <math.h>
+#include <string.h>
+
+/* what is not a number is an empty field */
+static void number(struct cr_str *out, double x) {
+    if (isfinite(x)) {
+        cr_str_addf(out, ",%.12g", x);
+    } else {
+        cr_str_add(out, ",");
+    }
+}
+
+static void text(struct cr_str *out, const char *s) {
+    if (!strpbrk(s, ",\"\r\n")) {
+        cr_str_add(out, s);
+        return;
+    }
+    cr_str_add(out, "\"");
+    for (; *s; s++) {
+        cr_str_addn(out, *s == '"' ? "\"\"" : s, *s == '"' ? 2 : 1);
+    }
+    cr_str_add(out, "\"");
+}
+
+static void row(const struct cr_result *r, int i, struct cr_str *out) {
+    const struct cr_severity *s = &r->of[i];
+    const struct cr_outcome *o = &r->solution->body[i];
+    const double value[] = {cr_kmh(s->ees),
+                            s->energy / 1e3,
+                            s->energy_induced / 1e3,
+                            cr_kmh(s->delta_v),
+                            cr_kmh(s->delta_v_body.x),
+                            cr_kmh(s->delta_v_body.y),
+                            cr_kmh(s->delta_v_world.x),
+                            cr_kmh(s->delta_v_world.y),
+                            cr_deg(s->pdof),
+                            s->pdof_clock,
+                            cr_deg(s->yaw_rate_change),
+                            cr_kmh(s->speed_after),
+                            cr_deg(s->course_after),
+                            cr_deg(s->yaw_rate_after),
+                            s->deformation_max,
+                            s->deformation_dynamic_max,
+                            s->deformation_area,
+                            s->profile[0],
+                            s->profile[1],
+                            s->profile[2],
+                            s->profile[3],
+                            s->profile[4],
+                            s->profile[5],
+                            s->acceleration_max / CR_G,
+                            s->acceleration_mean / CR_G,
+                            1e3 * s->pulse,
+                            s->olc / CR_G,
+                            s->asi,
+                            cr_kmh(s->thiv),
+                            o->rest.pos.x,
+                            o->rest.pos.y,
+                            cr_deg(o->rest.heading),
+                            o->t_rest};
+    text(out, r->scene.name);
+    cr_str_add(out, ",");
+    text(out, r->resolved.part[i].id);
+    cr_str_add(out, ",");
+    text(out, s->model);
+    cr_str_add(out, ",");
+    text(out, s->cdc);
+    for (size_t k = 0; k < sizeof value / sizeof *value; k++) {
+        number(out, value[k]);
+    }
+    cr_str_add(out, "\n");
+}
+
+static void table(const struct cr_result *r, struct cr_str *out) {
+    cr_str_add(out, "scene,id,model,cdc,ees_kmh,energy_kJ,energy_induced_kJ,delta_v_kmh,"
+                    "delta_v_forward_kmh,delta_v_left_kmh,delta_v_x_kmh,delta_v_y_kmh,pdof_deg,"
+                    "pdof_clock,yaw_rate_change_deg_s,speed_after_kmh,course_after_deg,"
+                    "yaw_rate_after_deg_s,deformation_max_m,deformation_dynamic_max_m,"
+                    "deformation_area_m2,c1_m,c2_m,c3_m,c4_m,c5_m,c6_m,acceleration_max_g,"
+                    "acceleration_mean_g,pulse_ms,olc_g,asi,thiv_kmh,rest_x_m,rest_y_m,"
+                    "rest_heading_deg,rest_t_s\n");
+    for (int i = 0; i < r->solution->bodies; i++) {
+        if (r->compiled.cs.body[i].mass > 0) {
+            row(r, i, out);
+        }
+    }
+}
+
+static void trace(const struct cr_result *r, struct cr_str *out) {
+    static const char *const KEY[CR_QUANTITIES] = {
+#define X(name, key, unit, factor) key,
+        CR_QUANTITY_LIST(X)
+#undef X
+    };
+    const struct cr_solution *sol = r->solution;
+    cr_str_add(out, "scene,id,t_s");
+    for (int q = 0; q < CR_QUANTITIES; q++) {
+        cr_str_addf(out, ",%s", KEY[q]);
+    }
+    cr_str_add(out, "\n");
+    for (int k = 0; k < sol->samples; k++) {
+        for (int i = 0; i < sol->bodies; i++) {
+            text(out, r->scene.name);
+            cr_str_add(out, ",");
+            text(out, r->resolved.part[i].id);
+            number(out, sol->t[k]);
+            for (int q = 0; q < CR_QUANTITIES; q++) {
+                number(out, cr_result_quantity(sol, k, i, (enum cr_quantity)q));
+            }
+            cr_str_add(out, "\n");
+        }
+    }
+}
+
+enum cr_err cr_result_csv(const struct cr_result *r, const struct cr_result_opts *opts,
+                          struct cr_str *out, struct cr_error *err) {
+    if (opts->trace) {
+        trace(r, out);
+    } else {
+        table(r, out);
+    }
+    return out->failed ? cr_err_set(err, CR_ERR_MEMORY, "no memory for the CSV of a result")
+                       : CR_ERR_OK;
+}

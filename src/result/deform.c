@@ -1,0 +1,190 @@
+#include "result/deform.h"
+
+#include "solver/solver.h"
+
+#include <math.h>
+
+/* intact material behind damage that ends a column, m: thicker than any gap between structures */
+static const double INTACT = 0.3;
+/* share of a voxel's material below which a loss is rounding */
+static const double NOTHING = 1e-9;
+
+double cr_deform_residual(double dynamic, double springback) {
+    if (!(springback > 0) || !(dynamic > 0)) {
+        return dynamic > 0 ? dynamic : 0;
+    }
+    return dynamic < 2 * springback ? dynamic * dynamic / (4 * springback) : dynamic - springback;
+}
+
+double cr_deform_dynamic(double residual, double springback) {
+    if (!(springback > 0) || !(residual > 0)) {
+        return residual > 0 ? residual : 0;
+    }
+    return residual < springback ? 2 * sqrt(springback * residual) : residual + springback;
+}
+
+/* one step along a line or column; true when the line is over */
+static bool walk(double fill, double lost, double step, double *sum, double *intact) {
+    if (lost > NOTHING) {
+        *sum += lost * step;
+        *intact = 0;
+    } else {
+        *intact += fill * step;
+    }
+    return *sum > 0 && *intact > INTACT;
+}
+
+/* box of the voxels that lost material, in voxels; false if none did */
+static bool lost_box(const struct cr_deform *d, int lo[2], int hi[2]) {
+    const struct cr_grid *g = d->grid;
+    lo[0] = g->nx;
+    lo[1] = g->ny;
+    hi[0] = hi[1] = -1;
+    for (int i = 0; i < g->nx * g->ny; i++) {
+        if (g->fill[i] - d->left[i] > NOTHING) {
+            int x = i % g->nx, y = i / g->nx;
+            lo[0] = x < lo[0] ? x : lo[0];
+            hi[0] = x > hi[0] ? x : hi[0];
+            lo[1] = y < lo[1] ? y : lo[1];
+            hi[1] = y > hi[1] ? y : hi[1];
+        }
+    }
+    return hi[0] >= 0;
+}
+
+/* part [*t0, *t1] of the line at + t dir (in voxels) inside the box lo..hi+1 */
+static bool clip(struct cr_vec2 at, struct cr_vec2 dir, const int lo[2], const int hi[2],
+                 double *t0, double *t1) {
+    double p[2] = {at.x, at.y}, v[2] = {dir.x, dir.y};
+    *t0 = -1e9;
+    *t1 = 1e9;
+    for (int a = 0; a < 2; a++) {
+        if (fabs(v[a]) < 1e-12) {
+            if (p[a] < lo[a] || p[a] >= hi[a] + 1) {
+                return false;
+            }
+            continue;
+        }
+        double u = (lo[a] - p[a]) / v[a], w = (hi[a] + 1 - p[a]) / v[a];
+        *t0 = fmax(*t0, fmin(u, w));
+        *t1 = fmin(*t1, fmax(u, w));
+    }
+    return *t1 > *t0;
+}
+
+/* material lost along at + t dir, both in voxels; result in voxels */
+static double line_loss(const struct cr_deform *d, struct cr_vec2 at, struct cr_vec2 dir,
+                        const int lo[2], const int hi[2]) {
+    static const double STEP = 0.25; /* voxels */
+    const struct cr_grid *g = d->grid;
+    double t0, t1, sum = 0, intact = 0;
+    if (!clip(at, dir, lo, hi, &t0, &t1)) {
+        return 0;
+    }
+    int n = (int)ceil((t1 - t0) / STEP);
+    double step = (t1 - t0) / n;
+    for (int i = 0; i < n; i++) {
+        struct cr_vec2 p = cr_vec2_axpy(at, t0 + (i + 0.5) * step, dir);
+        int x = (int)floor(p.x), y = (int)floor(p.y);
+        if (x < 0 || y < 0 || x >= g->nx || y >= g->ny) {
+            continue;
+        }
+        int k = y * g->nx + x;
+        if (walk(g->fill[k] * g->h, g->fill[k] - d->left[k], step, &sum, &intact)) {
+            break;
+        }
+    }
+    return sum;
+}
+
+double cr_deform_line(const struct cr_deform *d, struct cr_vec2 at, struct cr_vec2 inward) {
+    const struct cr_grid *g = d->grid;
+    int lo[2], hi[2];
+    if (!lost_box(d, lo, hi)) {
+        return 0;
+    }
+    struct cr_vec2 p = {(at.x - g->x0) / g->h, (at.y - g->y0) / g->h};
+    return g->h * line_loss(d, p, inward, lo, hi);
+}
+
+double cr_deform_max(const struct cr_deform *d, struct cr_vec2 inward) {
+    int lo[2], hi[2];
+    if (!lost_box(d, lo, hi)) {
+        return 0;
+    }
+    struct cr_vec2 side = cr_vec2_perp(inward);
+    struct cr_vec2 mid = {(lo[0] + hi[0] + 1) / 2.0, (lo[1] + hi[1] + 1) / 2.0};
+    double half = (fabs(side.x) * (hi[0] + 1 - lo[0]) + fabs(side.y) * (hi[1] + 1 - lo[1])) / 2;
+    // lines one voxel apart, through voxel centres when the direction is along the grid
+    int n = (int)ceil(2 * half - 1e-9);
+    double top = 0;
+    for (int i = 0; i < n; i++) {
+        struct cr_vec2 at = cr_vec2_axpy(mid, (i + 0.5) * 2 * half / n - half, side);
+        top = fmax(top, line_loss(d, at, inward, lo, hi));
+    }
+    return top * d->grid->h;
+}
+
+int cr_deform_columns(const struct cr_grid *grid, enum cr_face face) {
+    return face == CR_FACE_FRONT || face == CR_FACE_REAR ? grid->ny : grid->nx;
+}
+
+double cr_deform_column(const struct cr_deform *d, enum cr_face face, int k, bool contact_only) {
+    const struct cr_grid *g = d->grid;
+    bool along = face == CR_FACE_FRONT || face == CR_FACE_REAR;
+    int n = along ? g->nx : g->ny;
+    bool from_high = face == CR_FACE_FRONT || face == CR_FACE_LEFT;
+    double sum = 0, intact = 0;
+    for (int i = 0; i < n; i++) {
+        int j = from_high ? n - 1 - i : i;
+        // left to right means falling y
+        int at = along ? (g->ny - 1 - k) * g->nx + j : j * g->nx + k;
+        double lost = g->fill[at] - d->left[at];
+        if (contact_only && d->how && !(d->how[at] & CR_CRUSH_CONTACT)) {
+            lost = 0;
+        }
+        if (walk(g->fill[at] * g->h, lost, 1, &sum, &intact) || (!(sum > 0) && intact > INTACT)) {
+            break;
+        }
+    }
+    return sum * g->h;
+}
+
+double cr_deform_area(const struct cr_deform *d, double *induced) {
+    const struct cr_grid *g = d->grid;
+    double all = 0;
+    *induced = 0;
+    for (int i = 0; i < g->nx * g->ny; i++) {
+        double lost = g->fill[i] - d->left[i];
+        all += lost;
+        if (d->how && !(d->how[i] & CR_CRUSH_CONTACT)) {
+            *induced += lost;
+        }
+    }
+    *induced *= g->h * g->h;
+    return all * g->h * g->h;
+}
+
+enum cr_face cr_deform_face(const struct cr_deform *d, struct cr_vec2 inward) {
+    const struct cr_grid *g = d->grid;
+    double of[CR_FACES] = {0};
+    enum cr_face end = inward.x < 0 ? CR_FACE_FRONT : CR_FACE_REAR;
+    enum cr_face flank = inward.y < 0 ? CR_FACE_LEFT : CR_FACE_RIGHT;
+    for (int i = 0; i < g->nx * g->ny; i++) {
+        double lost = g->fill[i] - d->left[i];
+        if (!(lost > NOTHING)) {
+            continue;
+        }
+        double x = i % g->nx + 0.5, y = (int)(i / g->nx) + 0.5;
+        double to_end = end == CR_FACE_FRONT ? g->nx - x : x;
+        double to_flank = flank == CR_FACE_LEFT ? g->ny - y : y;
+        // the nearer in time when going out against inward
+        bool by_end = to_end * fabs(inward.y) <= to_flank * fabs(inward.x);
+        of[by_end ? end : flank] += g->energy[i] * lost / g->fill[i];
+    }
+    enum cr_face best = fabs(inward.x) >= fabs(inward.y) ? end : flank;
+    for (int f = 0; f < CR_FACES; f++) {
+        best = of[f] > of[best] ? (enum cr_face)f : best;
+    }
+    return best;
+}

@@ -1,0 +1,52 @@
+/* Deformation of a voxel grid: depths from the undeformed outline, damaged width, crush profile,
+ * and the outline that is left. Body frame, m. */
+#ifndef CR_RESULT_DEFORM_H
+#define CR_RESULT_DEFORM_H
+
+#include "base/err.h"
+#include "base/vec.h"
+#include "model/grid.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+struct cr_deform {
+    const struct cr_grid *grid;
+    const double *left;  /* material left, [ny * nx] */
+    const uint8_t *how;  /* enum cr_crush flags, NULL if not known */
+    bool residual_curve; /* left belongs to the residual depth, not to the dynamic one */
+};
+
+/* Residual depth of a dynamic one and back. A deep crush springs back by `springback`; below
+ * twice that the difference fades so that nothing is left of nothing: r = d^2 / (4 springback). */
+double cr_deform_residual(double dynamic, double springback);
+double cr_deform_dynamic(double residual, double springback);
+
+/* Material lost along the line through `at` with the direction `inward`, as a length. Intact
+ * material of 0.3 m after the loss ends the line, so that damage of the far side does not count. */
+double cr_deform_line(const struct cr_deform *d, struct cr_vec2 at, struct cr_vec2 inward);
+
+/* Greatest such length over all lines along inward. */
+double cr_deform_max(const struct cr_deform *d, struct cr_vec2 inward);
+
+/* Number of columns square to a face, and the material that column k lost as a length. Columns run
+ * from left to right on front and rear and from rear to front on the sides (literature.md 4.2). */
+int cr_deform_columns(const struct cr_grid *grid, enum cr_face face);
+double cr_deform_column(const struct cr_deform *d, enum cr_face face, int k, bool contact_only);
+
+/* Plan area of the material lost, m2, and its part outside the contact. */
+double cr_deform_area(const struct cr_deform *d, double *induced);
+
+/* The face through which most of the energy went in: each voxel's energy counts for the side of
+ * the vehicle that is met first going from it against `inward`. */
+enum cr_face cr_deform_face(const struct cr_deform *d, struct cr_vec2 inward);
+
+/* Outline of the remaining material: the contour of half-full voxels that encloses the largest
+ * area, closed (the first point is not repeated), counter-clockwise, without points that lie within
+ * tolerance of the line through their neighbours. *out is to be freed; *n = 0 and NULL when nothing
+ * is left. Errors: MEMORY. */
+CR_MUST_CHECK enum cr_err cr_deform_outline(const struct cr_grid *grid, const double *left,
+                                            double tolerance, struct cr_vec2 **out, int *n,
+                                            struct cr_error *err);
+
+#endif

@@ -1,0 +1,283 @@
+/* Injury risk functions from data files (literature.md 5): each with its source, covariate, unit
+ * and range. Three forms are known: logistic, p = 1 / (1 + exp(-(b0 + b1 x + ...))), and power,
+ * p = (x / ref)^exponent. */
+#include "result/result_priv.h"
+
+#include "base/file.h"
+
+#include <cjson/cJSON.h>
+#include <dirent.h>
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum covariate { DELTA_V, CLOSING, EES, COVARIATES };
+static const char *const COVARIATE[COVARIATES] = {"delta_v", "closing_speed", "ees"};
+
+static const struct {
+    const char *word;
+    double mps;
+} UNIT[] = {{"m/s", 1}, {"km/h", 1 / 3.6}, {"mph", 0.44704}};
+
+/* sector -> number: the clock hour, else left or right, else front, side or rear, else all */
+enum sector { FRONT = 13, SIDE, LEFT, RIGHT, REAR, ALL, SECTORS };
+static const char *const SECTOR[SECTORS] = {"",     "1",    "2",     "3",    "4",  "5",  "6",
+                                            "7",    "8",    "9",     "10",   "11", "12", "front",
+                                            "side", "left", "right", "rear", "all"};
+
+struct irf {
+    char name[CR_NAME_MAX], level[16];
+    enum covariate covariate;
+    double unit; /* m/s */
+    bool power, vehicle_partner, front_only;
+    double intercept, slope; /* logistic, constants added to the intercept */
+    double exponent;
+    double lo, hi;          /* range of the data, in its unit */
+    double sector[SECTORS]; /* offsets (logistic) or references (power); NaN: not given */
+};
+
+struct cr_irf_set {
+    int n, size;
+    struct irf *irf;
+};
+
+static double number(const cJSON *json, const char *key, double fallback) {
+    const cJSON *item = cJSON_GetObjectItemCaseSensitive(json, key);
+    return cJSON_IsNumber(item) ? item->valuedouble : fallback;
+}
+
+static const char *word(const cJSON *json, const char *key) {
+    const char *s = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(json, key));
+    return s ? s : "";
+}
+
+static enum cr_err bad(struct cr_error *err, const char *path, const char *name, const char *key,
+                       const char *want) {
+    cr_err_set(err, CR_ERR_TYPE, "risk function '%s': '%s' must be %s", name, key, want);
+    cr_err_place(err, path, 0, 0);
+    return CR_ERR_TYPE;
+}
+
+static bool read_sectors(const cJSON *json, double sector[SECTORS]) {
+    for (int i = 0; i < SECTORS; i++) {
+        sector[i] = NAN;
+    }
+    if (cJSON_IsNumber(json)) {
+        sector[ALL] = json->valuedouble;
+        return true;
+    }
+    const cJSON *item;
+    cJSON_ArrayForEach(item, json) {
+        int i = 1;
+        while (i < SECTORS && strcmp(SECTOR[i], item->string ? item->string : "")) {
+            i++;
+        }
+        if (i == SECTORS || !cJSON_IsNumber(item)) {
+            return false;
+        }
+        sector[i] = item->valuedouble;
+    }
+    return true;
+}
+
+static int find_covariate(const char *s) {
+    for (int i = 0; i < COVARIATES; i++) {
+        if (!strcmp(s, COVARIATE[i])) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+static double find_unit(const char *s) {
+    for (size_t i = 0; i < sizeof UNIT / sizeof *UNIT; i++) {
+        if (!strcmp(s, UNIT[i].word)) {
+            return UNIT[i].mps;
+        }
+    }
+    return NAN;
+}
+
+/* formula, its coefficients and what they depend on */
+static enum cr_err read_formula(const cJSON *json, const char *path, struct irf *f,
+                                struct cr_error *err) {
+    const char *formula = word(json, "formula");
+    f->power = !strcmp(formula, "power");
+    if (!f->power && strcmp(formula, "logistic") != 0) {
+        return bad(err, path, f->name, "formula", "'logistic' or 'power'");
+    }
+    const cJSON *by = cJSON_GetObjectItemCaseSensitive(json, f->power ? "reference" : "offset");
+    if (!read_sectors(by, f->sector)) {
+        return bad(err, path, f->name, f->power ? "reference" : "offset",
+                   "a number or numbers by front, side, left, right, rear, all or clock hour");
+    }
+    if (f->power) {
+        f->exponent = number(json, "exponent", NAN);
+        return isfinite(f->exponent) ? CR_ERR_OK : bad(err, path, f->name, "exponent", "a number");
+    }
+    f->intercept = number(json, "intercept", NAN);
+    f->slope = number(json, "slope", NAN);
+    const cJSON *c;
+    cJSON_ArrayForEach(c, cJSON_GetObjectItemCaseSensitive(json, "constants")) {
+        f->intercept += number(c, "coefficient", NAN) * number(c, "value", NAN);
+    }
+    return isfinite(f->intercept) && isfinite(f->slope)
+               ? CR_ERR_OK
+               : bad(err, path, f->name, "intercept, slope, constants", "numbers");
+}
+
+static enum cr_err read_irf(const cJSON *json, const char *path, struct irf *f,
+                            struct cr_error *err) {
+    memset(f, 0, sizeof *f);
+    strncpy(f->name, word(json, "name"), sizeof f->name - 1);
+    strncpy(f->level, word(json, "injury"), sizeof f->level - 1);
+    if (!f->name[0] || !f->level[0]) {
+        return bad(err, path, f->name, "name, injury", "text");
+    }
+    int covariate = find_covariate(word(json, "covariate"));
+    if (covariate < 0) {
+        return bad(err, path, f->name, "covariate", "'delta_v', 'closing_speed' or 'ees'");
+    }
+    f->covariate = (enum covariate)covariate;
+    f->unit = find_unit(word(json, "unit"));
+    if (!isfinite(f->unit)) {
+        return bad(err, path, f->name, "unit", "'m/s', 'km/h' or 'mph'");
+    }
+    const cJSON *range = cJSON_GetObjectItemCaseSensitive(json, "range");
+    const cJSON *lo = cJSON_GetArrayItem(range, 0), *hi = cJSON_GetArrayItem(range, 1);
+    if (!cJSON_IsNumber(lo) || !cJSON_IsNumber(hi) || !(lo->valuedouble < hi->valuedouble)) {
+        return bad(err, path, f->name, "range", "two rising numbers in the unit of the function");
+    }
+    f->lo = lo->valuedouble;
+    f->hi = hi->valuedouble;
+    f->vehicle_partner = !strcmp(word(json, "partner"), "vehicle");
+    f->front_only = !strcmp(word(json, "side"), "front");
+    return read_formula(json, path, f, err);
+}
+
+static enum cr_err add_file(struct cr_irf_set *set, const char *path, struct cr_error *err) {
+    char *text = NULL;
+    size_t len;
+    cJSON *json = NULL;
+    enum cr_err rc = cr_file_read(path, &text, &len, err);
+    if (rc) {
+        return rc;
+    }
+    json = cJSON_ParseWithLength(text, len);
+    const cJSON *list = cJSON_GetObjectItemCaseSensitive(json, "functions"), *item;
+    if (!cJSON_IsArray(list)) {
+        rc = cr_err_set(err, CR_ERR_SYNTAX, "not a file of injury risk functions");
+        cr_err_place(err, path, 0, 0);
+        cr_err_hint(err, "a JSON object with a list 'functions' is wanted");
+        goto out;
+    }
+    cJSON_ArrayForEach(item, list) {
+        if (set->n == set->size) {
+            int size = set->size ? 2 * set->size : 16;
+            struct irf *more = realloc(set->irf, (size_t)size * sizeof *more);
+            if (!more) {
+                rc = cr_err_set(err, CR_ERR_MEMORY, "no memory for risk functions");
+                goto out;
+            }
+            set->irf = more;
+            set->size = size;
+        }
+        rc = read_irf(item, path, &set->irf[set->n], err);
+        if (rc) {
+            goto out;
+        }
+        set->n++;
+    }
+out:
+    cJSON_Delete(json);
+    free(text);
+    return rc;
+}
+
+static int is_json(const struct dirent *e) {
+    size_t n = strlen(e->d_name);
+    return n > 5 && e->d_name[0] != '.' && !strcmp(e->d_name + n - 5, ".json");
+}
+
+enum cr_err cr_irf_load(const char *dir, struct cr_irf_set **out, struct cr_error *err) {
+    struct dirent **entry = NULL;
+    *out = NULL;
+    int n = scandir(dir, &entry, is_json, alphasort);
+    if (n < 0) {
+        cr_err_set(err, CR_ERR_IO, "cannot list folder '%s': %s", dir, strerror(errno));
+        return CR_ERR_IO;
+    }
+    enum cr_err rc = CR_ERR_OK;
+    struct cr_irf_set *set = calloc(1, sizeof *set);
+    if (!set) {
+        rc = cr_err_set(err, CR_ERR_MEMORY, "no memory for risk functions");
+    }
+    for (int i = 0; i < n; i++) {
+        struct cr_str path = {0};
+        cr_str_addf(&path, "%s/%s", dir, entry[i]->d_name);
+        rc = rc ? rc : add_file(set, cr_str_get(&path), err);
+        cr_str_fini(&path);
+        free(entry[i]);
+    }
+    free(entry);
+    if (rc) {
+        cr_irf_free(set);
+        return rc;
+    }
+    *out = set;
+    return CR_ERR_OK;
+}
+
+void cr_irf_free(struct cr_irf_set *set) {
+    if (set) {
+        free(set->irf);
+        free(set);
+    }
+}
+
+/* the most particular number given for the direction; `fallback` if none is */
+static double by_sector(const double sector[SECTORS], double pdof, double fallback) {
+    double deg = cr_deg(cr_angle_wrap(pdof)); /* + right, - left */
+    bool front = fabs(deg) <= 45, rear = fabs(deg) > 135;
+    const int order[] = {cr_pdof_clock(pdof),
+                         front || rear ? ALL
+                         : deg > 0     ? RIGHT
+                                       : LEFT,
+                         front  ? FRONT
+                         : rear ? REAR
+                                : SIDE,
+                         ALL};
+    for (size_t i = 0; i < sizeof order / sizeof *order; i++) {
+        if (isfinite(sector[order[i]])) {
+            return sector[order[i]];
+        }
+    }
+    return fallback;
+}
+
+void cr_irf_apply(const struct cr_irf_set *set, const struct cr_irf_case *what,
+                  struct cr_severity *severity) {
+    const double of[COVARIATES] = {what->delta_v, what->closing, what->ees};
+    severity->injuries = 0;
+    for (int i = 0; set && i < set->n && severity->injuries < CR_INJURY_MAX; i++) {
+        const struct irf *f = &set->irf[i];
+        double x = of[f->covariate] / f->unit;
+        bool front = fabs(cr_angle_wrap(what->pdof)) <= CR_PI / 4;
+        if (!isfinite(x) || (f->vehicle_partner && !what->vehicle_partner) ||
+            (f->front_only && !front)) {
+            continue;
+        }
+        struct cr_injury *to = &severity->injury[severity->injuries++];
+        double by = by_sector(f->sector, what->pdof, f->power ? (double)NAN : 0.0);
+        memcpy(to->function, f->name, sizeof to->function);
+        memcpy(to->level, f->level, sizeof to->level);
+        to->probability = f->power ? fmin(1, pow(fmax(0, x) / by, f->exponent))
+                                   : 1 / (1 + exp(-(f->intercept + f->slope * x + by)));
+        to->extrapolated = x < f->lo || x > f->hi;
+        // a direction the function says nothing of
+        if (!isfinite(to->probability)) {
+            severity->injuries--;
+        }
+    }
+}

@@ -1,0 +1,159 @@
+/* The outline of what is left of a grid: marching squares over the voxel centres. */
+#include "result/deform.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The squares lie between four voxel centres and are padded by one ring of empty voxels; every
+ * square edge that the contour crosses is a node, linked to the next node counter-clockwise about
+ * the material. Edge numbers: 2 * corner + (0: towards +x, 1: towards +y). */
+struct field {
+    const struct cr_grid *grid;
+    const double *left;
+    int w, h;  /* corners of squares: nx + 2, ny + 2 */
+    int *next; /* [2 * w * h] */
+};
+
+static const double LEVEL = 0.5; /* material per voxel */
+
+static double value(const struct field *f, int x, int y) {
+    bool in = x >= 1 && y >= 1 && x <= f->grid->nx && y <= f->grid->ny;
+    return in ? f->left[(y - 1) * f->grid->nx + x - 1] : 0;
+}
+
+/* bottom, right, top and left edge of the square whose lower left corner is (x, y) */
+static int edge(const struct field *f, int x, int y, int side) {
+    int c = y * f->w + x;
+    const int of[4] = {2 * c, 2 * (c + 1) + 1, 2 * (c + f->w), 2 * c + 1};
+    return of[side];
+}
+
+static void link_square(struct field *f, int x, int y) {
+    // corners lower left, lower right, upper right, upper left; from edge -> to edge, with the
+    // material on the left hand; the two saddles keep the corners of material apart
+    static const signed char TABLE[16][4] = {
+        {-1, -1, -1, -1}, {0, 3, -1, -1}, {1, 0, -1, -1}, {1, 3, -1, -1},
+        {2, 1, -1, -1},   {0, 3, 2, 1},   {2, 0, -1, -1}, {2, 3, -1, -1},
+        {3, 2, -1, -1},   {0, 2, -1, -1}, {1, 0, 3, 2},   {1, 2, -1, -1},
+        {3, 1, -1, -1},   {0, 1, -1, -1}, {3, 0, -1, -1}, {-1, -1, -1, -1},
+    };
+    int kind = (value(f, x, y) >= LEVEL) | (value(f, x + 1, y) >= LEVEL) << 1 |
+               (value(f, x + 1, y + 1) >= LEVEL) << 2 | (value(f, x, y + 1) >= LEVEL) << 3;
+    for (int i = 0; i < 4 && TABLE[kind][i] >= 0; i += 2) {
+        f->next[edge(f, x, y, TABLE[kind][i])] = edge(f, x, y, TABLE[kind][i + 1]);
+    }
+}
+
+static struct cr_vec2 crossing(const struct field *f, int e) {
+    const struct cr_grid *g = f->grid;
+    int x = e / 2 % f->w, y = e / 2 / f->w, up = e % 2;
+    double a = value(f, x, y), b = value(f, x + !up, y + up);
+    // both sides of an outermost edge may be fuller than the level only if the grid says so
+    double t = (LEVEL - a) / (b - a);
+    return cr_vec2(g->x0 + g->h * (x - 0.5 + (up ? 0 : t)),
+                   g->y0 + g->h * (y - 0.5 + (up ? t : 0)));
+}
+
+static double loop_area(const struct field *f, int start, int *n) {
+    double area = 0;
+    struct cr_vec2 a = crossing(f, start);
+    *n = 0;
+    for (int e = start, go = 1; go; go = e != start) {
+        e = f->next[e];
+        struct cr_vec2 b = crossing(f, e);
+        area += cr_vec2_cross(a, b) / 2;
+        a = b;
+        ++*n;
+    }
+    return area;
+}
+
+/* first edge of the loop that encloses most; -1 without any, -2 without memory */
+static int largest(struct field *f, int *points) {
+    double best = 0;
+    int found = -1;
+    unsigned char *seen = calloc((size_t)(2 * f->w) * (size_t)f->h, 1);
+    if (!seen) {
+        return -2;
+    }
+    for (int e = 0; e < 2 * f->w * f->h; e++) {
+        if (f->next[e] < 0 || seen[e]) {
+            continue;
+        }
+        int n;
+        double area = loop_area(f, e, &n);
+        for (int k = e, i = 0; i < n; i++) {
+            seen[k] = 1;
+            k = f->next[k];
+        }
+        if (area > best) {
+            best = area;
+            found = e;
+            *points = n;
+        }
+    }
+    free(seen);
+    return found;
+}
+
+/* drop points nearer than tol to the line from the last kept point to the following one */
+static int simplify(struct cr_vec2 *p, int n, double tol) {
+    int kept = 0;
+    for (int i = 0, from = 0; i < n; i++) {
+        struct cr_vec2 a = kept > 0 ? p[kept - 1] : p[n - 1], b = p[(i + 1) % n];
+        struct cr_vec2 ab = cr_vec2_sub(b, a);
+        double len = cr_vec2_len(ab), off = 0;
+        // every point dropped since the last kept one stays within the tolerance
+        for (int k = from; k <= i; k++) {
+            struct cr_vec2 ak = cr_vec2_sub(p[k], a);
+            off = fmax(off, len > 0 ? fabs(cr_vec2_cross(ab, ak)) / len : cr_vec2_len(ak));
+        }
+        if (off > tol || i == 0) {
+            p[kept++] = p[i];
+            from = i + 1;
+        }
+    }
+    return kept;
+}
+
+enum cr_err cr_deform_outline(const struct cr_grid *grid, const double *left, double tolerance,
+                              struct cr_vec2 **out, int *n, struct cr_error *err) {
+    struct field f = {.grid = grid, .left = left, .w = grid->nx + 2, .h = grid->ny + 2};
+    size_t edges = (size_t)(2 * f.w) * (size_t)f.h;
+    enum cr_err rc = CR_ERR_MEMORY;
+    *out = NULL;
+    *n = 0;
+    f.next = malloc(edges * sizeof *f.next);
+    if (!f.next) {
+        goto out;
+    }
+    memset(f.next, 0xff, edges * sizeof *f.next);
+    for (int y = 0; y + 1 < f.h; y++) {
+        for (int x = 0; x + 1 < f.w; x++) {
+            link_square(&f, x, y);
+        }
+    }
+    int points = 0;
+    int start = largest(&f, &points);
+    if (start == -2) {
+        goto out;
+    }
+    rc = CR_ERR_OK;
+    if (start < 0) {
+        goto out;
+    }
+    struct cr_vec2 *p = malloc((size_t)points * sizeof *p);
+    if (!p) {
+        rc = CR_ERR_MEMORY;
+        goto out;
+    }
+    for (int i = 0, e = start; i < points; i++, e = f.next[e]) {
+        p[i] = crossing(&f, e);
+    }
+    *n = simplify(p, points, tolerance);
+    *out = p;
+out:
+    free(f.next);
+    return rc ? cr_err_set(err, rc, "no memory for the outline of a grid") : rc;
+}

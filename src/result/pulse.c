@@ -1,0 +1,211 @@
+#include "result/pulse.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* 10 kHz, the rate of ISO/TS 18571 and of the test vector in literature.md 4.3 */
+static const double STEP = 1e-4;
+static const double BEFORE = 0.02; /* s of rest ahead of first contact, as test signals have */
+static const double AFTER = 0.02;  /* s beyond the last contact */
+static const double LONGEST = 20;  /* s, bounds the memory of a pulse */
+
+/* walk through the trace with increasing time: state at t, linear between the ends of slices */
+struct cursor {
+    const struct cr_solution *sol;
+    int body, k;
+    struct cr_sample first; /* state at sol->t_contact */
+};
+
+static const struct cr_sample *sample_at(const struct cr_solution *sol, int k, int body) {
+    return &sol->trace[(long)k * sol->bodies + body];
+}
+
+static struct cursor cursor_start(const struct cr_solution *sol, int body) {
+    struct cr_sample s = *sample_at(sol, 0, body);
+    double dt = sol->t[0] - sol->t_contact;
+    s.vel = cr_vec2_axpy(s.vel, -dt, s.acc);
+    s.heading -= dt * s.yaw_rate;
+    s.yaw_rate -= dt * s.yaw_acc;
+    return (struct cursor){.sol = sol, .body = body, .k = -1, .first = s};
+}
+
+struct motion {
+    struct cr_vec2 vel;
+    double heading, yaw_rate;
+};
+
+static struct motion cursor_at(struct cursor *c, double t) {
+    const struct cr_solution *sol = c->sol;
+    while (c->k + 1 < sol->samples && sol->t[c->k + 1] <= t) {
+        c->k++;
+    }
+    const struct cr_sample *a = c->k < 0 ? &c->first : sample_at(sol, c->k, c->body);
+    double ta = c->k < 0 ? sol->t_contact : sol->t[c->k];
+    double rest = t - ta;
+    if (rest <= 0 || c->k + 1 >= sol->samples) {
+        return (struct motion){a->vel, a->heading + rest * a->yaw_rate, a->yaw_rate};
+    }
+    const struct cr_sample *b = sample_at(sol, c->k + 1, c->body);
+    double f = rest / (sol->t[c->k + 1] - ta);
+    return (struct motion){
+        .vel = cr_vec2_axpy(a->vel, f, cr_vec2_sub(b->vel, a->vel)),
+        .heading = a->heading + f * (b->heading - a->heading),
+        .yaw_rate = a->yaw_rate + f * (b->yaw_rate - a->yaw_rate),
+    };
+}
+
+enum cr_err cr_pulse_new(const struct cr_solution *sol, int body, struct cr_vec2 direction,
+                         double length_s, struct cr_pulse *out, struct cr_error *err) {
+    memset(out, 0, sizeof *out);
+    if (sol->samples < 1) {
+        return cr_err_set(err, CR_ERR_RANGE, "the solution has no time slices");
+    }
+    const struct cr_outcome *o = &sol->body[body];
+    double span = o->t_last - o->t_first + AFTER;
+    span = cr_clamp(span < length_s ? length_s : span, STEP, LONGEST);
+    int n = (int)ceil((BEFORE + span) / STEP);
+    double *m = calloc((size_t)n * 5, sizeof *m);
+    if (!m) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for a pulse of %d samples", n);
+    }
+    *out = (struct cr_pulse){.n = n,
+                             .t0 = o->t_first - BEFORE,
+                             .dt = STEP,
+                             .ax = m,
+                             .ay = m + n,
+                             .along = m + 2L * n,
+                             .heading = m + 3L * n,
+                             .yaw_rate = m + 4L * n,
+                             .memory = m};
+    struct cursor c = cursor_start(sol, body);
+    struct motion a = cursor_at(&c, out->t0);
+    for (int i = 0; i < n; i++) {
+        struct motion b = cursor_at(&c, out->t0 + (i + 1) * STEP);
+        struct cr_vec2 acc = cr_vec2_scale(cr_vec2_sub(b.vel, a.vel), 1 / STEP);
+        double mid = (a.heading + b.heading) / 2;
+        struct cr_vec2 own = cr_vec2_unrotate(acc, cos(mid), sin(mid));
+        out->ax[i] = own.x;
+        out->ay[i] = own.y;
+        out->along[i] = cr_vec2_dot(acc, direction);
+        out->heading[i] = mid - o->before.heading;
+        out->yaw_rate[i] = (a.yaw_rate + b.yaw_rate) / 2;
+        a = b;
+    }
+    return CR_ERR_OK;
+}
+
+void cr_pulse_fini(struct cr_pulse *pulse) {
+    free(pulse->memory);
+    memset(pulse, 0, sizeof *pulse);
+}
+
+double cr_pulse_olc(const double *accel, int n, double dt) {
+    static const double FREE = 0.065, STOP = 0.300; /* m */
+    double s = 0, v = 0, t1 = -1, f0 = 0;
+    for (int i = 0; i < n; i++) {
+        double t = (i + 1) * dt, s0 = s, v0 = v;
+        s += v * dt + accel[i] * dt * dt / 2;
+        v += accel[i] * dt;
+        if (t1 < 0 && s >= FREE) {
+            t1 = t - dt + dt * (FREE - s0) / (s - s0);
+        }
+        if (t1 < 0) {
+            continue;
+        }
+        // s_rel(t2) - OLC (t2 - t1)^2 / 2 = 0.3 m with OLC = v_rel(t2) / (t2 - t1)
+        double f = s - v * (t - t1) / 2;
+        if (f >= STOP) {
+            double share = f > f0 && f0 > 0 ? (STOP - f0) / (f - f0) : 1;
+            double t2 = t - dt + share * dt;
+            return (v0 + share * (v - v0)) / (t2 - t1);
+        }
+        f0 = f;
+    }
+    // the vehicle has its final velocity: the rest has a closed form
+    if (!(v > 1e-6)) {
+        return 0;
+    }
+    double end = n * dt;
+    t1 = t1 < 0 ? end + (FREE - s) / v : t1;
+    double t2 = 2 * (STOP - s) / v + 2 * end - t1;
+    return t2 > t1 ? v / (t2 - t1) : 0;
+}
+
+double cr_pulse_vpi(const double *accel, int n, double dt) {
+    static const double STIFFNESS = 2500, SLACK = 0.03; /* N/m per kg, m */
+    static const double TAIL = 1.0; /* s without acceleration after the record */
+    double x = 0, v = 0, pull = 0, top = 0;
+    int tail = (int)(TAIL / dt);
+    for (int i = 0; i < n + tail; i++) {
+        double a = i < n ? accel[i] : 0;
+        // velocity Verlet on the motion relative to the vehicle
+        v += (a - pull) * dt / 2;
+        x += v * dt;
+        pull = x > SLACK ? STIFFNESS * (x - SLACK) : 0;
+        v += (a - pull) * dt / 2;
+        top = pull > top ? pull : top;
+    }
+    return top;
+}
+
+double cr_pulse_asi(const double *ax, const double *ay, int n, double dt) {
+    static const double WINDOW = 0.050, LIMIT_X = 12 * CR_G, LIMIT_Y = 9 * CR_G;
+    int w = (int)lround(WINDOW / dt);
+    double sx = 0, sy = 0, top = 0;
+    for (int i = 0; i < n; i++) {
+        sx += ax[i];
+        sy += ay[i];
+        if (i >= w) {
+            sx -= ax[i - w];
+            sy -= ay[i - w];
+        }
+        double asi = hypot(sx / w / LIMIT_X, sy / w / LIMIT_Y);
+        top = asi > top ? asi : top;
+    }
+    return top;
+}
+
+/* greatest 10 ms mean of the vehicle's acceleration from sample `from` on */
+static double phd_after(const struct cr_pulse *p, int from) {
+    static const double WINDOW = 0.010;
+    int w = (int)lround(WINDOW / p->dt);
+    double sum = 0, top = 0;
+    for (int i = from; i < p->n; i++) {
+        sum += hypot(p->ax[i], p->ay[i]);
+        if (i - w >= from) {
+            sum -= hypot(p->ax[i - w], p->ay[i - w]);
+        }
+        top = sum / w > top ? sum / w : top;
+    }
+    return top;
+}
+
+double cr_pulse_thiv(const struct cr_pulse *p, int start, double *phd) {
+    static const double AHEAD = 0.6, ASIDE = 0.3; /* m, EN 1317 */
+    static const double PATIENCE = 2;             /* s to wait for a slow head */
+    // position and velocity of the head against the CG, in axes that do not turn
+    struct cr_vec2 r = {0, 0}, v = {0, 0};
+    double psi = 0, w = 0;
+    *phd = 0;
+    int last = p->n + (int)(PATIENCE / p->dt);
+    for (int i = start; i < last; i++) {
+        struct cr_vec2 acc = {0, 0};
+        if (i < p->n) {
+            psi = p->heading[i];
+            w = p->yaw_rate[i];
+            acc = cr_vec2_rotate(cr_vec2(p->ax[i], p->ay[i]), cos(psi), sin(psi));
+        } else {
+            psi += w * p->dt;
+        }
+        r = cr_vec2_axpy(r, p->dt, cr_vec2_axpy(v, -p->dt / 2, acc));
+        v = cr_vec2_axpy(v, -p->dt, acc);
+        struct cr_vec2 own = cr_vec2_unrotate(r, cos(psi), sin(psi));
+        if (fabs(own.x) >= AHEAD || fabs(own.y) >= ASIDE) {
+            *phd = i < p->n ? phd_after(p, i) : 0;
+            break;
+        }
+    }
+    // velocity in the turning frame of the vehicle
+    struct cr_vec2 slip = cr_vec2_axpy(v, -w, cr_vec2_perp(r));
+    return cr_vec2_len(slip);
+}

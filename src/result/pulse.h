@@ -1,0 +1,47 @@
+/* The crash pulse of a body on a uniform time axis, and the measures that are made of it
+ * (literature.md 4.3-4.8). */
+#ifndef CR_RESULT_PULSE_H
+#define CR_RESULT_PULSE_H
+
+#include "base/err.h"
+#include "base/vec.h"
+#include "solver/solver.h"
+
+/* Samples of the CG, index 0 at t0. Beyond the ends there is no acceleration. */
+struct cr_pulse {
+    int n;
+    double t0, dt;    /* s of the scene, s */
+    double *ax, *ay;  /* vehicle frame of that instant, mean over the sample, m/s2 */
+    double *along;    /* along `direction`, m/s2 */
+    double *heading;  /* relative to first contact, rad */
+    double *yaw_rate; /* rad/s */
+    double *memory;   /* owner of the arrays */
+};
+
+/* Resample body's trace from before_s ahead of its first contact to at least length_s after it.
+ * The mean acceleration of each sample is the change of the traced velocity over it, so that no
+ * impulse is lost whatever the length of the solver's slices. direction: unit vector, world.
+ * Errors: MEMORY; RANGE if the trace is empty. */
+CR_MUST_CHECK enum cr_err cr_pulse_new(const struct cr_solution *sol, int body,
+                                       struct cr_vec2 direction, double length_s,
+                                       struct cr_pulse *out, struct cr_error *err);
+void cr_pulse_fini(struct cr_pulse *pulse);
+
+/* Occupant load criterion, m/s2: free flight over 65 mm, then the constant deceleration that stops
+ * the occupant in the vehicle 300 mm after the start. accel: of the vehicle along its delta-v,
+ * from first contact on; 0 if the occupant is never reached. */
+double cr_pulse_olc(const double *accel, int n, double dt);
+
+/* Vehicle pulse index, m/s2: greatest acceleration of a unit mass on a spring of 2500 N/m per kg
+ * after 30 mm of slack (ISO/TR 12353-3). */
+double cr_pulse_vpi(const double *accel, int n, double dt);
+
+/* Acceleration severity index of EN 1317: 50 ms moving means over 12 g and 9 g. */
+double cr_pulse_asi(const double *ax, const double *ay, int n, double dt);
+
+/* Theoretical head impact velocity, m/s, and post-impact head deceleration, m/s2: a free head in
+ * the vehicle's frame meets a wall 0.6 m ahead or 0.3 m aside; phd is the greatest 10 ms mean of
+ * the vehicle's acceleration after that. */
+double cr_pulse_thiv(const struct cr_pulse *pulse, int start, double *phd);
+
+#endif

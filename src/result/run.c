@@ -1,0 +1,219 @@
+/* From a scene to its result: which model each vehicle gets depends on the direction of the force,
+ * and that on the models, so a coarse trial solve goes first (method.md 2, PDOF selection). */
+#include "result/result_priv.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* the trial's voxels and time slices, never finer than the scene's own */
+static const double TRIAL_VOXEL = 0.05; /* m */
+static const double TRIAL_DT = 1e-3;    /* s */
+/* a blended model is solved anew when the direction moved by more than half a sector */
+static const double BLEND_MOVED = CR_PI / 12;
+
+/* velocity at the end of the approach, world, m/s */
+static struct cr_vec2 approach(const struct cr_participant *p, struct cr_vec2 *pos,
+                               double *heading) {
+    *pos = p->pos;
+    *heading = p->heading;
+    double speed = p->speed, course = isfinite(p->course) ? p->course : p->heading;
+    if (p->waypoints > 0) {
+        const struct cr_waypoint *w = &p->waypoint[p->waypoints - 1];
+        *pos = w->pos;
+        *heading = w->heading;
+        speed = w->speed;
+        course = w->heading;
+        if (p->waypoints > 1) {
+            struct cr_vec2 way = cr_vec2_sub(w->pos, w[-1].pos);
+            course = cr_vec2_len(way) > 0 ? atan2(way.y, way.x) : course;
+        }
+    }
+    speed = isfinite(speed) ? speed : 0;
+    return cr_vec2(speed * cos(course), speed * sin(course));
+}
+
+/* First guess: the impulse of a full impact with friction works along the relative velocity to the
+ * participant that will be met first. */
+static double guess_pdof(const struct cr_scene *scene, int i) {
+    struct cr_vec2 pos, from;
+    double heading, unused, soonest = INFINITY;
+    struct cr_vec2 vel = approach(&scene->part[i], &pos, &heading), push = {0, 0};
+    for (int k = 0; k < scene->n; k++) {
+        if (k == i) {
+            continue;
+        }
+        struct cr_vec2 rel = cr_vec2_sub(approach(&scene->part[k], &from, &unused), vel);
+        struct cr_vec2 way = cr_vec2_sub(pos, from);
+        double speed2 = cr_vec2_dot(rel, rel);
+        // time of the nearest approach of the reference points
+        double t = speed2 > 0 ? cr_vec2_dot(way, rel) / speed2 : (double)INFINITY;
+        t = t < 0 && speed2 > 0 ? 1e3 - t : t;
+        if (t < soonest) {
+            soonest = t;
+            push = rel;
+        }
+    }
+    if (!(cr_vec2_len(push) > 0)) {
+        return 0;
+    }
+    return cr_result_pdof(cr_vec2_unrotate(push, cos(heading), sin(heading)));
+}
+
+static bool is_auto(const struct cr_participant *p) {
+    return p->kind == CR_KIND_VEHICLE && p->model.kind != CR_MODEL_FILE &&
+           p->model.pdof_kind == CR_PDOF_AUTO;
+}
+
+/* PDOF of the velocity change of every vehicle that was struck */
+static void read_pdof(const struct cr_solution *sol, double pdof[CR_BODY_MAX]) {
+    for (int i = 0; i < sol->bodies; i++) {
+        const struct cr_outcome *o = &sol->body[i];
+        if (cr_vec2_len(o->delta_v) > 0) {
+            double c = cos(o->before.heading), s = sin(o->before.heading);
+            pdof[i] = cr_result_pdof(cr_vec2_unrotate(o->delta_v, c, s));
+        }
+    }
+}
+
+/* compile and solve; on success the caller owns compiled and solver */
+static enum cr_err solve(const struct cr_scene *scene, const struct cr_context *ctx,
+                         const double pdof[CR_BODY_MAX], struct cr_compiled *compiled,
+                         struct cr_solver **solver, struct cr_error *err) {
+    *solver = NULL;
+    enum cr_err rc = cr_scene_compile(scene, ctx->models, pdof, compiled, err);
+    if (rc) {
+        return rc;
+    }
+    rc = cr_solver_new(&compiled->cs, solver, err);
+    rc = rc ? rc : cr_solver_run(*solver, ctx->cancel, ctx->user, err);
+    if (rc) {
+        cr_solver_free(*solver);
+        *solver = NULL;
+        cr_compiled_fini(compiled);
+    }
+    return rc;
+}
+
+static enum cr_err trial(const struct cr_scene *scene, const struct cr_context *ctx,
+                         double pdof[CR_BODY_MAX], struct cr_error *err) {
+    struct cr_scene coarse;
+    struct cr_compiled compiled;
+    struct cr_solver *solver;
+    enum cr_err rc = cr_scene_copy(scene, &coarse, err);
+    if (rc) {
+        return rc;
+    }
+    coarse.set.voxel = fmax(coarse.set.voxel, TRIAL_VOXEL);
+    coarse.set.dt = fmax(coarse.set.dt, TRIAL_DT);
+    coarse.set.end = CR_END_SEPARATION;
+    rc = solve(&coarse, ctx, pdof, &compiled, &solver, err);
+    if (!rc) {
+        read_pdof(cr_solver_solution(solver), pdof);
+        cr_solver_free(solver);
+        cr_compiled_fini(&compiled);
+    }
+    cr_scene_fini(&coarse);
+    return rc;
+}
+
+/* the model that belongs to direction b is another one than that of a */
+static bool moved(const struct cr_participant *p, double a, double b) {
+    if (!is_auto(p)) {
+        return false;
+    }
+    return p->model.blend ? fabs(cr_angle_wrap(b - a)) > BLEND_MOVED
+                          : cr_pdof_clock(a) != cr_pdof_clock(b);
+}
+
+static int first_moved(const struct cr_scene *scene, const double *a, const double *b) {
+    for (int i = 0; i < scene->n; i++) {
+        if (moved(&scene->part[i], a[i], b[i])) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+/* the solves of method.md 2: trial, solve, at most one repeat */
+static enum cr_err settle(struct cr_result *r, const struct cr_context *ctx, struct cr_error *err) {
+    const struct cr_scene *scene = &r->resolved;
+    double pdof[CR_BODY_MAX] = {0}, found[CR_BODY_MAX];
+    bool any = false;
+    enum cr_err rc = CR_ERR_OK;
+    for (int i = 0; i < scene->n; i++) {
+        pdof[i] = scene->part[i].kind == CR_KIND_VEHICLE ? guess_pdof(scene, i) : 0;
+        any = any || is_auto(&scene->part[i]);
+    }
+    if (any) {
+        rc = trial(scene, ctx, pdof, err);
+        r->passes++;
+    }
+    for (int pass = 0; pass < 2 && !rc; pass++) {
+        rc = solve(scene, ctx, pdof, &r->compiled, &r->solver, err);
+        if (rc) {
+            break;
+        }
+        r->passes++;
+        r->solution = cr_solver_solution(r->solver);
+        memcpy(found, pdof, sizeof found);
+        read_pdof(r->solution, found);
+        int i = first_moved(scene, pdof, found);
+        if (i < 0) {
+            break;
+        }
+        if (pass > 0) {
+            cr_result_warn(r,
+                           "%s: the PDOF did not settle: model of %.0f deg, force from %.0f deg; "
+                           "set \"blend\": true or a fixed \"pdof\" and compare",
+                           scene->part[i].id, cr_deg(pdof[i]), cr_deg(found[i]));
+            break;
+        }
+        memcpy(pdof, found, sizeof pdof);
+        cr_solver_free(r->solver);
+        cr_compiled_fini(&r->compiled);
+        r->solver = NULL;
+        r->solution = NULL;
+    }
+    return rc;
+}
+
+enum cr_err cr_result_run(const struct cr_scene *scene, const struct cr_context *ctx,
+                          struct cr_result **out, struct cr_error *err) {
+    *out = NULL;
+    struct cr_result *r = calloc(1, sizeof *r);
+    if (!r) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for a result");
+    }
+    cr_scene_init(&r->scene);
+    cr_scene_init(&r->resolved);
+    enum cr_err rc = cr_scene_copy(scene, &r->scene, err);
+    rc = rc ? rc : cr_scene_copy(scene, &r->resolved, err);
+    rc = rc ? rc : cr_scene_resolve(&r->resolved, ctx->models, &r->assumed, err);
+    rc = rc ? rc : settle(r, ctx, err);
+    rc = rc ? rc : cr_result_measure(r, ctx->irf, err);
+    if (rc) {
+        cr_result_free(r);
+        return rc;
+    }
+    cr_result_check(r);
+    *out = r;
+    return CR_ERR_OK;
+}
+
+void cr_result_free(struct cr_result *result) {
+    if (!result) {
+        return;
+    }
+    for (int i = 0; i < CR_BODY_MAX; i++) {
+        free(result->of[i].outline);
+    }
+    if (result->solver) {
+        cr_solver_free(result->solver);
+        cr_compiled_fini(&result->compiled);
+    }
+    cr_assumed_fini(&result->assumed);
+    cr_scene_fini(&result->scene);
+    cr_scene_fini(&result->resolved);
+    free(result);
+}

@@ -1,0 +1,27 @@
+#include "result/result.h"
+
+static const double FACTOR[CR_QUANTITIES] = {
+#define X(name, key, unit, factor) factor,
+    CR_QUANTITY_LIST(X)
+#undef X
+};
+
+double cr_result_quantity(const struct cr_solution *sol, int sample, int body,
+                          enum cr_quantity quantity) {
+    const struct cr_sample *s = &sol->trace[(long)sample * sol->bodies + body];
+    struct cr_vec2 a = cr_vec2_unrotate(s->acc, cos(s->heading), sin(s->heading));
+    const double si[CR_QUANTITIES] = {
+        [CR_QUANTITY_X] = s->pos.x,
+        [CR_QUANTITY_Y] = s->pos.y,
+        [CR_QUANTITY_HEADING] = s->heading,
+        [CR_QUANTITY_VX] = s->vel.x,
+        [CR_QUANTITY_VY] = s->vel.y,
+        [CR_QUANTITY_YAW_RATE] = s->yaw_rate,
+        [CR_QUANTITY_AX] = a.x,
+        [CR_QUANTITY_AY] = a.y,
+        [CR_QUANTITY_YAW_ACC] = s->yaw_acc,
+        [CR_QUANTITY_FORCE] = cr_vec2_len(s->force),
+        [CR_QUANTITY_ENERGY] = s->energy,
+    };
+    return si[quantity] * FACTOR[quantity];
+}

@@ -1,0 +1,138 @@
+/* Limits of validity (method.md 8): each warning says which limit a case leaves, what that means
+ * and what can be done. The numbers are the ranges of the tests the models were calibrated on. */
+#include "result/result_priv.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+/* narrow object, m: between NHTSA's 254 mm pole and the 0.41 m of a narrow CDC (literature.md 4.2)
+ */
+static const double NARROW = 0.41;
+/* closing speed of the full-width wall tests, stiffness.md 2: 40 to 56 km/h, with a margin of
+ * 2 km/h for the scatter of the test speed */
+static const double WALL_LO = 38 / 3.6, WALL_HI = 58 / 3.6;
+/* side pole tests, stiffness.md 3.1: 32 km/h */
+static const double POLE_LO = 28 / 3.6, POLE_HI = 34 / 3.6;
+/* EES above what any calibrated face was crushed with, m/s */
+static const double EES_HI = 65 / 3.6;
+/* restitution of the read points, stiffness.md 6 */
+static const double RESTITUTION_HI = 0.4;
+static const double DEEP = 0.6;         /* share of the vehicle's length */
+static const double RESIDUAL_HI = 1e-6; /* of momentum or energy, relative */
+
+void cr_result_warn(struct cr_result *r, const char *fmt, ...) {
+    if (r->warnings == CR_WARNING_MAX) {
+        snprintf(r->warning[CR_WARNING_MAX - 1], sizeof r->warning[0],
+                 "more warnings than can be listed: solve the parts of this scene one by one");
+        return;
+    }
+    va_list ap;
+    va_start(ap, fmt);
+    vsnprintf(r->warning[r->warnings++], sizeof r->warning[0], fmt, ap);
+    va_end(ap);
+}
+
+static bool is_vehicle(const struct cr_result *r, int i) {
+    return r->resolved.part[i].kind == CR_KIND_VEHICLE;
+}
+
+static bool is_narrow(const struct cr_participant *p) {
+    return p->kind == CR_KIND_OBJECT &&
+           ((p->shape == CR_OBJECT_POLE && 2 * p->radius < NARROW) ||
+            (p->shape == CR_OBJECT_BOX && fmin(p->length, p->width) < NARROW));
+}
+
+static void check_contact(struct cr_result *r, const struct cr_contact *c) {
+    bool vehicle[2] = {is_vehicle(r, c->a), is_vehicle(r, c->b)};
+    int car = vehicle[0] ? c->a : c->b, other = vehicle[0] ? c->b : c->a;
+    const char *id = r->resolved.part[car].id, *with = r->resolved.part[other].id;
+    enum cr_face face = r->of[car].face;
+    if (is_narrow(&r->resolved.part[other]) && !r->compiled.cs.opts.induced) {
+        cr_result_warn(r,
+                       "%s: narrow object %s without induced deformation: depth comes out about "
+                       "twice too large; use method extended or \"induced\": true",
+                       id, with);
+    }
+    bool side = face == CR_FACE_LEFT || face == CR_FACE_RIGHT;
+    double lo = side ? POLE_LO : WALL_LO, hi = side ? POLE_HI : WALL_HI;
+    if (vehicle[0] != vehicle[1] && (c->closing < lo || c->closing > hi)) {
+        cr_result_warn(r,
+                       "%s: closing speed %.0f km/h is outside the %.0f to %.0f km/h of the %s "
+                       "tests behind the models: depth and EES are extrapolated",
+                       id, cr_kmh(c->closing), cr_kmh(lo), cr_kmh(hi), side ? "side" : "front");
+    }
+    if (c->restitution > RESTITUTION_HI) {
+        cr_result_warn(r,
+                       "%s with %s: restitution %.2f is above the 0.4 of measured crashes; "
+                       "set \"restitution\" lower or \"auto\"",
+                       id, with, c->restitution);
+    }
+}
+
+static void check_vehicle(struct cr_result *r, int i) {
+    const struct cr_severity *s = &r->of[i];
+    const struct cr_participant *p = &r->resolved.part[i];
+    if (s->energy > 0 && s->face == CR_FACE_REAR) {
+        cr_result_warn(r,
+                       "%s: struck at the rear, where the models rest on few tests: EES and "
+                       "depth are estimates; own A, B stiffness of the rear can be given",
+                       p->id);
+    }
+    if (s->ees > EES_HI) {
+        cr_result_warn(r, "%s: EES %.0f km/h is above the %.0f km/h of the tests behind the models",
+                       p->id, cr_kmh(s->ees), cr_kmh(EES_HI));
+    }
+    bool end = s->face == CR_FACE_FRONT || s->face == CR_FACE_REAR;
+    double extent = end ? p->length : p->width;
+    if (s->deformation_dynamic_max > DEEP * extent) {
+        cr_result_warn(r,
+                       "%s: crushed over %.0f %% of its %s: structures behind that depth are an "
+                       "assumption of the model; check masses, speeds and overlap",
+                       p->id, 100 * s->deformation_dynamic_max / extent, end ? "length" : "width");
+    }
+    int out = 0;
+    for (int k = 0; k < s->injuries; k++) {
+        out += s->injury[k].extrapolated;
+    }
+    if (out > 0) {
+        cr_result_warn(r,
+                       "%s: delta-v %.0f km/h lies outside the range of %d injury risk functions: "
+                       "their probabilities are extrapolated and marked so",
+                       p->id, cr_kmh(s->delta_v), out);
+    }
+}
+
+void cr_result_check(struct cr_result *r) {
+    const struct cr_solution *sol = r->solution;
+    for (int k = 0; k < sol->contacts; k++) {
+        const struct cr_contact *c = &sol->contact[k];
+        // only the main contact of a body is worth a word; the others belong to the same crash
+        if (cr_result_main_contact(sol, c->a) == k || cr_result_main_contact(sol, c->b) == k) {
+            check_contact(r, c);
+        }
+    }
+    for (int i = 0; i < sol->bodies; i++) {
+        if (is_vehicle(r, i)) {
+            check_vehicle(r, i);
+        }
+    }
+    const struct cr_balance *b = &sol->balance;
+    if (b->momentum_residual > RESIDUAL_HI || b->energy_residual > RESIDUAL_HI) {
+        cr_result_warn(r,
+                       "the balance does not close: momentum %.1e, energy %.1e of the whole; "
+                       "a smaller \"dt_ms\" should cure it, please report the scene",
+                       b->momentum_residual, b->energy_residual);
+    }
+    if (r->resolved.set.end == CR_END_REST) {
+        for (int i = 0; i < sol->bodies; i++) {
+            if (is_vehicle(r, i) && !isfinite(sol->body[i].t_rest)) {
+                cr_result_warn(r,
+                               "%s: still moving after %.0f s; brake it or take its rest "
+                               "position as that instant's",
+                               r->resolved.part[i].id, r->compiled.cs.opts.rest_time);
+            }
+        }
+    }
+}
