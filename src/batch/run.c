@@ -75,6 +75,8 @@ static enum cr_err run(const char *path, const struct run_options *opt, struct c
     if (code == CR_ERR_OK) {
         code = cr_batch_open(&shared, err);
     }
+    /* until here ^C ends the program at once, also while it waits for input */
+    cr_batch_catch();
     if (code == CR_ERR_OK) {
         code = cr_result_run(&scene, &shared.ctx, &result, err);
         /* faults of the whole scene have no line; name at least the file */
@@ -126,7 +128,6 @@ int cr_batch_run(int argc, char **argv) {
     struct cr_error err = {0};
     int operands;
     bool help;
-    cr_batch_catch();
     if (cr_options_parse(&usage, argc, argv, &operands, &help, &err) != CR_ERR_OK) {
         return cr_batch_fail(&err);
     }

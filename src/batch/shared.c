@@ -15,8 +15,14 @@ void cr_batch_catch(void) {
     sigemptyset(&act.sa_mask);
     /* a second ^C ends the program at once, should it be somewhere that does not poll */
     act.sa_flags = (int)SA_RESETHAND;
-    sigaction(SIGINT, &act, NULL);
-    sigaction(SIGTERM, &act, NULL);
+    static const int stops[] = {SIGINT, SIGTERM};
+    for (int i = 0; i < 2; i++) {
+        struct sigaction old;
+        /* a background job of a script is started with ^C ignored, and stays so */
+        if (sigaction(stops[i], NULL, &old) == 0 && old.sa_handler != SIG_IGN) {
+            sigaction(stops[i], &act, NULL);
+        }
+    }
     struct sigaction ignore = {.sa_handler = SIG_IGN};
     sigemptyset(&ignore.sa_mask);
     sigaction(SIGPIPE, &ignore, NULL);

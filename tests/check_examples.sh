@@ -1,0 +1,73 @@
+#!/bin/sh
+# Every example of README.md and crumple.1 runs, and shows what the program prints.
+# "check_examples.sh update" puts the present output into README.md: review the difference.
+. "$SRC/tests/tap.sh"
+tmp=$(mktemp -d) || exit 99
+trap 'rm -rf "$tmp"' EXIT
+ln -s "$SRC/share" "$SRC/models" "$tmp"
+ln -s "$BUILD" "$tmp/build"
+PATH=$BUILD:$PATH
+COLUMNS=80
+export PATH COLUMNS
+
+# README: fences "console"; man page: .EX ... .EE with roff's escapes undone
+awk '/^```console$/ { on = 1; next } /^```$/ { on = 0 } on { print }' "$SRC/README.md" >"$tmp/readme"
+awk '/^\.EX$/ { on = 1; next } /^\.EE$/ { on = 0 } on { print }' "$SRC/man/crumple.1" |
+    sed 's/\\-/-/g; s/\\e/\\/g' >"$tmp/man"
+
+# split FILE: each "$ command" with the lines after it into FILE.1.cmd, FILE.1.out, ...
+split() {
+    awk -v f="$1" '/^\$ / { n++; print substr($0, 3) >(f "." n ".cmd"); printf "" >(f "." n ".out"); next }
+                   n { print >(f "." n ".out") }' "$1"
+}
+
+# alike WANT GOT: equal, where a line "..." stands for any lines
+alike() {
+    awk 'NR == FNR { want[NR] = $0; n = NR; next } { got[FNR] = $0; m = FNR }
+         function match_from(i, j) {
+             for (; i <= n; i++) {
+                 if (want[i] == "...") {
+                     for (; j <= m + 1; j++) if (match_from(i + 1, j)) return 1
+                     return 0
+                 }
+                 if (j > m || want[i] != got[j]) return 0
+                 j++
+             }
+             return j == m + 1
+         }
+         END { exit !match_from(1, 1) }' "$1" "$2"
+}
+
+examples() { # FILE
+    split "$tmp/$1"
+    for cmd in "$tmp/$1".*.cmd; do
+        base=${cmd%.cmd}
+        (cd "$tmp" && sh "$cmd") >"$base.got" 2>&1 </dev/null
+        report $? "$1: $(cat "$cmd")"
+        [ -s "$base.out" ] || continue
+        alike "$base.out" "$base.got"
+        good=$?
+        report $good "$1 shows what it prints (else: make update-examples)"
+        [ $good -eq 0 ] || diff "$base.out" "$base.got" | explain
+    done
+}
+
+update() {
+    awk -v dir="$tmp" '
+        function run(cmd,   line) {
+            while ((("cd " dir " && " cmd " 2>&1") | getline line) > 0) print line
+        }
+        /^```console$/ { on = 1 }
+        /^```$/ { on = 0 }
+        on && /^\$ / { print; run(substr($0, 3)); skip = 1; next }
+        !on { skip = 0 }
+        !skip { print }' "$SRC/README.md" >"$tmp/new" && cat "$tmp/new" >"$SRC/README.md"
+}
+
+if [ "${1:-}" = update ]; then
+    update
+    exit
+fi
+examples readme
+examples man
+finish

@@ -1,0 +1,64 @@
+#!/bin/sh
+# crumple run: forms of the result, overriding, standard input, the same bytes every time.
+. "$SRC/tests/cli/cli.sh"
+wall_scene >"$tmp/wall.json"
+
+run run "$demo"
+same "the demo is solved" "$status" 0
+same "nothing on standard error" "$errs" ""
+has "JSON is the default" "$out" '"crumple_result": *1'
+has "the resolved scene is in the result" "$out" '"resolved": *\{'
+same "no time series unless asked" "$(printf '%s' "$out" | grep -c '"trace"')" 0
+first=$out
+run run "$demo"
+same "the same bytes twice" "$(printf '%s' "$out" | cksum)" "$(printf '%s' "$first" | cksum)"
+
+run run --trace "$demo"
+has "--trace adds the time series" "$out" '"trace": *\{'
+run run -f csv "$demo"
+same "CSV has a header and a row per participant" "$(printf '%s\n' "$out" | wc -l)" 3
+has "CSV names units in the header" "$(printf '%s\n' "$out" | head -n 1)" 'ees_kmh'
+
+run run --format=text "$demo"
+same "text succeeds" "$status" 0
+has "text has EES" "$out" 'EES'
+has "text names the stop criterion" "$out" 'momentum|separation|no-overlap'
+wide=$(printf '%s\n' "$out" | LC_ALL=C.UTF-8 grep -cE '^.{81}')
+same "text keeps to 80 columns without a terminal" "$wide" 0
+same "no colour without a terminal" "$(printf '%s' "$out" | grep -c "$(printf '\033')")" 0
+run run --format=text --ascii "$demo"
+same "--ascii has nothing else" "$(printf '%s' "$out" | LC_ALL=C grep -c '[^ -~]')" 0
+run run --format=text --color=always "$demo"
+[ "$(printf '%s' "$out" | grep -c "$(printf '\033')")" -gt 0 ]
+report $? "--color=always colours"
+run run --format=text --width=120 "$demo"
+wide=$(printf '%s\n' "$out" | LC_ALL=C.UTF-8 grep -cE '^.{121}')
+same "--width is kept" "$wide" 0
+utf=$(env LC_ALL=C "$crumple" run --format=text "$demo" | LC_ALL=C grep -c '[^ -~]')
+same "a locale without UTF-8 gets ASCII" "$utf" 0
+
+"$crumple" run - <"$demo" >"$tmp/stdin.json" 2>"$tmp/errs"
+same "a scene from standard input gives the same result" "$(cksum <"$tmp/stdin.json")" \
+    "$("$crumple" run "$demo" | cksum)"
+
+value() { # KEY: its first number in $out
+    printf '%s\n' "$out" | sed -n "s/.*\"$1\": *\([-0-9.e+]*\).*/\1/p" | head -n 1
+}
+run run "$tmp/wall.json"
+slow=$(value ees_kmh)
+run run "$tmp/wall.json" --set A.speed_kmh=70
+fast=$(value ees_kmh)
+awk -v a="$slow" -v b="$fast" 'BEGIN { exit !(a > 0 && b > 1.3 * a && b < 1.5 * a) }'
+report $? "--set A.speed_kmh=70 raises EES in proportion ($slow, $fast)"
+run run "$tmp/wall.json" --set A.speed_kmh=20 -s A.speed_kmh=70
+same "the last --set wins" "$(value ees_kmh)" "$fast"
+run run "$tmp/wall.json" --set method=paper
+has "--set method=paper" "$out" '"method": *"paper"'
+refused "unknown key of --set" 3 'dt_sm.*dt_ms' run "$demo" --set dt_sm=1
+refused "value of --set out of range" 3 'restitution' run "$demo" --set restitution=7
+refused "value of --set is no number" 3 'dt_ms' run "$demo" --set dt_ms=fast
+refused "--set for nobody" 3 'Z' run "$demo" --set Z.speed_kmh=5
+
+env LC_ALL=de_DE.UTF-8 "$crumple" run "$demo" 2>&1 | cksum >"$tmp/german"
+same "a German locale changes nothing" "$(cat "$tmp/german")" "$("$crumple" run "$demo" | cksum)"
+finish

@@ -1,0 +1,28 @@
+#!/bin/sh
+# Words, options and the texts about them.
+. "$SRC/tests/cli/cli.sh"
+
+run --version
+same "--version succeeds" "$status" 0
+has "--version names the program and its libraries" "$out" '^built with ncurses .*readline .*cJSON'
+run --help
+same "--help succeeds" "$status" 0
+has "--help names run" "$out" 'crumple run SCENE.json'
+has "--help explains the exit status" "$out" 'Exit status: 0 done'
+for word in run stack validate models; do
+    run $word --help
+    same "$word --help succeeds" "$status" 0
+    has "$word --help begins with the usage" "$out" "^usage: crumple $word "
+done
+
+refused "unknown word" 2 'unknown .*rnu.*did you mean run' rnu
+refused "unknown option of the program" 2 'unknown option --versoin.*did you mean --version' --versoin
+refused "run without a scene" 2 'needs SCENE.json' run
+refused "run with two scenes" 2 'takes 1 operand' run a.json b.json
+refused "misspelt option" 2 'unknown option --fromat.*did you mean --format' run --fromat=csv x
+refused "unknown format" 2 "'xml' is none of json|text|csv" run "$demo" --format xml
+refused "option without its value" 2 '-*output needs a value' run "$demo" -o
+refused "switch with a value" 2 '--trace takes no value' run "$demo" --trace=yes
+refused "width out of range" 2 'width.*40\.\.400' run "$demo" --width=3
+refused "--set without a value" 2 '--set dt_ms has no KEY=VALUE' run "$demo" --set dt_ms
+finish
