@@ -52,16 +52,21 @@ examples() { # FILE
     done
 }
 
+# an output that is shown in part (with a line "...") is left as it is
 update() {
     awk -v dir="$tmp" '
-        function run(cmd,   line) {
-            while ((("cd " dir " && " cmd " 2>&1") | getline line) > 0) print line
+        function flush(   line) {
+            if (cmd != "" && old !~ /(^|\n)\.\.\.\n/) {
+                while ((("cd " dir " && " cmd " 2>&1") | getline line) > 0) print line
+            } else {
+                printf "%s", old
+            }
+            cmd = old = ""
         }
-        /^```console$/ { on = 1 }
-        /^```$/ { on = 0 }
-        on && /^\$ / { print; run(substr($0, 3)); skip = 1; next }
-        !on { skip = 0 }
-        !skip { print }' "$SRC/README.md" >"$tmp/new" && cat "$tmp/new" >"$SRC/README.md"
+        /^```console$/ { on = 1; print; next }
+        on && (/^\$ / || /^```$/) { flush(); print; on = !/^```/; cmd = on ? substr($0, 3) : ""; next }
+        on && cmd != "" { old = old $0 "\n"; next }
+        { print }' "$SRC/README.md" >"$tmp/new" && cat "$tmp/new" >"$SRC/README.md"
 }
 
 if [ "${1:-}" = update ]; then

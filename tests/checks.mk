@@ -1,4 +1,14 @@
 # checks of the tree as a whole
 tree_checks = tests/check_includes.sh tests/check_symbols.sh
-TESTS += $(tree_checks)
-EXTRA_DIST += $(tree_checks) tests/check_map.sh tests/check_style.sh tests/tap.sh
+cli_checks =
+TESTS += $(tree_checks) $(cli_checks)
+EXTRA_DIST += $(tree_checks) $(cli_checks) tests/tap.sh tests/check_examples.sh \
+	tests/check_map.sh tests/check_style.sh tests/cli/cli.sh tests/cli/usage.sh \
+	tests/cli/run.sh tests/cli/bad_scene.sh tests/cli/files.sh tests/cli/interrupt.sh \
+	tests/cli/completion.sh tests/cli/install.sh
+
+# the examples of README.md as the program prints them today; review the difference
+update-examples: crumple$(EXEEXT)
+	SRC='$(abs_srcdir)' BUILD='$(abs_builddir)' LC_ALL=C.UTF-8 \
+	    $(SHELL) $(srcdir)/tests/check_examples.sh update
+.PHONY: update-examples
