@@ -1,4 +1,18 @@
 noinst_LIBRARIES += librender.a
 librender_a_SOURCES = \
-	src/render/render.h
+	src/render/render.h src/render/render_priv.h \
+	src/render/assumed.c \
+	src/render/axis.c \
+	src/render/cells.c \
+	src/render/dots.c \
+	src/render/draw.c \
+	src/render/glyph.c \
+	src/render/marks.c \
+	src/render/picture.c src/render/picture.h \
+	src/render/plot.c \
+	src/render/pulse.c \
+	src/render/report.c \
+	src/render/state.c \
+	src/render/table.c src/render/table.h \
+	src/render/theme.c src/render/theme.h
 librender_a_CFLAGS = $(CR_CFLAGS)

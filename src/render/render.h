@@ -14,16 +14,32 @@
 
 /* What a cell means, not how it looks: a theme maps roles to colours. */
 enum cr_role {
-    CR_ROLE_TEXT, CR_ROLE_DIM, CR_ROLE_TITLE, CR_ROLE_FRAME, CR_ROLE_A, CR_ROLE_B, CR_ROLE_C,
-    CR_ROLE_OBJECT, CR_ROLE_CRUSHED, CR_ROLE_INDUCED, CR_ROLE_FORCE, CR_ROLE_GOOD, CR_ROLE_WARN,
-    CR_ROLE_BAD, CR_ROLE_REFERENCE, CR_ROLE_CURSOR, CR_ROLE_KEY, CR_ROLE_FIELD, CR_ROLES
+    CR_ROLE_TEXT,
+    CR_ROLE_DIM,
+    CR_ROLE_TITLE,
+    CR_ROLE_FRAME,
+    CR_ROLE_A,
+    CR_ROLE_B,
+    CR_ROLE_C,
+    CR_ROLE_OBJECT,
+    CR_ROLE_CRUSHED,
+    CR_ROLE_INDUCED,
+    CR_ROLE_FORCE,
+    CR_ROLE_GOOD,
+    CR_ROLE_WARN,
+    CR_ROLE_BAD,
+    CR_ROLE_REFERENCE,
+    CR_ROLE_CURSOR,
+    CR_ROLE_KEY,
+    CR_ROLE_FIELD,
+    CR_ROLES
 };
 
 struct cr_cell {
-    uint32_t ch;      /* Unicode code point, 0: the right half of a wide character */
-    uint8_t role;     /* enum cr_role */
-    uint8_t fg, bg;   /* field colours: step of the colour map + 1, 0: none */
-    uint8_t flags;    /* CR_CELL_* */
+    uint32_t ch;    /* Unicode code point, 0: the right half of a wide character */
+    uint8_t role;   /* enum cr_role */
+    uint8_t fg, bg; /* field colours: step of the colour map + 1, 0: none */
+    uint8_t flags;  /* CR_CELL_* */
 };
 enum { CR_CELL_BOLD = 1, CR_CELL_REVERSE = 2, CR_CELL_DIM = 4 };
 
@@ -41,9 +57,15 @@ int cr_cells_print(struct cr_cells *cells, int x, int y, int w, enum cr_role rol
 
 enum cr_color { CR_COLOR_NONE, CR_COLOR_16, CR_COLOR_256 };
 
+/* Colour maps of fields; all rise in lightness. */
+enum cr_colormap { CR_COLORMAP_VIRIDIS, CR_COLORMAP_MAGMA, CR_COLORMAP_GRAY, CR_COLORMAPS };
+
+struct cr_theme;
 struct cr_look {
-    bool ascii;          /* no character above 126 */
+    bool ascii; /* no character above 126 */
     enum cr_color color;
+    enum cr_colormap map;
+    const struct cr_theme *theme; /* NULL: dark (render/theme.h) */
 };
 /* Cells as lines of text, trailing blanks cut. */
 void cr_cells_text(const struct cr_cells *cells, const struct cr_look *look, struct cr_str *out);
@@ -59,8 +81,8 @@ struct cr_scene_view {
     double time;      /* s of the scene; NaN: after the solve (or the start, without a result) */
     double m_per_col; /* scale; 0: the best round one that shows all */
     struct cr_vec2 centre; /* world point in the middle; NaN: the bodies' middle */
-    bool vectors;     /* velocity and force arrows */
-    int selected;     /* participant to mark, -1: none */
+    bool vectors;          /* velocity and force arrows */
+    int selected;          /* participant to mark, -1: none */
 };
 
 /* The scene, before (result NULL), at a time, or after; with outline, heading, overlap and crushed
@@ -71,6 +93,10 @@ CR_MUST_CHECK enum cr_err cr_render_scene(struct cr_cells *cells, struct cr_rect
                                           const struct cr_scene *scene,
                                           const struct cr_result *result,
                                           const struct cr_scene_view *view, struct cr_error *err);
+
+/* Role (colour) of a participant, and whether it can move at all. */
+enum cr_role cr_render_role_of(int body);
+bool cr_render_moves(const struct cr_result *result, int body);
 
 struct cr_curve_line {
     const double *x, *y;
@@ -95,9 +121,14 @@ CR_MUST_CHECK enum cr_err cr_render_plot(struct cr_cells *cells, struct cr_rect 
  * is CR_QUANTITIES. */
 CR_MUST_CHECK enum cr_err cr_render_pulse(struct cr_cells *cells, struct cr_rect at,
                                           const struct cr_look *look,
-                                          const struct cr_result *result,
-                                          enum cr_quantity quantity, double cursor,
-                                          struct cr_error *err);
+                                          const struct cr_result *result, enum cr_quantity quantity,
+                                          double cursor, struct cr_error *err);
+
+/* Kinetic energy of all and deformation energy of each, kJ over ms. */
+CR_MUST_CHECK enum cr_err cr_render_energy(struct cr_cells *cells, struct cr_rect at,
+                                           const struct cr_look *look,
+                                           const struct cr_result *result, double cursor,
+                                           struct cr_error *err);
 
 /* The results table (formats.md quantities with units, a column per participant), as text lines;
  * time NaN: final values, else those of that instant. */

@@ -1,0 +1,27 @@
+#include "render/render_priv.h"
+
+#include <math.h>
+#include <stdio.h>
+
+double cr_tick_step(double span, int most) {
+    static const double rounds[] = {1, 2, 5, 10};
+    if (!(span > 0) || most < 1) {
+        return 1;
+    }
+    double base = pow(10, floor(log10(span / most)));
+    for (int i = 0; i < 4; i++) {
+        if (span / (rounds[i] * base) <= most * (1 + 1e-9)) {
+            return rounds[i] * base;
+        }
+    }
+    return 10 * base;
+}
+
+void cr_tick_text(double value, double step, char *buf, int size) {
+    int digits = step > 0 ? (int)-floor(log10(step) + 1e-9) : 0;
+    digits = digits < 0 ? 0 : digits > 6 ? 6 : digits;
+    if (fabs(value) < step * 1e-6) {
+        value = 0; /* no "-0" */
+    }
+    snprintf(buf, (size_t)size, "%.*f", digits, value);
+}

@@ -1,0 +1,324 @@
+/* What is written over the bodies of a picture: letters, arrows, labels, axes, scale, legend. */
+#include "render/picture.h"
+
+#include "base/vec.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct ink {
+    struct cr_pic *pic;
+    struct cr_cells *cells;
+    const struct cr_look *look;
+};
+
+static bool in_field(const struct cr_pic *pic, int x, int y) {
+    return x >= pic->at.x && x < pic->at.x + pic->at.w && y >= pic->at.y &&
+           y < pic->at.y + pic->at.h - 1;
+}
+
+static void put(const struct ink *ink, int x, int y, enum cr_role role, uint32_t ch) {
+    if (in_field(ink->pic, x, y)) {
+        uint8_t bg = cr_cells_at(ink->cells, x, y)->bg;
+        cr_cells_put(ink->cells, x, y, role, ch);
+        cr_cells_at(ink->cells, x, y)->bg = bg;
+    }
+}
+
+/* piece of a shaft between two neighbouring cells */
+static uint32_t shaft(int dx, int dy, bool ascii) {
+    if (dy == 0) {
+        return ascii ? '-' : 0x2501;
+    }
+    if (dx == 0) {
+        return ascii ? '|' : 0x2503;
+    }
+    return dx * dy < 0 ? '/' : '\\';
+}
+
+/* Arrow from a world point along a vector (m), with its head at the far end. skip cells are left
+ * out at the start. */
+static void arrow(const struct ink *ink, struct cr_vec2 from, struct cr_vec2 along,
+                  enum cr_role role, int skip) {
+    struct cr_vec2 a = cr_pic_to_cell(ink->pic, from);
+    struct cr_vec2 b = cr_pic_to_cell(ink->pic, cr_vec2_add(from, along));
+    int x0 = (int)floor(a.x), y0 = (int)floor(a.y), x1 = (int)floor(b.x), y1 = (int)floor(b.y);
+    int steps = abs(x1 - x0) > abs(y1 - y0) ? abs(x1 - x0) : abs(y1 - y0);
+    if (steps <= skip || steps > 2000) {
+        return;
+    }
+    int px = x0, py = y0;
+    for (int i = 1; i <= steps; i++) {
+        int x = x0 + (int)lround((double)(x1 - x0) * i / steps);
+        int y = y0 + (int)lround((double)(y1 - y0) * i / steps);
+        if (i > skip && i < steps) {
+            put(ink, x, y, role, shaft(x - px, y - py, ink->look->ascii));
+        }
+        px = x;
+        py = y;
+    }
+    put(ink, x1, y1, role, cr_glyph_head(atan2(along.y, along.x), ink->look->ascii));
+}
+
+static void draw_velocity(const struct ink *ink, const struct cr_pic_body *b) {
+    double v = cr_vec2_len(b->now.vel);
+    if (!b->moves || v < 0.5) {
+        return;
+    }
+    /* the way of 60 ms, at least four and at most twenty columns */
+    double len = cr_clamp(0.06 * v, 5 * ink->pic->m_per_col, 20 * ink->pic->m_per_col);
+    bool flat = fabs(b->now.vel.x) > fabs(b->now.vel.y);
+    arrow(ink, b->now.pos, cr_vec2_scale(b->now.vel, len / v), b->role, flat ? 2 : 0);
+}
+
+static void draw_force(const struct ink *ink, const struct cr_pic_body *b) {
+    double f = cr_vec2_len(b->now.force);
+    if (!b->moves || !(f > 0.02 * ink->pic->force_max) || !isfinite(b->now.coe.x)) {
+        return;
+    }
+    double len = (2 + 10 * f / ink->pic->force_max) * ink->pic->m_per_col;
+    arrow(ink, b->now.coe, cr_vec2_scale(b->now.force, len / f), CR_ROLE_FORCE, 0);
+}
+
+static void draw_coe(const struct ink *ink) {
+    for (int i = 0; i < ink->pic->n; i++) {
+        const struct cr_pic_body *b = &ink->pic->body[i];
+        if (cr_vec2_len(b->now.force) > 0.02 * ink->pic->force_max && ink->pic->force_max > 0) {
+            struct cr_vec2 p = cr_pic_to_cell(ink->pic, b->now.coe);
+            put(ink, (int)floor(p.x), (int)floor(p.y), CR_ROLE_FORCE, '+');
+        }
+    }
+}
+
+/* letter at the CG with the heading beside it: " A> " */
+static void draw_letter(const struct ink *ink, const struct cr_pic_body *b, bool selected) {
+    struct cr_vec2 p = cr_pic_to_cell(ink->pic, b->now.pos);
+    int x = (int)floor(p.x), y = (int)floor(p.y);
+    if (!in_field(ink->pic, x, y)) {
+        return;
+    }
+    struct cr_rect box = cr_pic_cells_of(ink->pic, b);
+    if (b->grid->nx == 0 && (box.w < 5 || box.h < 2)) {
+        return; /* a pole is named beside it */
+    }
+    put(ink, x - 1, y, b->role, ' ');
+    put(ink, x, y, b->role, (uint8_t)b->letter);
+    put(ink, x + 1, y, b->role,
+        b->grid->nx > 0 ? cr_glyph_arrow(b->now.heading, ink->look->ascii) : ' ');
+    put(ink, x + 2, y, b->role, ' ');
+    for (int i = -1; i <= 2; i++) {
+        struct cr_cell *cell = cr_cells_at(ink->cells, x + i, y);
+        if (cell != NULL && in_field(ink->pic, x + i, y)) {
+            cell->bg = 0;
+            cell->flags |= selected ? CR_CELL_REVERSE | CR_CELL_BOLD : CR_CELL_BOLD;
+        }
+    }
+}
+
+static void label_text(const struct ink *ink, const struct cr_pic_body *b, char *buf, int size) {
+    bool ascii = ink->look->ascii, wide = ink->pic->at.w >= 100;
+    if (!b->moves) {
+        snprintf(buf, (size_t)size, "%s", b->id);
+        return;
+    }
+    int n = snprintf(buf, (size_t)size, "%.20s", b->id);
+    if ((wide || !ink->pic->moved) && b->type[0] != '\0') {
+        n += snprintf(buf + n, (size_t)(size - n), "  %s %.0f kg", b->type, b->mass);
+    }
+    double now = cr_kmh(b->speed_now);
+    now = fabs(now) < 0.05 ? 0 : now;
+    if (!ink->pic->moved) {
+        snprintf(buf + n, (size_t)(size - n), "  %.1f km/h", now);
+        return;
+    }
+    double turned = cr_deg(b->turned);
+    n += snprintf(buf + n, (size_t)(size - n), "  %.1f %s %.1f km/h", cr_kmh(b->speed_before),
+                  ascii ? "->" : "\u2192", now);
+    n += snprintf(buf + n, (size_t)(size - n), ascii ? "  yaw %+.1f deg" : "  \u03c8 %+.1f\u00b0",
+                  fabs(turned) < 0.05 ? 0 : turned);
+    if (wide) {
+        double rate = cr_deg(b->now.yaw_rate);
+        snprintf(buf + n, (size_t)(size - n), ascii ? "  %+.0f deg/s" : "  %+.0f\u00b0/s",
+                 fabs(rate) < 0.5 ? 0 : rate);
+    }
+}
+
+static bool row_free(const struct ink *ink, int x, int y, int w) {
+    for (int i = -1; i <= w; i++) {
+        const struct cr_cell *cell = cr_cells_at(ink->cells, x + i, y);
+        if (cell != NULL && in_field(ink->pic, x + i, y) && cell->ch != ' ') {
+            return false;
+        }
+    }
+    return in_field(ink->pic, x, y) && (w == 0 || in_field(ink->pic, x + w - 1, y));
+}
+
+/* Above or below the body, as near as there is room; the first bodies go above, others below. */
+static void draw_label(const struct ink *ink, int k) {
+    const struct cr_pic_body *b = &ink->pic->body[k];
+    char text[160];
+    label_text(ink, b, text, sizeof text);
+    int w = cr_glyph_width(text);
+    struct cr_rect box = cr_pic_cells_of(ink->pic, b);
+    const struct cr_rect *at = &ink->pic->at;
+    int x = box.x + (box.w - w) / 2;
+    x = x + w > at->x + at->w - 1 ? at->x + at->w - 1 - w : x;
+    x = x < at->x + 1 ? at->x + 1 : x;
+    for (int i = 0; i < 2 * at->h; i++) {
+        bool above = (i % 2 == 0) == (k % 2 == 0);
+        int y = above ? box.y - 1 - i / 2 : box.y + box.h + i / 2;
+        for (int shift = 0; shift <= 8; shift++) {
+            int at_x = shift % 2 == 0 ? x + 2 * shift : x - 2 * shift;
+            if (row_free(ink, at_x, y, w)) {
+                cr_cells_print(ink->cells, at_x, y, w, b->role, text);
+                return;
+            }
+        }
+    }
+}
+
+static void draw_axes(const struct ink *ink) {
+    bool ascii = ink->look->ascii;
+    int x = ink->pic->at.x + 1, y = ink->pic->at.y;
+    if (row_free(ink, x, y, 4) && row_free(ink, x, y + 1, 5)) {
+        cr_cells_print(ink->cells, x, y, 4, CR_ROLE_DIM, "y");
+        cr_cells_print(ink->cells, x, y + 1, 5, CR_ROLE_DIM, ascii ? "^-> x" : "\u2191\u2192 x");
+    }
+}
+
+/* ---- the last row: scale and legend ---- */
+
+const char *cr_pic_field_label(enum cr_field field, bool ascii) {
+    switch (field) {
+    case CR_FIELD_EES:
+        return ascii ? "EES kJ/m2" : "EES kJ/m\u00b2";
+    case CR_FIELD_ENERGY:
+        return ascii ? "absorbed kJ/m2" : "absorbed kJ/m\u00b2";
+    case CR_FIELD_CRUSH:
+        return "crushed %";
+    case CR_FIELD_DEPTH:
+        return "depth m";
+    case CR_FIELD_NONE:
+        break;
+    }
+    return "";
+}
+
+struct pen {
+    const struct ink *ink;
+    int x, y, end;
+};
+
+static bool room(const struct pen *pen, int columns) {
+    return pen->x + columns <= pen->end;
+}
+
+static void write_text(struct pen *pen, enum cr_role role, const char *text) {
+    pen->x += cr_cells_print(pen->ink->cells, pen->x, pen->y, pen->end - pen->x, role, text);
+}
+
+static void write_scale(struct pen *pen) {
+    static const double lengths[] = {0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 1000};
+    bool ascii = pen->ink->look->ascii;
+    double m = pen->ink->pic->m_per_col, length = 1000;
+    for (int i = 10; i >= 0; i--) {
+        double columns = lengths[i] / m;
+        if (columns >= 3 && columns <= 20) {
+            length = lengths[i];
+            break;
+        }
+    }
+    int n = (int)lround(length / m);
+    char text[48];
+    snprintf(text, sizeof text, " %g m", length);
+    if (!room(pen, n + 8)) {
+        return;
+    }
+    struct cr_cells *cells = pen->ink->cells;
+    cr_cells_put(cells, pen->x, pen->y, CR_ROLE_TEXT, ascii ? '|' : 0x251C);
+    cr_cells_run(cells, pen->x + 1, pen->y, n - 2, CR_ROLE_TEXT, ascii ? '-' : 0x2500);
+    cr_cells_put(cells, pen->x + n - 1, pen->y, CR_ROLE_TEXT, ascii ? '|' : 0x2524);
+    pen->x += n;
+    write_text(pen, CR_ROLE_TEXT, text);
+    pen->x += 3;
+}
+
+static void write_ramp(struct pen *pen) {
+    const struct cr_pic *pic = pen->ink->pic;
+    const struct cr_look *look = pen->ink->look;
+    if (pic->field == CR_FIELD_NONE || !room(pen, 28)) {
+        return;
+    }
+    char top[32];
+    snprintf(top, sizeof top, " %g", pic->field_max);
+    write_text(pen, CR_ROLE_TEXT, cr_pic_field_label(pic->field, look->ascii));
+    write_text(pen, CR_ROLE_TEXT, " 0 ");
+    bool blocks = look->color == CR_COLOR_256 && !look->ascii;
+    int n = blocks ? CR_STEPS : look->ascii ? 9 : 4;
+    for (int i = 0; i < n; i++) {
+        double u = (i + 0.5) / n;
+        cr_cells_put(pen->ink->cells, pen->x, pen->y, CR_ROLE_FIELD,
+                     blocks ? 0x2588 : cr_glyph_shade(u, look->ascii));
+        if (look->color != CR_COLOR_NONE) {
+            cr_cells_at(pen->ink->cells, pen->x, pen->y)->fg = cr_shade_step(u);
+        }
+        pen->x++;
+    }
+    write_text(pen, CR_ROLE_TEXT, top);
+    pen->x += 3;
+}
+
+static void write_entry(struct pen *pen, bool shown, enum cr_role role, const char *sign,
+                        const char *text) {
+    int w = cr_glyph_width(sign) + 1 + cr_glyph_width(text);
+    if (shown && room(pen, w)) {
+        write_text(pen, role, sign);
+        pen->x++;
+        write_text(pen, CR_ROLE_TEXT, text);
+        pen->x += 2;
+    }
+}
+
+static void draw_legend(const struct ink *ink, const struct cr_scene_view *view) {
+    const struct cr_pic *pic = ink->pic;
+    bool ascii = ink->look->ascii, moving = false;
+    struct pen pen = {ink, pic->at.x + 1, pic->at.y + pic->at.h - 1, pic->at.x + pic->at.w - 1};
+    char force[48];
+    for (int i = 0; i < pic->n; i++) {
+        moving |= pic->body[i].moves && cr_vec2_len(pic->body[i].now.vel) >= 0.5;
+    }
+    write_scale(&pen);
+    write_ramp(&pen);
+    write_entry(&pen, pic->any_crushed, CR_ROLE_CRUSHED, ascii ? "x" : "\u00d7", "crushed");
+    write_entry(&pen, pic->any_induced, CR_ROLE_INDUCED, "~", "induced");
+    write_entry(&pen, pic->any_rigid, CR_ROLE_OBJECT, "/", "rigid");
+    snprintf(force, sizeof force, "force %.0f kN", pic->force_now * 1e-3);
+    write_entry(&pen, view->vectors && pic->force_now > 0.02 * pic->force_max, CR_ROLE_FORCE,
+                ascii ? "+->" : "+\u2501\u25ba", force);
+    write_entry(&pen, view->vectors && moving, CR_ROLE_TEXT, ascii ? "->" : "\u2501\u25ba",
+                "speed");
+}
+
+void cr_pic_marks(struct cr_pic *pic, struct cr_cells *cells, const struct cr_look *look,
+                  const struct cr_scene_view *view) {
+    struct ink ink = {pic, cells, look};
+    for (int i = 0; view->vectors && i < pic->n; i++) {
+        draw_velocity(&ink, &pic->body[i]);
+    }
+    for (int i = 0; i < pic->n; i++) {
+        draw_letter(&ink, &pic->body[i], i == view->selected);
+    }
+    for (int i = 0; view->vectors && i < pic->n; i++) {
+        draw_force(&ink, &pic->body[i]);
+    }
+    if (view->vectors) {
+        draw_coe(&ink);
+    }
+    for (int i = 0; i < pic->n; i++) {
+        draw_label(&ink, i);
+    }
+    draw_axes(&ink);
+    draw_legend(&ink, view);
+}

@@ -1,0 +1,89 @@
+/* The scene picture, inside: bodies as they stand at a time, and what lies at a point of them. */
+#ifndef CR_RENDER_PICTURE_H
+#define CR_RENDER_PICTURE_H
+
+#include "render/render_priv.h"
+
+enum { CR_PIC_OUTLINE = 96 };
+
+struct cr_pic_body {
+    const char *id, *type;
+    char letter;
+    enum cr_role role;
+    bool moves;
+    double mass;
+    struct cr_sample now;           /* pose, velocity, force at the time of the picture */
+    double c, s;                    /* cosine and sine of the heading */
+    double speed_before, speed_now; /* m/s, < 0: backwards */
+    double turned;                  /* change of heading since the first contact, rad */
+    const struct cr_grid *grid;     /* nx = 0: rigid, with outline */
+    const double *left;
+    const float *t_crushed;
+    const uint8_t *how;
+    enum cr_face face; /* struck face, CR_FACES if unknown */
+    int outline_n;
+    struct cr_vec2 outline[CR_PIC_OUTLINE]; /* own frame */
+    struct cr_vec2 lo, hi;                  /* own box, own frame */
+};
+
+struct cr_pic {
+    int n;
+    struct cr_pic_body body[CR_BODY_MAX];
+    double time; /* s; NaN: no result */
+    bool done;   /* at or after the end of the crash */
+    bool moved;  /* after the first contact: labels show before and now */
+    enum cr_field field;
+    double field_max; /* upper end of the scale, in the field's unit */
+    double force_max; /* greatest contact force of the trace, N */
+    double force_now;
+    double m_per_col;
+    struct cr_vec2 centre;
+    struct cr_rect at;
+    bool any_crushed, any_induced, any_rigid; /* set while drawing, for the legend */
+};
+
+/* What one body has at a world point. */
+struct cr_pic_hit {
+    bool rigid, crushed, induced;
+    double left;  /* share of material */
+    double value; /* of the field, in its unit */
+};
+
+/* Bodies at the time of the view; scale and centre fitted to the rectangle where the view leaves
+ * them open. */
+void cr_pic_init(struct cr_pic *pic, const struct cr_compiled *compiled,
+                 const struct cr_scene *scene, const struct cr_result *result,
+                 const struct cr_scene_view *view);
+void cr_pic_fit(struct cr_pic *pic, const struct cr_result *result,
+                const struct cr_scene_view *view, struct cr_rect at);
+/* Rows a picture of this width needs when height is no matter, at most `most`. */
+int cr_pic_rows(const struct cr_compiled *compiled, const struct cr_scene *scene,
+                const struct cr_result *result, const struct cr_scene_view *view, int width,
+                int most);
+
+bool cr_pic_look(const struct cr_pic *pic, const struct cr_pic_body *body, struct cr_vec2 world,
+                 struct cr_pic_hit *hit);
+
+/* World point -> column and row (as reals; cell i spans i..i+1). */
+struct cr_vec2 cr_pic_to_cell(const struct cr_pic *pic, struct cr_vec2 world);
+struct cr_vec2 cr_pic_to_world(const struct cr_pic *pic, double col, double row);
+/* Rectangle of cells that a body can touch, cut at the picture. */
+struct cr_rect cr_pic_cells_of(const struct cr_pic *pic, const struct cr_pic_body *body);
+
+/* Unit and name of a field for the legend. */
+const char *cr_pic_field_label(enum cr_field field, bool ascii);
+
+/* Arrows, letters, labels, scale bar, legend. */
+void cr_pic_marks(struct cr_pic *pic, struct cr_cells *cells, const struct cr_look *look,
+                  const struct cr_scene_view *view);
+
+/* State of a body at a time of the scene, s: on its way to the first contact, in the trace, or
+ * after it. */
+struct cr_sample cr_render_state(const struct cr_compiled *compiled, const struct cr_result *result,
+                                 int body, double time);
+/* Time at which the crash is over: the end of the last restitution of all, s. */
+double cr_render_t_after(const struct cr_solution *sol);
+/* Time of the first contact; 0 when there was none. */
+double cr_render_t_contact(const struct cr_solution *sol);
+
+#endif

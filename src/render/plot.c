@@ -1,0 +1,296 @@
+/* Curves over a common axis: braille dots (or * and o), round ticks, letters at the curves. */
+#include "render/render_priv.h"
+
+#include "base/vec.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { Y_LABEL_MAX = 24, AXIS_ROWS = 2 };
+
+struct frame {
+    struct cr_cells *cells;
+    const struct cr_look *look;
+    struct cr_rect area; /* of the curves, cells */
+    double x_lo, x_hi, y_lo, y_hi;
+};
+
+static bool finite_point(const struct cr_curve_line *c, int i) {
+    return isfinite(c->x[i]) && isfinite(c->y[i]);
+}
+
+static void data_range(const struct cr_plot *plot, struct frame *f) {
+    f->x_lo = f->y_lo = INFINITY;
+    f->x_hi = f->y_hi = -INFINITY;
+    for (int k = 0; k < plot->curves; k++) {
+        const struct cr_curve_line *c = &plot->curve[k];
+        for (int i = 0; i < c->n; i++) {
+            if (finite_point(c, i)) {
+                f->x_lo = fmin(f->x_lo, c->x[i]);
+                f->x_hi = fmax(f->x_hi, c->x[i]);
+                f->y_lo = fmin(f->y_lo, c->y[i]);
+                f->y_hi = fmax(f->y_hi, c->y[i]);
+            }
+        }
+    }
+    if (f->x_lo > f->x_hi) {
+        f->x_lo = f->y_lo = 0;
+        f->x_hi = f->y_hi = 1;
+    }
+    /* the axis includes zero unless the curve is a small change of a large number */
+    double span = f->y_hi - f->y_lo;
+    if (f->y_lo > 0 && f->y_lo < 2 * span) {
+        f->y_lo = 0;
+    }
+    if (f->y_hi < 0 && -f->y_hi < 2 * span) {
+        f->y_hi = 0;
+    }
+    if (!(f->y_hi - f->y_lo > 1e-12 * fmax(fabs(f->y_hi), 1))) {
+        f->y_lo = fmin(f->y_lo, 0);
+        f->y_hi = f->y_lo < f->y_hi ? f->y_hi : f->y_lo + 1;
+    }
+    if (!(f->x_hi > f->x_lo)) {
+        f->x_hi = f->x_lo + 1;
+    }
+}
+
+static int dot_x(const struct frame *f, double x) {
+    double u = (x - f->x_lo) / (f->x_hi - f->x_lo) * (2 * f->area.w - 1);
+    return (int)lround(cr_clamp(u, -1e6, 1e6));
+}
+
+static int dot_y(const struct frame *f, double y) {
+    double u = (f->y_hi - y) / (f->y_hi - f->y_lo) * (4 * f->area.h - 1);
+    return (int)lround(cr_clamp(u, -1e6, 1e6));
+}
+
+static int col_of(const struct frame *f, double x) {
+    return f->area.x + dot_x(f, x) / 2;
+}
+
+static int row_of(const struct frame *f, double y) {
+    return f->area.y + dot_y(f, y) / 4;
+}
+
+/* x label columns must not touch: room per tick is its text and two blanks */
+static void draw_x_axis(const struct frame *f, const char *unit) {
+    const struct cr_rect *a = &f->area;
+    bool ascii = f->look->ascii;
+    int y = a->y + a->h;
+    cr_cells_put(f->cells, a->x - 1, y, CR_ROLE_FRAME, ascii ? '+' : 0x2514);
+    cr_cells_run(f->cells, a->x, y, a->w, CR_ROLE_FRAME, ascii ? '-' : 0x2500);
+    double step = cr_tick_step(f->x_hi - f->x_lo, a->w / 10 < 1 ? 1 : a->w / 10);
+    int unit_w = cr_glyph_width(unit);
+    int free_from = a->x - 1;
+    int end = a->x + a->w;
+    for (double v = ceil(f->x_lo / step - 1e-9) * step; v <= f->x_hi + step * 1e-9; v += step) {
+        char text[32];
+        cr_tick_text(v, step, text, sizeof text);
+        int x = col_of(f, v), n = (int)strlen(text), at = x - n / 2;
+        cr_cells_put(f->cells, x, y, CR_ROLE_FRAME, ascii ? '+' : 0x252C);
+        at = at + n > end ? end - n : at < a->x - 1 ? a->x - 1 : at;
+        if (at >= free_from && at + n + 1 + unit_w <= end) {
+            cr_cells_print(f->cells, at, y + 1, n, CR_ROLE_DIM, text);
+            free_from = at + n + 1;
+        }
+    }
+    cr_cells_print_right(f->cells, end, y + 1, unit_w, CR_ROLE_DIM, unit);
+}
+
+static int y_ticks(const struct frame *f, double *step) {
+    int most = f->area.h / 3;
+    *step = cr_tick_step(f->y_hi - f->y_lo, most < 1 ? 1 : most > 8 ? 8 : most);
+    return (int)(f->y_hi / *step + 1e-9) - (int)ceil(f->y_lo / *step - 1e-9) + 1;
+}
+
+static void draw_y_axis(const struct frame *f) {
+    const struct cr_rect *a = &f->area;
+    bool ascii = f->look->ascii;
+    for (int i = 0; i < a->h; i++) {
+        cr_cells_put(f->cells, a->x - 1, a->y + i, CR_ROLE_FRAME, ascii ? '|' : 0x2502);
+    }
+    double step;
+    int n = y_ticks(f, &step);
+    double first = ceil(f->y_lo / step - 1e-9);
+    for (int i = 0; i < n; i++) {
+        char text[Y_LABEL_MAX];
+        double v = (first + i) * step;
+        cr_tick_text(v, step, text, sizeof text);
+        cr_cells_print_right(f->cells, a->x - 1, row_of(f, v), 10, CR_ROLE_DIM, text);
+        cr_cells_put(f->cells, a->x - 1, row_of(f, v), CR_ROLE_FRAME, ascii ? '+' : 0x2524);
+    }
+}
+
+static int y_label_width(const struct frame *f) {
+    double step;
+    int n = y_ticks(f, &step), width = 1;
+    double first = ceil(f->y_lo / step - 1e-9);
+    for (int i = 0; i < n; i++) {
+        char text[Y_LABEL_MAX];
+        cr_tick_text((first + i) * step, step, text, sizeof text);
+        int w = (int)strlen(text);
+        width = w > width ? w : width;
+    }
+    return width > 10 ? 10 : width;
+}
+
+static char ascii_mark(int k) {
+    return "*o+#%"[k % 5];
+}
+
+static void draw_curves(const struct cr_plot *plot, const struct frame *f, struct cr_dots *dots) {
+    /* the first curve is drawn last, so that it lies on top */
+    for (int k = plot->curves - 1; k >= 0; k--) {
+        const struct cr_curve_line *c = &plot->curve[k];
+        int last[2] = {0, 0}, phase = 0;
+        bool pen = false;
+        for (int i = 0; i < c->n; i++) {
+            if (!finite_point(c, i)) {
+                pen = false;
+                continue;
+            }
+            int to[2] = {dot_x(f, c->x[i]), dot_y(f, c->y[i])};
+            cr_dots_line(dots, pen ? last : to, to, c->role, ascii_mark(k), c->dashed, &phase);
+            last[0] = to[0];
+            last[1] = to[1];
+            pen = true;
+        }
+    }
+}
+
+/* value of a curve at x, NaN outside; x ascends */
+static double curve_at(const struct cr_curve_line *c, double x) {
+    for (int i = 1; i < c->n; i++) {
+        if (c->x[i - 1] <= x && x <= c->x[i] && c->x[i] > c->x[i - 1]) {
+            double u = (x - c->x[i - 1]) / (c->x[i] - c->x[i - 1]);
+            return c->y[i - 1] + u * (c->y[i] - c->y[i - 1]);
+        }
+    }
+    return NAN;
+}
+
+static bool free_cell(const struct frame *f, int x, int y) {
+    const struct cr_cell *cell = cr_cells_at(f->cells, x, y);
+    return x > f->area.x && x < f->area.x + f->area.w && y >= f->area.y &&
+           y < f->area.y + f->area.h && cell != NULL && cell->ch == ' ';
+}
+
+/* The letter of curve k goes where the other curves are farthest and there is a blank beside it. */
+static void draw_letter(const struct cr_plot *plot, const struct frame *f, int k) {
+    const struct cr_curve_line *c = &plot->curve[k];
+    int best_x = -1, best_y = 0;
+    double best = -1;
+    for (int col = f->area.x + 1; col < f->area.x + f->area.w - 1; col++) {
+        double u = (col - f->area.x + 0.5) / f->area.w;
+        double x = f->x_lo + u * (f->x_hi - f->x_lo), y = curve_at(c, x);
+        double far = 6;
+        if (!isfinite(y)) {
+            continue;
+        }
+        for (int j = 0; j < plot->curves; j++) {
+            double other = curve_at(&plot->curve[j], x);
+            if (j != k && isfinite(other)) {
+                far = fmin(far, abs(row_of(f, y) - row_of(f, other)));
+            }
+        }
+        /* prefer the middle of the plot among equals */
+        far -= fabs(u - 0.5);
+        for (int side = -1; side <= 1; side += 2) {
+            int row = row_of(f, y) + side;
+            if (far > best && free_cell(f, col, row) && free_cell(f, col + 1, row) &&
+                free_cell(f, col - 1, row)) {
+                best = far;
+                best_x = col;
+                best_y = row;
+            }
+        }
+    }
+    if (best_x >= 0) {
+        cr_cells_put(f->cells, best_x, best_y, c->role, (uint8_t)c->mark);
+        cr_cells_flag(f->cells, best_x, best_y, 1, CR_CELL_BOLD);
+    }
+}
+
+static void draw_zero_and_cursor(const struct cr_plot *plot, const struct frame *f) {
+    bool ascii = f->look->ascii;
+    if (f->y_lo < 0 && f->y_hi > 0) {
+        int y = row_of(f, 0);
+        for (int x = f->area.x; x < f->area.x + f->area.w; x++) {
+            if (cr_cells_at(f->cells, x, y)->ch == ' ') {
+                cr_cells_put(f->cells, x, y, CR_ROLE_DIM, ascii ? '-' : 0x2504);
+            }
+        }
+    }
+    if (plot->cursor >= f->x_lo && plot->cursor <= f->x_hi) {
+        int x = col_of(f, plot->cursor);
+        for (int y = f->area.y; y < f->area.y + f->area.h; y++) {
+            const struct cr_cell *cell = cr_cells_at(f->cells, x, y);
+            if (cell->ch == ' ' || cell->role == CR_ROLE_DIM) {
+                cr_cells_put(f->cells, x, y, CR_ROLE_CURSOR, ascii ? '|' : 0x2506);
+            } else {
+                cr_cells_flag(f->cells, x, y, 1, CR_CELL_REVERSE);
+            }
+        }
+        cr_cells_put(f->cells, x, f->area.y + f->area.h, CR_ROLE_CURSOR, ascii ? '^' : 0x25B2);
+    }
+}
+
+static void draw_title(const struct cr_plot *plot, const struct frame *f, struct cr_rect at) {
+    int x = at.x, end = at.x + at.w;
+    if (plot->title != NULL) {
+        x += cr_cells_print(f->cells, x, at.y, end - x, CR_ROLE_TITLE, plot->title);
+    }
+    if (plot->y_unit != NULL && plot->y_unit[0] != '\0' && x + 2 < end) {
+        char text[64];
+        snprintf(text, sizeof text, "%s%s", x > at.x ? ", " : "", plot->y_unit);
+        x += cr_cells_print(f->cells, x, at.y, end - x, CR_ROLE_TEXT, text);
+    }
+    for (int k = 0; k < plot->curves; k++) {
+        const struct cr_curve_line *c = &plot->curve[k];
+        const char *name = c->name != NULL ? c->name : "";
+        char text[96], letter[2] = {c->mark, '\0'};
+        bool named = name[0] != '\0' && strcmp(name, letter) != 0;
+        snprintf(text, sizeof text, "%s%s%.60s", letter, named ? " " : "", named ? name : "");
+        int need = 3 + 3 + cr_glyph_width(text);
+        if (x + need > end) {
+            break;
+        }
+        x += 3;
+        uint32_t line = f->look->ascii ? (uint8_t)ascii_mark(k) : c->dashed ? 0x2504 : 0x2501;
+        cr_cells_run(f->cells, x, at.y, 2, c->role, line);
+        x += 3;
+        x += cr_cells_print(f->cells, x, at.y, end - x, c->role, text);
+    }
+}
+
+enum cr_err cr_render_plot(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
+                           const struct cr_plot *plot, struct cr_error *err) {
+    struct frame f = {.cells = cells, .look = look};
+    struct cr_dots dots = {0};
+    f.area = (struct cr_rect){at.x + 2, at.y + 1, at.w - 2, at.h - 1 - AXIS_ROWS};
+    if (f.area.h < 2 || f.area.w < 12) {
+        draw_title(plot, &f, at);
+        return CR_ERR_OK;
+    }
+    data_range(plot, &f);
+    int label = y_label_width(&f);
+    f.area.x = at.x + label + 1;
+    f.area.w = at.w - label - 1;
+    enum cr_err code = cr_dots_new(f.area.w, f.area.h, &dots, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    draw_title(plot, &f, at);
+    draw_y_axis(&f);
+    draw_x_axis(&f, plot->x_unit != NULL ? plot->x_unit : "");
+    draw_curves(plot, &f, &dots);
+    cr_dots_draw(&dots, cells, f.area.x, f.area.y, look->ascii);
+    for (int k = 0; k < plot->curves; k++) {
+        draw_letter(plot, &f, k);
+    }
+    draw_zero_and_cursor(plot, &f);
+    cr_dots_fini(&dots);
+    return CR_ERR_OK;
+}

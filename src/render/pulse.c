@@ -1,0 +1,209 @@
+/* Plots of a result's traces: pulses, any other quantity, energies. */
+#include "render/render_priv.h"
+
+#include "base/arena.h"
+#include "base/vec.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const struct {
+    const char *title, *unit; /* unit NULL: that of the list of quantities */
+    double factor;            /* from the list's unit to the shown one */
+} SHOWN[CR_QUANTITIES + 1] = {
+    [CR_QUANTITY_X] = {"x", NULL, 1},
+    [CR_QUANTITY_Y] = {"y", NULL, 1},
+    [CR_QUANTITY_HEADING] = {"heading", NULL, 1},
+    [CR_QUANTITY_VX] = {"vx", "km/h", 3.6},
+    [CR_QUANTITY_VY] = {"vy", "km/h", 3.6},
+    [CR_QUANTITY_YAW_RATE] = {"yaw rate", NULL, 1},
+    [CR_QUANTITY_AX] = {"ax", "g", 1 / CR_G},
+    [CR_QUANTITY_AY] = {"ay", "g", 1 / CR_G},
+    [CR_QUANTITY_YAW_ACC] = {"yaw acceleration", NULL, 1},
+    [CR_QUANTITY_FORCE] = {"contact force", NULL, 1},
+    [CR_QUANTITY_ENERGY] = {"deformation energy", NULL, 1},
+    [CR_QUANTITIES] = {"|a|", "g", 1 / CR_G},
+};
+
+static const char *const UNITS[CR_QUANTITIES] = {
+#define X(name, key, unit, factor) [CR_QUANTITY_##name] = unit,
+    CR_QUANTITY_LIST(X)
+#undef X
+};
+
+enum cr_role cr_render_role_of(int body) {
+    static const enum cr_role roles[] = {CR_ROLE_A, CR_ROLE_B, CR_ROLE_C};
+    return roles[body % 3];
+}
+
+bool cr_render_moves(const struct cr_result *result, int body) {
+    return result->compiled.cs.body[body].mass > 0;
+}
+
+/* last sample that a plot over the crash shows: a little after the last contact */
+static int last_sample(const struct cr_solution *sol) {
+    double t_end = sol->t_contact;
+    for (int i = 0; i < sol->bodies; i++) {
+        if (isfinite(sol->body[i].t_last)) {
+            t_end = fmax(t_end, sol->body[i].t_last);
+        }
+    }
+    t_end += 0.05 * (t_end - sol->t_contact);
+    int n = 0;
+    while (n < sol->samples && (n < 2 || sol->t[n] <= t_end)) {
+        n++;
+    }
+    return n;
+}
+
+static bool filtered(enum cr_quantity quantity) {
+    return quantity == CR_QUANTITIES || quantity == CR_QUANTITY_AX || quantity == CR_QUANTITY_AY;
+}
+
+static double value(const struct cr_solution *sol, int sample, int body,
+                    enum cr_quantity quantity) {
+    if (quantity < CR_QUANTITIES) {
+        return cr_result_quantity(sol, sample, body, quantity) * SHOWN[quantity].factor;
+    }
+    double ax = cr_result_quantity(sol, sample, body, CR_QUANTITY_AX);
+    double ay = cr_result_quantity(sol, sample, body, CR_QUANTITY_AY);
+    return hypot(ax, ay) * SHOWN[quantity].factor;
+}
+
+static void set_name(char name[2], const struct cr_result *result, int body) {
+    const char *id = result->resolved.part[body].id;
+    name[0] = id[0] > 32 && id[0] < 127 ? id[0] : (char)('A' + body % 26);
+    name[1] = '\0';
+}
+
+/* Series of one participant in y, filtered with CFC 60 as the reported maxima are; what cannot be
+ * filtered (slices too long) is shown as it is. */
+static void series(const struct cr_result *result, int body, enum cr_quantity quantity, int n,
+                   double *y) {
+    const struct cr_solution *sol = result->solution;
+    for (int i = 0; i < n; i++) {
+        y[i] = value(sol, i, body, quantity);
+    }
+    if (filtered(quantity) && cr_cfc_filter(60, sol->dt, y, n, NULL) != CR_ERR_OK) {
+        for (int i = 0; i < n; i++) {
+            y[i] = value(sol, i, body, quantity);
+        }
+    }
+}
+
+static enum cr_err no_memory(struct cr_error *err) {
+    return cr_err_set(err, CR_ERR_MEMORY, "no memory for the plot");
+}
+
+enum cr_err cr_render_pulse(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
+                            const struct cr_result *result, enum cr_quantity quantity,
+                            double cursor, struct cr_error *err) {
+    const struct cr_solution *sol = result->solution;
+    struct cr_curve_line curve[CR_BODY_MAX];
+    char name[CR_BODY_MAX][2];
+    struct cr_arena arena = {0};
+    enum cr_err code = CR_ERR_OK;
+    int n = last_sample(sol), curves = 0;
+    double *t = cr_arena_take(&arena, (size_t)n + 1, sizeof *t);
+    if (t == NULL) {
+        code = no_memory(err);
+        goto out;
+    }
+    for (int i = 0; i < n; i++) {
+        t[i] = (sol->t[i] - sol->t_contact) * 1e3;
+    }
+    for (int b = 0; b < sol->bodies; b++) {
+        if (!cr_render_moves(result, b)) {
+            continue;
+        }
+        double *y = cr_arena_take(&arena, (size_t)n + 1, sizeof *y);
+        if (y == NULL) {
+            code = no_memory(err);
+            goto out;
+        }
+        series(result, b, quantity, n, y);
+        set_name(name[b], result, b);
+        curve[curves++] = (struct cr_curve_line){.x = t,
+                                                 .y = y,
+                                                 .n = n,
+                                                 .mark = name[b][0],
+                                                 .name = result->resolved.part[b].id,
+                                                 .role = cr_render_role_of(b)};
+    }
+    struct cr_plot plot = {.title = SHOWN[quantity].title,
+                           .x_unit = "ms",
+                           .y_unit = SHOWN[quantity].unit,
+                           .curves = curves,
+                           .curve = curve,
+                           .cursor = (cursor - sol->t_contact) * 1e3};
+    if (plot.y_unit == NULL) {
+        plot.y_unit = UNITS[quantity];
+    }
+    code = cr_render_plot(cells, at, look, &plot, err);
+out:
+    cr_arena_free(&arena);
+    return code;
+}
+
+static double kinetic(const struct cr_result *result, int sample) {
+    const struct cr_solution *sol = result->solution;
+    double sum = 0;
+    for (int b = 0; b < sol->bodies; b++) {
+        const struct cr_body *body = &result->compiled.cs.body[b];
+        const struct cr_sample *s = &sol->trace[sample * sol->bodies + b];
+        if (body->mass > 0) {
+            sum += 0.5 * body->mass * cr_vec2_dot(s->vel, s->vel);
+            sum += 0.5 * fmax(body->inertia, 0) * s->yaw_rate * s->yaw_rate;
+        }
+    }
+    return sum;
+}
+
+enum cr_err cr_render_energy(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
+                             const struct cr_result *result, double cursor, struct cr_error *err) {
+    const struct cr_solution *sol = result->solution;
+    struct cr_curve_line curve[CR_BODY_MAX + 1];
+    char name[CR_BODY_MAX][2];
+    struct cr_arena arena = {0};
+    enum cr_err code = CR_ERR_OK;
+    int n = last_sample(sol), curves = 0;
+    double *t = cr_arena_take(&arena, (size_t)n + 1, sizeof *t);
+    double *y = cr_arena_take(&arena, ((size_t)n + 1) * (size_t)(sol->bodies + 1), sizeof *y);
+    if (t == NULL || y == NULL) {
+        code = no_memory(err);
+        goto out;
+    }
+    for (int i = 0; i < n; i++) {
+        t[i] = (sol->t[i] - sol->t_contact) * 1e3;
+        y[i] = kinetic(result, i) * 1e-3;
+    }
+    curve[curves++] = (struct cr_curve_line){
+        .x = t, .y = y, .n = n, .mark = 'k', .name = "kinetic", .role = CR_ROLE_REFERENCE};
+    for (int b = 0; b < sol->bodies; b++) {
+        double *e = y + (size_t)curves * (size_t)n;
+        if (result->compiled.cs.body[b].grid.nx == 0) {
+            continue;
+        }
+        for (int i = 0; i < n; i++) {
+            e[i] = sol->trace[i * sol->bodies + b].energy * 1e-3;
+        }
+        set_name(name[b], result, b);
+        curve[curves++] = (struct cr_curve_line){.x = t,
+                                                 .y = e,
+                                                 .n = n,
+                                                 .mark = name[b][0],
+                                                 .name = "deformation",
+                                                 .role = cr_render_role_of(b)};
+    }
+    struct cr_plot plot = {.title = "energy",
+                           .x_unit = "ms",
+                           .y_unit = "kJ",
+                           .curves = curves,
+                           .curve = curve,
+                           .cursor = (cursor - sol->t_contact) * 1e3};
+    code = cr_render_plot(cells, at, look, &plot, err);
+out:
+    cr_arena_free(&arena);
+    return code;
+}

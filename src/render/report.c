@@ -1,0 +1,340 @@
+/* The report of a run: pictures, pulses, table, phases, balance, assumptions, warnings. */
+#include "render/picture.h"
+#include "render/table.h"
+
+#include "base/vec.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { WIDTH_LEAST = 60, WIDTH_MOST = 300 };
+
+struct page {
+    const struct cr_result *result;
+    const struct cr_look *look;
+    int width;
+    struct cr_str *out;
+};
+
+static enum cr_err emit(const struct page *page, struct cr_cells *cells, struct cr_error *err) {
+    cr_cells_text(cells, page->look, page->out);
+    cr_cells_fini(cells);
+    return page->out->failed ? cr_err_set(err, CR_ERR_MEMORY, "no memory for the report")
+                             : CR_ERR_OK;
+}
+
+/* "Title ------ note" */
+static enum cr_err heading(const struct page *page, const char *title, const char *note,
+                           struct cr_error *err) {
+    struct cr_cells c;
+    enum cr_err code = cr_cells_new(page->width, 2, &c, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    uint32_t line = page->look->ascii ? '-' : 0x2500;
+    cr_cells_run(&c, 0, 1, page->width, CR_ROLE_FRAME, line);
+    cr_cells_run(&c, 2, 1, cr_glyph_width(title) + 2, CR_ROLE_TEXT, ' ');
+    cr_cells_print(&c, 3, 1, page->width - 4, CR_ROLE_TITLE, title);
+    int w = cr_glyph_width(note), free = page->width - cr_glyph_width(title) - 8;
+    if (w > 0 && free > 8) {
+        w = w > free ? free : w;
+        cr_cells_run(&c, page->width - w - 4, 1, w + 2, CR_ROLE_TEXT, ' ');
+        cr_cells_print(&c, page->width - w - 3, 1, w, CR_ROLE_DIM, note);
+    }
+    return emit(page, &c, err);
+}
+
+/* One line of text at the left edge, in a role, broken at blanks to the width; later lines are
+ * indented. */
+static enum cr_err paragraph(const struct page *page, int indent, enum cr_role role,
+                             const char *text, struct cr_error *err) {
+    enum cr_err code = CR_ERR_OK;
+    int at = 1;
+    while (*text != '\0' && code == CR_ERR_OK) {
+        struct cr_cells c;
+        int room = page->width - at, used = 0, w = 0;
+        const char *end = text, *s = text, *brk = NULL;
+        while (*s != '\0') {
+            if (*s == ' ') {
+                brk = s;
+            }
+            w = cr_glyph_columns(cr_glyph_next(&s));
+            if (used + w > room) {
+                break;
+            }
+            used += w;
+            end = s;
+        }
+        end = *end == '\0' || brk == NULL || brk == text ? end : brk;
+        char line[1024];
+        snprintf(line, sizeof line, "%.*s", (int)(end - text), text);
+        code = cr_cells_new(page->width, 1, &c, err);
+        if (code == CR_ERR_OK) {
+            cr_cells_print(&c, at, 0, 0, role, line);
+            code = emit(page, &c, err);
+        }
+        text = end;
+        while (*text == ' ') {
+            text++;
+        }
+        at = 1 + indent;
+    }
+    return code;
+}
+
+/* ---- sections ---- */
+
+static enum cr_err title(const struct page *page, struct cr_error *err) {
+    const struct cr_settings *set = &page->result->resolved.set;
+    char note[160];
+    snprintf(note, sizeof note, "method %s, dt %g ms, voxel %g mm",
+             set->method == CR_METHOD_PAPER ? "paper" : "extended", set->dt * 1e3,
+             set->voxel * 1e3);
+    struct cr_cells c;
+    enum cr_err code = cr_cells_new(page->width, 1, &c, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    cr_cells_print(&c, 1, 0, page->width - 50, CR_ROLE_TITLE, page->result->resolved.name);
+    cr_cells_print_right(&c, page->width - 1, 0, 48, CR_ROLE_DIM, note);
+    return emit(page, &c, err);
+}
+
+static enum cr_err picture(const struct page *page, const char *name, const char *note, double time,
+                           struct cr_error *err) {
+    const struct cr_result *r = page->result;
+    struct cr_scene_view view = {
+        .field = CR_FIELD_EES, .time = time, .centre = {NAN, NAN}, .vectors = true, .selected = -1};
+    int most = page->width / 4 + 6;
+    int rows = cr_pic_rows(&r->compiled, &r->resolved, r, &view, page->width, most);
+    struct cr_cells c;
+    enum cr_err code = heading(page, name, note, err);
+    if (code == CR_ERR_OK) {
+        code = cr_cells_new(page->width, rows, &c, err);
+    }
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    code = cr_render_scene(&c, (struct cr_rect){0, 0, page->width, rows}, page->look, &r->compiled,
+                           &r->resolved, r, &view, err);
+    if (code != CR_ERR_OK) {
+        cr_cells_fini(&c);
+        return code;
+    }
+    return emit(page, &c, err);
+}
+
+static enum cr_err pictures(const struct page *page, struct cr_error *err) {
+    const struct cr_solution *sol = page->result->solution;
+    double t0 = cr_render_t_contact(sol), t1 = cr_render_t_after(sol);
+    char note[80];
+    snprintf(note, sizeof note, "first contact, %.1f ms after the start", t0 * 1e3);
+    enum cr_err code = picture(page, "Before", note, t0, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    snprintf(note, sizeof note, "end of the last contact, %.1f ms after the first touch",
+             (t1 - t0) * 1e3);
+    return picture(page, "After", note, NAN, err);
+}
+
+static enum cr_err pulses(const struct page *page, struct cr_error *err) {
+    struct cr_cells c;
+    int rows = page->width >= 120 ? 20 : 15;
+    enum cr_err code = heading(page, "Pulse", "acceleration of the CG, CFC 60", err);
+    if (code == CR_ERR_OK) {
+        code = cr_cells_new(page->width, rows, &c, err);
+    }
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    code = cr_render_pulse(&c, (struct cr_rect){1, 0, page->width - 2, rows}, page->look,
+                           page->result, CR_QUANTITIES, NAN, err);
+    if (code != CR_ERR_OK) {
+        cr_cells_fini(&c);
+        return code;
+    }
+    return emit(page, &c, err);
+}
+
+static enum cr_err tables(const struct page *page, struct cr_error *err) {
+    int body[CR_BODY_MAX];
+    int n = cr_table_bodies(page->result, body), most = cr_table_columns(page->width - 2);
+    int rows = cr_render_table_rows(page->result);
+    enum cr_err code = heading(page, "Results", "", err);
+    for (int i = 0; i < n && code == CR_ERR_OK; i += most) {
+        struct cr_cells c;
+        code = cr_cells_new(page->width, rows, &c, err);
+        if (code == CR_ERR_OK) {
+            cr_table_draw(&c, (struct cr_rect){1, 0, page->width - 2, rows}, page->look,
+                          page->result, NAN, body + i, n - i < most ? n - i : most);
+            code = emit(page, &c, err);
+        }
+    }
+    return code;
+}
+
+/* C1..C6 as numbers and as a small bar each */
+static enum cr_err profiles(const struct page *page, struct cr_error *err) {
+    static const char *const faces[CR_FACES] = {"front", "left", "rear", "right"};
+    const struct cr_result *r = page->result;
+    enum cr_err code = heading(page, "Crush profile", "residual, C1 to C6, m", err);
+    for (int b = 0; b < r->solution->bodies && code == CR_ERR_OK; b++) {
+        const struct cr_severity *of = &r->of[b];
+        double most = 0;
+        for (int i = 0; i < CR_PROFILE; i++) {
+            most = fmax(most, of->profile[i]);
+        }
+        if (r->compiled.cs.body[b].grid.nx == 0 || of->face >= CR_FACES || !(most > 0)) {
+            continue;
+        }
+        struct cr_cells c;
+        code = cr_cells_new(page->width, 1, &c, err);
+        if (code != CR_ERR_OK) {
+            return code;
+        }
+        char text[CR_NAME_MAX + 16];
+        snprintf(text, sizeof text, "%s %s", r->resolved.part[b].id, faces[of->face]);
+        cr_cells_print(&c, 1, 0, 16, cr_render_role_of(b), text);
+        for (int i = 0; i < CR_PROFILE; i++) {
+            int level = (int)ceil(of->profile[i] / most * 8 - 1e-9);
+            uint32_t bar = level < 1 ? ' ' : 0x2580u + (uint32_t)level;
+            cr_cells_run(&c, 18 + 3 * i, 0, 3, cr_render_role_of(b),
+                         page->look->ascii && level > 0 ? (uint8_t) " .:-=+*#@"[level] : bar);
+            cr_render_number(of->profile[i], 2, text, sizeof text);
+            cr_cells_print_right(&c, 46 + 5 * i, 0, 5, CR_ROLE_TEXT, text);
+        }
+        code = emit(page, &c, err);
+    }
+    return code;
+}
+
+static enum cr_err contact_lines(const struct page *page, const struct cr_contact *k,
+                                 struct cr_error *err) {
+    static const char *const why[] = {
+        [CR_STOP_NONE] = "still in contact when the solve ended",
+        [CR_STOP_MOMENTUM] = "the approach momentum left is the elastic share",
+        [CR_STOP_SEPARATION] = "the bodies part in the next slice",
+        [CR_STOP_NO_OVERLAP] = "no more material meets in the slices to come",
+    };
+    const struct cr_scene *scene = &page->result->resolved;
+    double t0 = cr_render_t_contact(page->result->solution);
+    char text[400];
+    snprintf(text, sizeof text,
+             "%s - %s: plastic %.1f to %.1f ms, elastic compression %.1f ms, restitution %.1f ms",
+             scene->part[k->a].id, scene->part[k->b].id, (k->t_begin - t0) * 1e3,
+             (k->t_plastic_end - t0) * 1e3, (k->t_elastic_end - k->t_plastic_end) * 1e3,
+             (k->t_end - k->t_elastic_end) * 1e3);
+    enum cr_err code = paragraph(page, 2, CR_ROLE_TEXT, text, err);
+    if (code == CR_ERR_OK) {
+        snprintf(text, sizeof text, "  stop: %s (%s)", cr_stop_word(k->stop), why[k->stop]);
+        code = paragraph(page, 2, CR_ROLE_TEXT, text, err);
+    }
+    if (code == CR_ERR_OK) {
+        snprintf(text, sizeof text,
+                 "  closing speed %.1f km/h, restitution %.2f, impulse %.2f kN s, friction %.1f kJ",
+                 cr_kmh(k->closing), k->restitution, cr_vec2_len(k->impulse) * 1e-3,
+                 k->friction * 1e-3);
+        code = paragraph(page, 2, CR_ROLE_TEXT, text, err);
+    }
+    return code;
+}
+
+static enum cr_err phases(const struct page *page, struct cr_error *err) {
+    const struct cr_solution *sol = page->result->solution;
+    enum cr_err code = heading(page, "Phases", "times after the first touch", err);
+    for (int i = 0; i < sol->contacts && code == CR_ERR_OK; i++) {
+        code = contact_lines(page, &sol->contact[i], err);
+    }
+    return code;
+}
+
+static enum cr_err bar_line(const struct page *page, const char *label, double joule, double whole,
+                            enum cr_role role, struct cr_error *err) {
+    struct cr_cells c;
+    enum cr_err code = cr_cells_new(page->width, 1, &c, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    char text[64];
+    cr_cells_print(&c, 1, 0, 28, CR_ROLE_TEXT, label);
+    snprintf(text, sizeof text, "%.1f kJ", joule * 1e-3);
+    cr_cells_print_right(&c, 40, 0, 14, CR_ROLE_TEXT, text);
+    double share = whole > 0 ? cr_clamp(joule / whole, 0, 1) : 0;
+    snprintf(text, sizeof text, "%.1f %%", share * 100);
+    cr_cells_print_right(&c, 49, 0, 8, CR_ROLE_DIM, text);
+    int room = page->width - 52;
+    int n = (int)lround(share * (room > 60 ? 60 : room));
+    cr_cells_run(&c, 51, 0, n, role, page->look->ascii ? '=' : 0x25A0);
+    return emit(page, &c, err);
+}
+
+static enum cr_err balance(const struct page *page, struct cr_error *err) {
+    const struct cr_balance *b = &page->result->solution->balance;
+    const struct {
+        const char *label;
+        double joule;
+        enum cr_role role;
+    } rows[] = {
+        {"kinetic energy before", b->kinetic_before, CR_ROLE_REFERENCE},
+        {"  kinetic energy after", b->kinetic_after, CR_ROLE_REFERENCE},
+        {"  deformation", b->plastic, CR_ROLE_CRUSHED},
+        {"  friction between bodies", b->friction, CR_ROLE_WARN},
+        {"  tyres", b->tyre, CR_ROLE_DIM},
+    };
+    enum cr_err code = heading(page, "Balance", "", err);
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0] && code == CR_ERR_OK; i++) {
+        code = bar_line(page, rows[i].label, rows[i].joule, b->kinetic_before, rows[i].role, err);
+    }
+    if (code == CR_ERR_OK) {
+        char text[200];
+        snprintf(text, sizeof text,
+                 "left over, relative: energy %.1e, momentum %.1e, angular momentum %.1e",
+                 b->energy_residual, b->momentum_residual, b->angular_residual);
+        code = paragraph(page, 2, CR_ROLE_DIM, text, err);
+    }
+    return code;
+}
+
+static enum cr_err notes(const struct page *page, struct cr_error *err) {
+    const struct cr_result *r = page->result;
+    enum cr_err code = CR_ERR_OK;
+    if (r->assumed.n > 0) {
+        struct cr_str text = {0};
+        cr_render_assumed(r, &text);
+        code = heading(page, "Assumed", "not given in the scene: from type and mass", err);
+        const char *line = cr_str_get(&text);
+        while (*line != '\0' && code == CR_ERR_OK) {
+            char one[1024];
+            size_t n = strcspn(line, "\n");
+            snprintf(one, sizeof one, "%.*s", (int)n, line);
+            code = paragraph(page, 3, CR_ROLE_TEXT, one, err);
+            line += n + (line[n] == '\n');
+        }
+        cr_str_fini(&text);
+    }
+    if (r->warnings > 0 && code == CR_ERR_OK) {
+        code = heading(page, "Warnings", "", err);
+    }
+    for (int i = 0; i < r->warnings && code == CR_ERR_OK; i++) {
+        char text[220];
+        snprintf(text, sizeof text, "! %s", r->warning[i]);
+        code = paragraph(page, 2, CR_ROLE_WARN, text, err);
+    }
+    return code;
+}
+
+enum cr_err cr_render_report(const struct cr_result *result, const struct cr_look *look, int width,
+                             struct cr_str *out, struct cr_error *err) {
+    width = width < WIDTH_LEAST ? WIDTH_LEAST : width > WIDTH_MOST ? WIDTH_MOST : width;
+    const struct page page = {result, look, width, out};
+    static enum cr_err (*const sections[])(const struct page *, struct cr_error *) = {
+        title, pictures, pulses, tables, profiles, phases, balance, notes,
+    };
+    enum cr_err code = CR_ERR_OK;
+    for (size_t i = 0; i < sizeof sections / sizeof sections[0] && code == CR_ERR_OK; i++) {
+        code = sections[i](&page, err);
+    }
+    return code;
+}

@@ -1,0 +1,342 @@
+/* The results table: one row per quantity of formats.md, one column per participant. */
+#include "render/picture.h"
+#include "render/table.h"
+
+#include "base/vec.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { LABEL = 24, UNIT = 7, COLUMN = 11, COLUMN_MOST = 15 };
+
+struct source {
+    const struct cr_result *result;
+    int body;
+    const struct cr_severity *of;
+    const struct cr_outcome *outcome;
+    struct cr_sample now; /* at the instant of the table */
+};
+
+struct row {
+    const char *label, *unit; /* unit NULL: a heading */
+    int decimals;             /* < 0: text */
+    double (*number)(const struct source *s);
+    void (*text)(const struct source *s, char *buf, int size);
+    bool grid_only; /* of deformable participants only */
+};
+
+/* ---- what the rows show ---- */
+
+#define OF(name, expression)                                                                       \
+    static double name(const struct source *s) {                                                   \
+        return expression;                                                                         \
+    }
+OF(get_mass, s->result->compiled.cs.body[s->body].mass)
+OF(get_ees, cr_kmh(s->of->ees))
+OF(get_delta_v, cr_kmh(s->of->delta_v))
+OF(get_forward, cr_kmh(s->of->delta_v_body.x))
+OF(get_left, cr_kmh(s->of->delta_v_body.y))
+OF(get_pdof, cr_deg(s->of->pdof))
+OF(get_depth, s->of->deformation_max)
+OF(get_dynamic, s->of->deformation_dynamic_max)
+OF(get_area, s->of->deformation_area)
+OF(get_area_induced, s->of->area_induced)
+OF(get_energy, s->of->energy * 1e-3)
+OF(get_induced, s->of->energy_induced * 1e-3)
+OF(get_a_max, s->of->acceleration_max / CR_G)
+OF(get_t_max, s->of->t_max * 1e3)
+OF(get_a_mean, s->of->acceleration_mean / CR_G)
+OF(get_pulse, s->of->pulse * 1e3)
+OF(get_olc, s->of->olc / CR_G)
+OF(get_asi, s->of->asi)
+OF(get_vpi, s->of->vpi / CR_G)
+OF(get_thiv, cr_kmh(s->of->thiv))
+OF(get_phd, s->of->phd / CR_G)
+OF(get_speed_after, cr_kmh(s->of->speed_after))
+OF(get_course_after, cr_deg(s->of->course_after))
+OF(get_yaw_after, cr_deg(s->of->yaw_rate_after))
+OF(get_yaw_change, cr_deg(s->of->yaw_rate_change))
+OF(get_rest_t, s->outcome->t_rest - cr_render_t_contact(s->result->solution))
+OF(get_rest_x, s->outcome->rest.pos.x)
+OF(get_rest_y, s->outcome->rest.pos.y)
+OF(get_rest_heading, cr_deg(cr_angle_wrap(s->outcome->rest.heading)))
+OF(get_before, cr_kmh(cr_vec2_len(s->outcome->before.vel)))
+OF(now_speed, cr_kmh(cr_vec2_len(s->now.vel)))
+OF(now_course, cr_deg(atan2(s->now.vel.y, s->now.vel.x)))
+OF(now_turned, cr_deg(s->now.heading - s->outcome->before.heading))
+OF(now_yaw, cr_deg(s->now.yaw_rate))
+OF(now_force, cr_vec2_len(s->now.force) * 1e-3)
+OF(now_acc, cr_vec2_len(s->now.acc) / CR_G)
+OF(now_energy, s->now.energy * 1e-3)
+OF(now_area, s->now.crushed)
+OF(now_ees, cr_kmh(sqrt(2 * fmax(s->now.energy, 0) / get_mass(s))))
+OF(now_delta_v, cr_kmh(cr_vec2_len(cr_vec2_sub(s->now.vel, s->outcome->before.vel))))
+#undef OF
+
+static void put_type(const struct source *s, char *buf, int size) {
+    const struct cr_participant *part = &s->result->resolved.part[s->body];
+    snprintf(buf, (size_t)size, "%s",
+             part->kind == CR_KIND_VEHICLE ? cr_type_word(part->type) : "object");
+}
+
+static void put_model(const struct source *s, char *buf, int size) {
+    snprintf(buf, (size_t)size, "%s", s->of->model);
+}
+
+static void put_clock(const struct source *s, char *buf, int size) {
+    snprintf(buf, (size_t)size, s->of->pdof_clock > 0 ? "%d o'clock" : "-", s->of->pdof_clock);
+}
+
+static void put_cdc(const struct source *s, char *buf, int size) {
+    snprintf(buf, (size_t)size, "%s", s->of->cdc);
+}
+
+static void put_face(const struct source *s, char *buf, int size) {
+    static const char *const words[CR_FACES] = {"front", "left", "rear", "right"};
+    snprintf(buf, (size_t)size, "%s", s->of->face < CR_FACES ? words[s->of->face] : "-");
+}
+
+/* clang-format off */
+static const struct row FINAL[] = {
+    {"type", "", -1, NULL, put_type, false},
+    {"model", "", -1, NULL, put_model, true},
+    {"mass", "kg", 0, get_mass, NULL, false},
+    {"speed at first contact", "km/h", 1, get_before, NULL, false},
+    {"Severity", NULL, 0, NULL, NULL, false},
+    {"EES", "km/h", 1, get_ees, NULL, true},
+    {"delta-v", "km/h", 1, get_delta_v, NULL, false},
+    {"  forward", "km/h", 1, get_forward, NULL, false},
+    {"  to the left", "km/h", 1, get_left, NULL, false},
+    {"PDOF", "deg", 0, get_pdof, NULL, true},
+    {"  as the clock", "", -1, NULL, put_clock, true},
+    {"CDC", "", -1, NULL, put_cdc, true},
+    {"Deformation", NULL, 0, NULL, NULL, true},
+    {"struck face", "", -1, NULL, put_face, true},
+    {"greatest depth, residual", "m", 2, get_depth, NULL, true},
+    {"greatest depth, dynamic", "m", 2, get_dynamic, NULL, true},
+    {"crushed area", "m\u00b2", 2, get_area, NULL, true},
+    {"  induced part", "m\u00b2", 2, get_area_induced, NULL, true},
+    {"energy", "kJ", 1, get_energy, NULL, true},
+    {"  induced part", "kJ", 1, get_induced, NULL, true},
+    {"Acceleration", NULL, 0, NULL, NULL, false},
+    {"maximum, CFC 60", "g", 1, get_a_max, NULL, false},
+    {"  after first contact", "ms", 1, get_t_max, NULL, false},
+    {"mean", "g", 1, get_a_mean, NULL, false},
+    {"contact lasts", "ms", 1, get_pulse, NULL, false},
+    {"OLC", "g", 1, get_olc, NULL, false},
+    {"ASI", "", 2, get_asi, NULL, false},
+    {"VPI", "g", 1, get_vpi, NULL, false},
+    {"THIV", "km/h", 1, get_thiv, NULL, false},
+    {"PHD", "g", 1, get_phd, NULL, false},
+    {"After the crash", NULL, 0, NULL, NULL, false},
+    {"speed", "km/h", 1, get_speed_after, NULL, false},
+    {"course", "deg", 1, get_course_after, NULL, false},
+    {"yaw rate", "deg/s", 1, get_yaw_after, NULL, false},
+    {"  change in the crash", "deg/s", 1, get_yaw_change, NULL, false},
+};
+static const struct row REST[] = {
+    {"At rest", NULL, 0, NULL, NULL, false},
+    {"after first contact", "s", 2, get_rest_t, NULL, false},
+    {"x", "m", 2, get_rest_x, NULL, false},
+    {"y", "m", 2, get_rest_y, NULL, false},
+    {"heading", "deg", 1, get_rest_heading, NULL, false},
+};
+static const struct row INSTANT[] = {
+    {"type", "", -1, NULL, put_type, false},
+    {"mass", "kg", 0, get_mass, NULL, false},
+    {"speed at first contact", "km/h", 1, get_before, NULL, false},
+    {"speed now", "km/h", 1, now_speed, NULL, false},
+    {"course now", "deg", 1, now_course, NULL, false},
+    {"turned", "deg", 1, now_turned, NULL, false},
+    {"yaw rate", "deg/s", 1, now_yaw, NULL, false},
+    {"acceleration", "g", 1, now_acc, NULL, false},
+    {"contact force", "kN", 0, now_force, NULL, false},
+    {"delta-v so far", "km/h", 1, now_delta_v, NULL, false},
+    {"EES so far", "km/h", 1, now_ees, NULL, true},
+    {"energy so far", "kJ", 1, now_energy, NULL, true},
+    {"crushed area", "m\u00b2", 2, now_area, NULL, true},
+};
+/* clang-format on */
+
+enum {
+    FINALS = sizeof FINAL / sizeof FINAL[0],
+    RESTS = sizeof REST / sizeof REST[0],
+    INSTANTS = sizeof INSTANT / sizeof INSTANT[0]
+};
+
+/* ---- columns ---- */
+
+int cr_table_bodies(const struct cr_result *result, int body[CR_BODY_MAX]) {
+    int n = 0;
+    for (int i = 0; i < result->solution->bodies; i++) {
+        const struct cr_body *b = &result->compiled.cs.body[i];
+        if (b->mass > 0 || b->grid.nx > 0) {
+            body[n++] = i;
+        }
+    }
+    return n;
+}
+
+int cr_table_columns(int width) {
+    int n = (width - LABEL - UNIT) / COLUMN;
+    return n < 1 ? 1 : n;
+}
+
+static bool at_rest(const struct cr_result *result) {
+    return result->resolved.set.end == CR_END_REST;
+}
+
+/* names of the injury functions in order of first appearance; returns how many */
+static int injuries(const struct cr_result *result, const char *name[CR_INJURY_MAX]) {
+    int n = 0;
+    for (int b = 0; b < result->solution->bodies; b++) {
+        for (int i = 0; i < result->of[b].injuries; i++) {
+            int k = 0;
+            while (k < n && strcmp(name[k], result->of[b].injury[i].function) != 0) {
+                k++;
+            }
+            if (k == n && n < CR_INJURY_MAX) {
+                name[n++] = result->of[b].injury[i].function;
+            }
+        }
+    }
+    return n;
+}
+
+int cr_render_table_rows(const struct cr_result *result) {
+    const char *name[CR_INJURY_MAX];
+    int n = injuries(result, name);
+    return 1 + FINALS + (at_rest(result) ? RESTS : 0) + (n > 0 ? n + 1 : 0);
+}
+
+struct layout {
+    struct cr_cells *cells;
+    const struct cr_look *look;
+    struct cr_rect at;
+    int y, label, column;
+    const int *body;
+    int n;
+};
+
+static int column_end(const struct layout *l, int k) {
+    return l->at.x + l->label + (k + 1) * l->column;
+}
+
+void cr_render_number(double x, int decimals, char *buf, int size) {
+    if (!isfinite(x)) {
+        snprintf(buf, (size_t)size, "-");
+        return;
+    }
+    x = fabs(x) < 0.5 * pow(10, -decimals) ? 0 : x; /* no "-0.0" */
+    snprintf(buf, (size_t)size, "%.*f", decimals, x);
+}
+
+static void write_row(struct layout *l, const struct cr_result *result, const struct row *row,
+                      double time) {
+    if (l->y >= l->at.y + l->at.h) {
+        return;
+    }
+    if (row->unit == NULL) {
+        cr_cells_print(l->cells, l->at.x, l->y++, l->label, CR_ROLE_TITLE, row->label);
+        return;
+    }
+    cr_cells_print(l->cells, l->at.x, l->y, l->label, CR_ROLE_TEXT, row->label);
+    for (int k = 0; k < l->n; k++) {
+        int b = l->body[k];
+        struct source s = {.result = result,
+                           .body = b,
+                           .of = &result->of[b],
+                           .outcome = &result->solution->body[b]};
+        char text[CR_NAME_MAX] = "-";
+        bool has = !row->grid_only || result->compiled.cs.body[b].grid.nx > 0;
+        if (isfinite(time)) {
+            s.now = cr_render_state(&result->compiled, result, b, time);
+        }
+        if (has && row->decimals < 0) {
+            row->text(&s, text, sizeof text);
+        } else if (has) {
+            cr_render_number(row->number(&s), row->decimals, text, sizeof text);
+        }
+        cr_cells_print_right(l->cells, column_end(l, k), l->y, l->column - 1, CR_ROLE_TEXT, text);
+    }
+    const char *unit = row->unit;
+    if (l->look->ascii && strcmp(unit, "m\u00b2") == 0) {
+        unit = "m2";
+    }
+    cr_cells_print(l->cells, column_end(l, l->n - 1) + 1, l->y, UNIT - 1, CR_ROLE_DIM, unit);
+    l->y++;
+}
+
+static void write_head(struct layout *l, const struct cr_result *result) {
+    for (int k = 0; k < l->n; k++) {
+        cr_cells_print_right(l->cells, column_end(l, k), l->y, l->column - 1,
+                             cr_render_role_of(l->body[k]), result->resolved.part[l->body[k]].id);
+    }
+    cr_cells_print(l->cells, column_end(l, l->n - 1) + 1, l->y, UNIT - 1, CR_ROLE_DIM, "unit");
+    l->y++;
+}
+
+static void write_injuries(struct layout *l, const struct cr_result *result) {
+    const char *name[CR_INJURY_MAX];
+    int n = injuries(result, name);
+    if (n > 0 && l->y < l->at.y + l->at.h) {
+        cr_cells_print(l->cells, l->at.x, l->y++, 0, CR_ROLE_TITLE, "Probability of injury");
+    }
+    for (int i = 0; i < n && l->y < l->at.y + l->at.h; i++) {
+        cr_cells_print(l->cells, l->at.x, l->y, l->label, CR_ROLE_TEXT, name[i]);
+        for (int k = 0; k < l->n; k++) {
+            const struct cr_severity *of = &result->of[l->body[k]];
+            char text[32] = "-";
+            for (int j = 0; j < of->injuries; j++) {
+                if (strcmp(of->injury[j].function, name[i]) == 0) {
+                    snprintf(text, sizeof text, "%s%.1f", of->injury[j].extrapolated ? "(!) " : "",
+                             of->injury[j].probability * 100);
+                }
+            }
+            cr_cells_print_right(l->cells, column_end(l, k), l->y, l->column - 1, CR_ROLE_TEXT,
+                                 text);
+        }
+        cr_cells_print(l->cells, column_end(l, l->n - 1) + 1, l->y++, UNIT - 1, CR_ROLE_DIM, "%");
+    }
+}
+
+void cr_table_draw(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
+                   const struct cr_result *result, double time, const int *body, int n) {
+    struct layout l = {cells, look, at, at.y, LABEL, COLUMN, body, n};
+    if (n < 1) {
+        return;
+    }
+    l.label = LABEL + UNIT + n * COLUMN > at.w ? at.w - UNIT - n * COLUMN : LABEL;
+    l.label = l.label < 8 ? 8 : l.label;
+    l.column = (at.w - l.label - UNIT) / n;
+    l.column = l.column > COLUMN_MOST ? COLUMN_MOST : l.column < 6 ? 6 : l.column;
+    write_head(&l, result);
+    if (isfinite(time)) {
+        for (int i = 0; i < INSTANTS; i++) {
+            write_row(&l, result, &INSTANT[i], time);
+        }
+        return;
+    }
+    for (int i = 0; i < FINALS; i++) {
+        write_row(&l, result, &FINAL[i], time);
+    }
+    for (int i = 0; i < RESTS && at_rest(result); i++) {
+        write_row(&l, result, &REST[i], time);
+    }
+    write_injuries(&l, result);
+}
+
+enum cr_err cr_render_table(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
+                            const struct cr_result *result, double time, struct cr_error *err) {
+    (void)err;
+    int body[CR_BODY_MAX];
+    int n = cr_table_bodies(result, body), most = cr_table_columns(at.w);
+    cr_table_draw(cells, at, look, result, time, body, n < most ? n : most);
+    if (n > most && at.h > 1) {
+        char more[48];
+        snprintf(more, sizeof more, "+%d more", n - most);
+        cr_cells_print(cells, at.x, at.y, LABEL, CR_ROLE_DIM, more);
+    }
+    return CR_ERR_OK;
+}

@@ -1,0 +1,180 @@
+#include "render/theme.h"
+
+#include <string.h>
+
+#define MONO(attr)                                                                                 \
+    { -1, -1, -1, -1, attr }
+#define INK(fg256, fg16, attr)                                                                     \
+    { fg256, -1, fg16, -1, attr }
+
+static const struct cr_theme THEMES[] = {
+    {"dark",
+     "for a dark background",
+     {
+         [CR_ROLE_TEXT] = INK(-1, -1, 0),
+         [CR_ROLE_DIM] = INK(245, 8, 0),
+         [CR_ROLE_TITLE] = INK(231, 15, CR_CELL_BOLD),
+         [CR_ROLE_FRAME] = INK(240, 8, 0),
+         [CR_ROLE_A] = INK(81, 14, CR_CELL_BOLD),
+         [CR_ROLE_B] = INK(215, 11, CR_CELL_BOLD),
+         [CR_ROLE_C] = INK(177, 13, CR_CELL_BOLD),
+         [CR_ROLE_OBJECT] = INK(250, 7, 0),
+         [CR_ROLE_CRUSHED] = INK(203, 9, CR_CELL_BOLD),
+         [CR_ROLE_INDUCED] = INK(213, 13, 0),
+         [CR_ROLE_FORCE] = INK(196, 9, CR_CELL_BOLD),
+         [CR_ROLE_GOOD] = INK(114, 10, 0),
+         [CR_ROLE_WARN] = INK(221, 11, 0),
+         [CR_ROLE_BAD] = INK(203, 9, CR_CELL_BOLD),
+         [CR_ROLE_REFERENCE] = INK(248, 7, 0),
+         [CR_ROLE_CURSOR] = INK(231, 15, 0),
+         [CR_ROLE_KEY] = INK(117, 14, CR_CELL_BOLD),
+         [CR_ROLE_FIELD] = INK(-1, -1, 0),
+     }},
+    {"light",
+     "for a light background",
+     {
+         [CR_ROLE_TEXT] = INK(-1, -1, 0),
+         [CR_ROLE_DIM] = INK(242, 8, 0),
+         [CR_ROLE_TITLE] = INK(16, 0, CR_CELL_BOLD),
+         [CR_ROLE_FRAME] = INK(248, 8, 0),
+         [CR_ROLE_A] = INK(25, 4, CR_CELL_BOLD),
+         [CR_ROLE_B] = INK(130, 3, CR_CELL_BOLD),
+         [CR_ROLE_C] = INK(90, 5, CR_CELL_BOLD),
+         [CR_ROLE_OBJECT] = INK(238, 8, 0),
+         [CR_ROLE_CRUSHED] = INK(160, 1, CR_CELL_BOLD),
+         [CR_ROLE_INDUCED] = INK(127, 5, 0),
+         [CR_ROLE_FORCE] = INK(160, 1, CR_CELL_BOLD),
+         [CR_ROLE_GOOD] = INK(28, 2, 0),
+         [CR_ROLE_WARN] = INK(130, 3, 0),
+         [CR_ROLE_BAD] = INK(160, 1, CR_CELL_BOLD),
+         [CR_ROLE_REFERENCE] = INK(241, 8, 0),
+         [CR_ROLE_CURSOR] = INK(16, 0, 0),
+         [CR_ROLE_KEY] = INK(25, 4, CR_CELL_BOLD),
+         [CR_ROLE_FIELD] = INK(-1, -1, 0),
+     }},
+    {"contrast",
+     "few, strong colours on black",
+     {
+         [CR_ROLE_TEXT] = {231, 16, 15, 0, 0},
+         [CR_ROLE_DIM] = {231, 16, 15, 0, 0},
+         [CR_ROLE_TITLE] = {16, 231, 0, 15, CR_CELL_BOLD},
+         [CR_ROLE_FRAME] = {231, 16, 15, 0, 0},
+         [CR_ROLE_A] = {51, 16, 14, 0, CR_CELL_BOLD},
+         [CR_ROLE_B] = {226, 16, 11, 0, CR_CELL_BOLD},
+         [CR_ROLE_C] = {201, 16, 13, 0, CR_CELL_BOLD},
+         [CR_ROLE_OBJECT] = {231, 16, 15, 0, CR_CELL_BOLD},
+         [CR_ROLE_CRUSHED] = {231, 16, 15, 0, CR_CELL_BOLD},
+         [CR_ROLE_INDUCED] = {231, 16, 15, 0, 0},
+         [CR_ROLE_FORCE] = {226, 16, 11, 0, CR_CELL_BOLD},
+         [CR_ROLE_GOOD] = {46, 16, 10, 0, CR_CELL_BOLD},
+         [CR_ROLE_WARN] = {226, 16, 11, 0, CR_CELL_BOLD},
+         [CR_ROLE_BAD] = {16, 231, 0, 15, CR_CELL_BOLD},
+         [CR_ROLE_REFERENCE] = {231, 16, 15, 0, 0},
+         [CR_ROLE_CURSOR] = {226, 16, 11, 0, CR_CELL_BOLD},
+         [CR_ROLE_KEY] = {51, 16, 14, 0, CR_CELL_BOLD},
+         [CR_ROLE_FIELD] = {231, 16, 15, 0, 0},
+     }},
+    {"mono",
+     "no colours: bold, dim and reverse only (NO_COLOR)",
+     {
+         [CR_ROLE_TEXT] = MONO(0),
+         [CR_ROLE_DIM] = MONO(CR_CELL_DIM),
+         [CR_ROLE_TITLE] = MONO(CR_CELL_BOLD),
+         [CR_ROLE_FRAME] = MONO(CR_CELL_DIM),
+         [CR_ROLE_A] = MONO(CR_CELL_BOLD),
+         [CR_ROLE_B] = MONO(CR_CELL_BOLD),
+         [CR_ROLE_C] = MONO(CR_CELL_BOLD),
+         [CR_ROLE_OBJECT] = MONO(0),
+         [CR_ROLE_CRUSHED] = MONO(CR_CELL_BOLD),
+         [CR_ROLE_INDUCED] = MONO(0),
+         [CR_ROLE_FORCE] = MONO(CR_CELL_BOLD),
+         [CR_ROLE_GOOD] = MONO(0),
+         [CR_ROLE_WARN] = MONO(CR_CELL_BOLD),
+         [CR_ROLE_BAD] = MONO(CR_CELL_BOLD),
+         [CR_ROLE_REFERENCE] = MONO(CR_CELL_DIM),
+         [CR_ROLE_CURSOR] = MONO(CR_CELL_BOLD),
+         [CR_ROLE_KEY] = MONO(CR_CELL_BOLD),
+         [CR_ROLE_FIELD] = MONO(0),
+     }},
+};
+enum { THEMES_N = sizeof THEMES / sizeof THEMES[0] };
+
+int cr_theme_count(void) {
+    return THEMES_N;
+}
+
+const struct cr_theme *cr_theme_get(int i) {
+    return &THEMES[i < 0 || i >= THEMES_N ? 0 : i];
+}
+
+const struct cr_theme *cr_theme_find(const char *name) {
+    for (int i = 0; i < THEMES_N; i++) {
+        if (strcmp(THEMES[i].name, name) == 0) {
+            return &THEMES[i];
+        }
+    }
+    return NULL;
+}
+
+/* Eight steps whose CIE lightness rises all the way, which the nearest colours of the palette to
+ * the original maps do not (exemplars.md 11). */
+static const uint8_t RAMP_256[CR_COLORMAPS][8] = {
+    [CR_COLORMAP_VIRIDIS] = {17, 53, 24, 30, 36, 78, 148, 220},
+    [CR_COLORMAP_MAGMA] = {17, 53, 90, 126, 168, 209, 216, 229},
+    [CR_COLORMAP_GRAY] = {234, 237, 240, 243, 246, 249, 252, 255},
+};
+static const uint8_t RAMP_16[CR_COLORMAPS][8] = {
+    [CR_COLORMAP_VIRIDIS] = {4, 4, 6, 6, 2, 2, 3, 3},
+    [CR_COLORMAP_MAGMA] = {4, 4, 5, 5, 1, 1, 3, 3},
+    [CR_COLORMAP_GRAY] = {8, 8, 8, 8, 7, 7, 15, 15},
+};
+
+int cr_theme_ramp(enum cr_colormap map, enum cr_color color, int step) {
+    int i = step < 1 ? 0 : step > 8 ? 7 : step - 1;
+    return color == CR_COLOR_16 ? RAMP_16[map][i] : RAMP_256[map][i];
+}
+
+struct cr_style cr_theme_style(const struct cr_look *look, const struct cr_cell *cell) {
+    const struct cr_theme *theme = look->theme != NULL ? look->theme : &THEMES[0];
+    struct cr_style style = theme->role[cell->role < CR_ROLES ? cell->role : CR_ROLE_TEXT];
+    style.flags |= cell->flags;
+    if (cell->fg > 0) {
+        style.fg256 = (int16_t)cr_theme_ramp(look->map, CR_COLOR_256, cell->fg);
+        style.fg16 = (int8_t)cr_theme_ramp(look->map, CR_COLOR_16, cell->fg);
+    }
+    if (cell->bg > 0) {
+        style.bg256 = (int16_t)cr_theme_ramp(look->map, CR_COLOR_256, cell->bg);
+        style.bg16 = (int8_t)cr_theme_ramp(look->map, CR_COLOR_16, cell->bg);
+    }
+    return style;
+}
+
+void cr_theme_sgr(const struct cr_look *look, const struct cr_cell *cell, struct cr_str *out) {
+    struct cr_style s = cr_theme_style(look, cell);
+    cr_str_add(out, "\033[0");
+    if ((s.flags & CR_CELL_BOLD) != 0) {
+        cr_str_add(out, ";1");
+    }
+    if ((s.flags & CR_CELL_DIM) != 0) {
+        cr_str_add(out, ";2");
+    }
+    if ((s.flags & CR_CELL_REVERSE) != 0) {
+        cr_str_add(out, ";7");
+    }
+    if (look->color == CR_COLOR_256) {
+        if (s.fg256 >= 0) {
+            cr_str_addf(out, ";38;5;%d", s.fg256);
+        }
+        if (s.bg256 >= 0) {
+            cr_str_addf(out, ";48;5;%d", s.bg256);
+        }
+    } else {
+        if (s.fg16 >= 0) {
+            cr_str_addf(out, ";%d", s.fg16 < 8 ? 30 + s.fg16 : 82 + s.fg16);
+        }
+        if (s.bg16 >= 0) {
+            cr_str_addf(out, ";%d", s.bg16 < 8 ? 40 + s.bg16 : 92 + s.bg16);
+        }
+    }
+    cr_str_add(out, "m");
+}
