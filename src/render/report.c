@@ -159,7 +159,7 @@ static enum cr_err pulses(const struct page *page, struct cr_error *err) {
 }
 
 static enum cr_err tables(const struct page *page, struct cr_error *err) {
-    int body[CR_BODY_MAX];
+    int body[CR_BODY_MAX] = {0};
     int n = cr_table_bodies(page->result, body), most = cr_table_columns(page->width - 2);
     int rows = cr_render_table_rows(page->result);
     enum cr_err code = heading(page, "Results", "", err);

@@ -330,7 +330,7 @@ void cr_table_draw(struct cr_cells *cells, struct cr_rect at, const struct cr_lo
 enum cr_err cr_render_table(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
                             const struct cr_result *result, double time, struct cr_error *err) {
     (void)err;
-    int body[CR_BODY_MAX];
+    int body[CR_BODY_MAX] = {0};
     int n = cr_table_bodies(result, body), most = cr_table_columns(at.w);
     cr_table_draw(cells, at, look, result, time, body, n < most ? n : most);
     if (n > most && at.h > 1) {
