@@ -28,44 +28,70 @@ bool cr_deform_add(struct cr_losses *losses, int voxel, uint8_t how, double amou
     return true;
 }
 
-/* Opponent's cover of a place in its own frame. */
-struct cover {
-    double phi;      /* share of a voxel there that it fills, 0..1 */
-    double strength; /* energy per unit of its material, J; infinite for a rigid shape */
-};
-
-static struct cover cover_of_shape(const struct cr_shape *shape, struct cr_vec2 p, double h,
-                                   double c, double sn) {
+/* share of a voxel at p, the shape's frame, that a rigid shape fills */
+static double cover_of_shape(const struct cr_shape *shape, struct cr_vec2 p, double h, double c,
+                             double sn) {
     struct cr_vec2 n;
     double dist = cr_shape_distance(shape, p, &n);
+    if (fabs(dist) > h) {
+        return dist > 0 ? 0 : 1;
+    }
     /* width of the voxel along the normal, which (c, sn) turns into the voxel's frame */
     double hn = h * (fabs(c * n.x - sn * n.y) + fabs(sn * n.x + c * n.y));
-    return (struct cover){cr_clamp(0.5 - dist / hn, 0, 1), INFINITY};
+    return cr_clamp(0.5 - dist / hn, 0, 1);
 }
 
-/* bilinear mean of the opponent's remaining material about a place */
-static struct cover cover_of_grid(const struct cr_moving *m, const double *unit, double u,
-                                  double v) {
-    const struct cr_grid *g = &m->body->grid;
-    int i = (int)floor(u), j = (int)floor(v);
-    double fu = u - i, fv = v - j, phi = 0, strength = 0;
-    for (int dj = 0; dj < 2; dj++) {
-        if (j + dj < 0 || j + dj >= g->ny) {
-            continue;
-        }
-        for (int di = 0; di < 2; di++) {
-            if (i + di < 0 || i + di >= g->nx) {
-                continue;
-            }
-            int k = (j + dj) * g->nx + i + di;
-            if (unit[k] > 0) {
-                double w = (di ? fu : 1 - fu) * (dj ? fv : 1 - fv) * m->left[k];
-                phi += w;
-                strength += w * unit[k];
-            }
+/* The four voxels about a place and their bilinear weights. */
+struct corners {
+    int n, k[4];
+    double w[4];
+};
+
+/* u, v: place in voxels, centre of voxel (0,0) at 0; u, v > -2 */
+static struct corners corners_at(const struct cr_grid *g, double u, double v) {
+    struct corners cn = {0};
+    int i = (int)(u + 2) - 2, j = (int)(v + 2) - 2;
+    double fu = u - i, fv = v - j;
+    for (int d = 0; d < 4; d++) {
+        int x = i + (d & 1), y = j + (d >> 1);
+        if (x >= 0 && y >= 0 && x < g->nx && y < g->ny) {
+            cn.k[cn.n] = y * g->nx + x;
+            cn.w[cn.n++] = (d & 1 ? fu : 1 - fu) * (d >> 1 ? fv : 1 - fv);
         }
     }
-    return (struct cover){phi, phi > 0 ? strength / phi : 0};
+    return cn;
+}
+
+/* bilinear mean of the remaining material; material without strength against this partner (no
+ * layer at its height) is not there for it */
+static double cover_of_grid(const struct cr_moving *m, const double *unit, double u, double v) {
+    const struct cr_grid *g = &m->body->grid;
+    int i = (int)(u + 2) - 2, j = (int)(v + 2) - 2;
+    if (i >= 0 && j >= 0 && i + 1 < g->nx && j + 1 < g->ny) {
+        const double *l = m->left + j * g->nx + i, *un = unit + j * g->nx + i;
+        double fu = u - i, fv = v - j;
+        double l0 = un[0] > 0 ? l[0] : 0, l1 = un[1] > 0 ? l[1] : 0;
+        double l2 = un[g->nx] > 0 ? l[g->nx] : 0, l3 = un[g->nx + 1] > 0 ? l[g->nx + 1] : 0;
+        return (1 - fv) * (l0 + fu * (l1 - l0)) + fv * (l2 + fu * (l3 - l2));
+    }
+    struct corners cn = corners_at(g, u, v);
+    double phi = 0;
+    for (int d = 0; d < cn.n; d++) {
+        phi += unit[cn.k[d]] > 0 ? cn.w[d] * m->left[cn.k[d]] : 0;
+    }
+    return phi;
+}
+
+/* energy per unit of the remaining material about a place, J */
+static double strength_of_grid(const struct cr_moving *m, const double *unit, double u, double v) {
+    struct corners cn = corners_at(&m->body->grid, u, v);
+    double phi = 0, strength = 0;
+    for (int d = 0; d < cn.n; d++) {
+        double w = unit[cn.k[d]] > 0 ? cn.w[d] * m->left[cn.k[d]] : 0;
+        phi += w;
+        strength += w * unit[cn.k[d]];
+    }
+    return phi > 0 ? strength / phi : 0;
 }
 
 /* Affine map from one body's frame to another's. */
@@ -92,14 +118,55 @@ static void clip(double base, double slope, double low, double high, double *lo,
     *hi = fmin(*hi, fmax(x0, x1));
 }
 
-/* voxels of row iy that the opponent's box can meet, within the row's live span */
+/* more lines than this are not looked through for their live span */
+enum { LINES_MAX = 24 };
+
+/* Union of the live spans of the lines crossed between u0 and u1 (in voxels); whole when too many
+ * are crossed to be worth the look. */
+static struct cr_span live_between(const struct cr_span *line, int n, double u0, double u1,
+                                   struct cr_span whole) {
+    int from = (int)fmax(floor(fmin(u0, u1)) - 1, 0);
+    int to = (int)fmin(floor(fmax(u0, u1)) + 1, n - 1);
+    if (to - from >= LINES_MAX) {
+        return whole;
+    }
+    struct cr_span span = {whole.hi, whole.lo};
+    for (int i = from; i <= to; i++) {
+        if (line[i].lo < line[i].hi) {
+            span.lo = line[i].lo < span.lo ? line[i].lo : span.lo;
+            span.hi = line[i].hi > span.hi ? line[i].hi : span.hi;
+        }
+    }
+    return span;
+}
+
+/* narrow [lo, hi] of a row to where the opponent still has material near */
+static void clip_to_live(const struct cr_moving *other, const struct map *map,
+                         struct cr_vec2 base, double *lo, double *hi) {
+    const struct cr_grid *g = &other->body->grid;
+    double v0 = (base.y + map->s * *lo - g->y0) / g->h, v1 = (base.y + map->s * *hi - g->y0) / g->h;
+    struct cr_span x = live_between(other->row, g->ny, v0, v1, (struct cr_span){0, g->nx});
+    clip(base.x, map->c, g->x0 + (x.lo - 1) * g->h, g->x0 + (x.hi + 1) * g->h, lo, hi);
+    if (*lo > *hi) {
+        return;
+    }
+    double u0 = (base.x + map->c * *lo - g->x0) / g->h, u1 = (base.x + map->c * *hi - g->x0) / g->h;
+    struct cr_span y = live_between(other->col, g->nx, u0, u1, (struct cr_span){0, g->ny});
+    clip(base.y, map->s, g->y0 + (y.lo - 1) * g->h, g->y0 + (y.hi + 1) * g->h, lo, hi);
+}
+
+/* voxels of row iy that the opponent can meet, within the row's live span */
 static struct cr_span reachable(const struct cr_moving *me, const struct cr_moving *other,
                                 const struct map *map, int iy) {
     const struct cr_grid *g = &me->body->grid;
     double y = g->y0 + (iy + 0.5) * g->h, h = g->h;
     double lo = g->x0 + me->row[iy].lo * h, hi = g->x0 + me->row[iy].hi * h;
-    clip(map->t.x - map->s * y, map->c, other->lo.x - h, other->hi.x + h, &lo, &hi);
-    clip(map->t.y + map->c * y, map->s, other->lo.y - h, other->hi.y + h, &lo, &hi);
+    struct cr_vec2 base = {map->t.x - map->s * y, map->t.y + map->c * y};
+    clip(base.x, map->c, other->lo.x - h, other->hi.x + h, &lo, &hi);
+    clip(base.y, map->s, other->lo.y - h, other->hi.y + h, &lo, &hi);
+    if (lo <= hi && other->row != NULL) {
+        clip_to_live(other, map, base, &lo, &hi);
+    }
     struct cr_span span = {0, 0};
     if (lo <= hi) {
         span.lo = (int)fmax(floor((lo - g->x0) / h), me->row[iy].lo);
@@ -108,12 +175,26 @@ static struct cr_span reachable(const struct cr_moving *me, const struct cr_movi
     return span;
 }
 
-static double share_of_weaker(double mine, double theirs) {
-    if (isinf(theirs)) {
-        return 1;
+/* rows of a body that the box of its opponent covers */
+static struct cr_span rows_reached(const struct cr_moving *me, const struct cr_moving *other) {
+    const struct cr_grid *g = &me->body->grid;
+    double low = INFINITY, high = -INFINITY;
+    for (int i = 0; i < 4; i++) {
+        struct cr_vec2 p = {i & 1 ? other->hi.x : other->lo.x, i & 2 ? other->hi.y : other->lo.y};
+        double y = cr_to_body(me, cr_to_world(other, p)).y;
+        low = fmin(low, y);
+        high = fmax(high, y);
     }
+    return (struct cr_span){(int)cr_clamp(floor((low - g->y0) / g->h) - 1, 0, g->ny),
+                            (int)cr_clamp(ceil((high - g->y0) / g->h) + 1, 0, g->ny)};
+}
+
+static double share_of_weaker(double mine, double theirs) {
     return cr_clamp(0.5 + (theirs - mine) / (2 * share_band * (mine + theirs)), 0, 1);
 }
+
+/* material below this share of a voxel goes with the rest */
+static const double crumb = 1e-6;
 
 static bool collect_row(struct cr_solver *s, const struct cr_moving *me,
                         const struct cr_moving *other, const double *unit,
@@ -125,22 +206,26 @@ static bool collect_row(struct cr_solver *s, const struct cr_moving *me,
     double x = g->x0 + (span.lo + 0.5) * g->h, y = g->y0 + (iy + 0.5) * g->h;
     struct cr_vec2 p = {map->t.x + map->c * x - map->s * y, map->t.y + map->s * x + map->c * y};
     struct cr_vec2 step = {g->h * map->c, g->h * map->s};
+    double per = their_unit != NULL ? 1 / og->h : 0;
     s->visits += span.hi > span.lo ? span.hi - span.lo : 0;
     for (int ix = span.lo; ix < span.hi; ix++, p.x += step.x, p.y += step.y) {
         int k = iy * g->nx + ix;
-        if (me->left[k] <= 0 || unit[k] <= 0) {
+        double left = me->left[k];
+        if (left <= 0 || unit[k] <= 0) {
             continue;
         }
-        struct cover cover =
-            their_unit == NULL
-                ? cover_of_shape(&other->body->shape, p, g->h, map->c, -map->s)
-                : cover_of_grid(other, their_unit, (p.x - og->x0) / og->h - 0.5,
-                                (p.y - og->y0) / og->h - 0.5);
-        double excess = fmin(me->left[k], me->left[k] + cover.phi - 1);
-        if (excess <= 1e-12) {
+        double u = (p.x - og->x0) * per - 0.5, v = (p.y - og->y0) * per - 0.5;
+        double phi = their_unit == NULL
+                         ? cover_of_shape(&other->body->shape, p, g->h, map->c, -map->s)
+                         : cover_of_grid(other, their_unit, u, v);
+        double excess = phi >= 1 - crumb ? left : left + phi - 1;
+        if (excess <= crumb * left) {
             continue;
         }
-        double amount = excess * share_of_weaker(unit[k], cover.strength);
+        double amount = left - excess < crumb ? left : excess;
+        if (their_unit != NULL) {
+            amount *= share_of_weaker(unit[k], strength_of_grid(other, their_unit, u, v));
+        }
         if (amount > 0 && !cr_deform_add(losses, k, CR_CRUSH_CONTACT, amount, amount * unit[k])) {
             return false;
         }
@@ -176,7 +261,8 @@ static bool collect_side(struct cr_solver *s, int me, int other, struct cr_losse
     }
     live_box(o);
     struct map map = map_between(m, o);
-    for (int iy = 0; iy < m->body->grid.ny; iy++) {
+    struct cr_span rows = rows_reached(m, o);
+    for (int iy = rows.lo; iy < rows.hi; iy++) {
         if (!collect_row(s, m, o, m->unit[other], o->unit[me], &map, iy, losses)) {
             return false;
         }
@@ -191,8 +277,9 @@ bool cr_deform_collect(struct cr_solver *s, int a, int b) {
 
 static void change(struct cr_moving *m, int k, double amount) {
     const struct cr_grid *g = &m->body->grid;
-    int ix = k % g->nx, iy = k / g->nx;
-    m->left[k] = fmax(m->left[k] - amount, 0);
+    int iy = k / g->nx, ix = k - iy * g->nx;
+    double left = m->left[k] - amount;
+    m->left[k] = left > 0 ? left : 0;
     m->depth[2 * ix >= g->nx ? CR_FACE_FRONT : CR_FACE_REAR][iy] += amount * g->h;
     m->depth[2 * iy >= g->ny ? CR_FACE_LEFT : CR_FACE_RIGHT][ix] += amount * g->h;
 }

@@ -185,7 +185,9 @@ bool cr_force_find(struct cr_solver *s, int a, int b, struct cr_force *force) {
     if (cr_vec2_dot(force->normal, v) <= 0) {
         return false; /* leaving */
     }
-    force->normal = tilt(force->normal, v);
+    if (ma->body->grid.nx > 0 && mb->body->grid.nx > 0) {
+        force->normal = tilt(force->normal, v);
+    }
     within_cone(force, v, cr_force_friction(s, a, b));
     return true;
 }
