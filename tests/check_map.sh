@@ -8,7 +8,8 @@ trap 'rm -rf "$tmp"' EXIT
 find src models share tests man -type f ! -name '*.o' ! -name '*.log' ! -name '*.trs' \
     ! -name '*.py[co]' ! -name .dirstamp ! -path '*/.deps/*' | sort >"$tmp/files"
 # a list line of the map: - `path`, `path`: what it is
-grep '^- `' HACKING.md | sed 's/: .*//' | grep -o '`[^`]*`' | tr -d '`' |
+sed '1,/^# Map of the tree/d' HACKING.md | grep '^- `' >"$tmp/lines"
+sed 's/: .*//' "$tmp/lines" | grep -o '`[^`]*`' | tr -d '`' |
     grep -E '^(src|models|share|tests|man)/' | sort >"$tmp/named"
 grep -v '[*]' "$tmp/named" >"$tmp/exact"
 grep '[*]' "$tmp/named" >"$tmp/patterns"
@@ -35,5 +36,5 @@ empty "every file is in the map" "$(comm -23 "$tmp/files" "$tmp/all")"
 empty "every file of the map is there" "$(comm -13 "$tmp/files" "$tmp/once")"
 empty "no file is named twice" "$(uniq -d "$tmp/named")"
 empty "every pattern stands for files" "$(cat "$tmp/idle")"
-empty "every line says what the file is for" "$(grep '^- `' HACKING.md | grep -v '`: .')"
+empty "every line says what the file is for" "$(grep -v '`: .' "$tmp/lines")"
 finish
