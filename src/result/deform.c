@@ -13,14 +13,19 @@ double cr_deform_residual(double dynamic, double springback) {
     if (!(springback > 0) || !(dynamic > 0)) {
         return dynamic > 0 ? dynamic : 0;
     }
-    return dynamic < 2 * springback ? dynamic * dynamic / (4 * springback) : dynamic - springback;
+    double over = dynamic - springback / 2;
+    if (over <= 0) {
+        return 0;
+    }
+    return over < springback ? over * over / (2 * springback) : dynamic - springback;
 }
 
 double cr_deform_dynamic(double residual, double springback) {
     if (!(springback > 0) || !(residual > 0)) {
         return residual > 0 ? residual : 0;
     }
-    return residual < springback ? 2 * sqrt(springback * residual) : residual + springback;
+    return residual < springback / 2 ? springback / 2 + sqrt(2 * springback * residual)
+                                     : residual + springback;
 }
 
 /* one step along a line or column; true when the line is over */

@@ -17,8 +17,8 @@ struct cr_deform {
     bool residual_curve; /* left belongs to the residual depth, not to the dynamic one */
 };
 
-/* Residual depth of a dynamic one and back. A deep crush springs back by `springback`; below
- * twice that the difference fades so that nothing is left of nothing: r = d^2 / (4 springback). */
+/* Residual depth of a dynamic one and back. A crush deeper than 1.5 springbacks comes back by the
+ * whole springback, one below half of it leaves nothing, and between them a parabola leads over. */
 double cr_deform_residual(double dynamic, double springback);
 double cr_deform_dynamic(double residual, double springback);
 

@@ -173,7 +173,7 @@ static struct face_damage scan_face(const struct cr_deform *d, enum cr_face face
 static void crush_profile(const struct cr_deform *d, const struct face_damage *f,
                           struct cr_severity *s) {
     int n = cr_deform_columns(d->grid, s->face);
-    double lo = f->lo, hi = f->hi + 1;
+    double lo = f->lo + 0.5, hi = f->hi + 0.5; // middles of the outermost damaged columns
     if (s->face == CR_FACE_FRONT || s->face == CR_FACE_REAR) {
         lo = fmax(lo, n * (1 - BEAM_WIDTH) / 2);
         hi = fmin(hi, n * (1 + BEAM_WIDTH) / 2);
@@ -181,7 +181,7 @@ static void crush_profile(const struct cr_deform *d, const struct face_damage *f
     s->damage_width = f->hi < f->lo ? 0 : (f->hi + 1 - f->lo) * d->grid->h;
     s->contact_width =
         f->direct_hi < f->direct_lo ? 0 : (f->direct_hi + 1 - f->direct_lo) * d->grid->h;
-    if (!(hi > lo)) {
+    if (!(hi >= lo)) {
         return;
     }
     for (int i = 0; i < CR_PROFILE; i++) {

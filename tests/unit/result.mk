@@ -1,6 +1,18 @@
 # unit tests of src/result
-check_PROGRAMS += test_result_pulse
-TESTS += test_result_pulse
+result_tests = test_result_pulse test_result_deform test_result_irf test_result_measure
+result_test_libs = libresult.a libscene.a libsolver.a libmodel.a libbase.a \
+	$(CMOCKA_LIBS) $(CJSON_LIBS) $(NETTLE_LIBS)
+check_PROGRAMS += $(result_tests)
+TESTS += $(result_tests)
 test_result_pulse_SOURCES = tests/unit/test_result_pulse.c
 test_result_pulse_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
-test_result_pulse_LDADD = libresult.a libbase.a $(CMOCKA_LIBS) $(CJSON_LIBS) $(NETTLE_LIBS)
+test_result_pulse_LDADD = $(result_test_libs)
+test_result_deform_SOURCES = tests/unit/test_result_deform.c
+test_result_deform_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
+test_result_deform_LDADD = $(result_test_libs)
+test_result_irf_SOURCES = tests/unit/test_result_irf.c
+test_result_irf_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
+test_result_irf_LDADD = $(result_test_libs)
+test_result_measure_SOURCES = tests/unit/test_result_measure.c
+test_result_measure_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
+test_result_measure_LDADD = $(result_test_libs)

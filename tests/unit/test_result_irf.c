@@ -1,0 +1,176 @@
+/* Injury risk functions of share/irf/ against the values of literature.md 5, and faulty files. */
+#include "test.h"
+
+#include "result/result_priv.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static struct cr_irf_set *set;
+
+static int open_set(void **state) {
+    (void)state;
+    char dir[512];
+    struct cr_error err;
+    snprintf(dir, sizeof dir, "%s/share/irf", getenv("SRC") ? getenv("SRC") : "..");
+    if (cr_irf_load(dir, &set, &err)) {
+        printf("# %s\n", err.text);
+        return -1;
+    }
+    return 0;
+}
+
+static int close_set(void **state) {
+    (void)state;
+    cr_irf_free(set);
+    return 0;
+}
+
+static struct cr_irf_case car(double kmh, double pdof_deg) {
+    return (struct cr_irf_case){.delta_v = kmh / 3.6,
+                                .closing = kmh / 1.8,
+                                .ees = kmh / 3.6,
+                                .pdof = cr_rad(pdof_deg),
+                                .vehicle_partner = true};
+}
+
+static double risk(const char *name, struct cr_irf_case what) {
+    struct cr_severity s;
+    cr_irf_apply(set, &what, &s);
+    for (int i = 0; i < s.injuries; i++) {
+        if (!strcmp(s.injury[i].function, name)) {
+            return s.injury[i].probability;
+        }
+    }
+    return -1;
+}
+
+static void values_of_the_literature(void **state) {
+    (void)state;
+    check_near(risk("malliaris-mais2", car(20, 0)), 0.112, 5e-4);
+    check_near(risk("malliaris-mais2", car(40, 0)), 0.406, 5e-4);
+    check_near(risk("malliaris-mais2", car(60, 0)), 0.787, 5e-4);
+    check_near(risk("malliaris-mais3", car(20, 0)), 0.0378, 5e-5);
+    check_near(risk("malliaris-mais3", car(60, 0)), 0.766, 5e-4);
+    check_near(risk("gidas-mais2", car(40, 0)), 0.0707, 5e-5);
+    check_near(risk("gidas-mais2", car(60, 0)), 0.278, 5e-4);
+    check_near(risk("tum-direction-mais3", car(40, 0)), 0.0765, 5e-5);
+    check_near(risk("tum-direction-mais3", car(40, 90)), 0.0957, 5e-5);
+    check_near(risk("tum-direction-mais3", car(60, -90)), 0.220, 5e-4);
+    struct cr_irf_case closing = car(56, 0);
+    closing.closing = 112 / 3.6;
+    check_near(risk("lubbe-driver-mais3", closing), 0.0960, 5e-5);
+}
+
+static double logistic(double x) {
+    return 1 / (1 + exp(-x));
+}
+
+static void direction_chooses_the_offset(void **state) {
+    (void)state;
+    double mph = 40 / 3.6 / 0.44704, v = 40 / 3.6;
+    check_near(risk("malliaris-direction-mais3", car(40, 180)),
+               logistic(-5.820 + 0.202 * mph - 2.170), 1e-12);
+    check_near(risk("malliaris-direction-mais3", car(40, 44)), logistic(-5.820 + 0.202 * mph),
+               1e-12);
+    check_near(risk("tum-driver-side-mais3", car(40, 270)), logistic(-4.476 + 0.179 * v + 0.250),
+               1e-12);
+    check_near(risk("tum-driver-side-mais3", car(40, 100)), logistic(-4.476 + 0.179 * v + 0.259),
+               1e-12);
+    check_near(risk("tum-clock-mais3", car(40, 330)), logistic(-4.620 + 0.189 * v + 0.209), 1e-12);
+    check_near(risk("tum-driver-clock-mais3", car(40, 212)), logistic(-4.626 + 0.189 * v - 1.782),
+               1e-12);
+    check_near(risk("tum-power-direction-mais3", car(40, 180)), pow(v / 66.956, 1.531), 1e-12);
+}
+
+static void functions_apply_where_they_may(void **state) {
+    (void)state;
+    struct cr_irf_case what = car(50, 90);
+    check_near(risk("lubbe-driver-mais3", what), -1, 0);
+    what = car(50, 0);
+    what.vehicle_partner = false;
+    check_near(risk("lubbe-driver-mais3", what), -1, 0);
+    struct cr_severity s;
+    what = car(79, 0);
+    cr_irf_apply(set, &what, &s);
+    assert_int_equal(s.injuries, 15);
+    for (int i = 0; i < s.injuries; i++) {
+        assert_int_equal(s.injury[i].extrapolated, false);
+    }
+    what = car(81, 0);
+    cr_irf_apply(set, &what, &s);
+    for (int i = 0; i < s.injuries; i++) {
+        assert_int_equal(s.injury[i].extrapolated, true);
+    }
+    cr_irf_apply(NULL, &what, &s);
+    assert_int_equal(s.injuries, 0);
+}
+
+static enum cr_err load(const char *json, struct cr_error *err) {
+    char dir[] = "/tmp/crumple-irf-XXXXXX", path[64];
+    assert_non_null(mkdtemp(dir));
+    snprintf(path, sizeof path, "%s/a.json", dir);
+    FILE *f = fopen(path, "w");
+    assert_non_null(f);
+    fputs(json, f);
+    fclose(f);
+    struct cr_irf_set *got;
+    enum cr_err rc = cr_irf_load(dir, &got, err);
+    if (!rc) {
+        cr_irf_free(got);
+    }
+    unlink(path);
+    rmdir(dir);
+    return rc;
+}
+
+#define ONE(rest) "{\"functions\":[{\"name\":\"x\",\"injury\":\"MAIS3+\"," rest "}]}"
+static void faulty_files_are_refused(void **state) {
+    (void)state;
+    static const struct {
+        const char *json, *word;
+    } bad[] = {
+        {"{", "risk functions"},
+        {"{}", "risk functions"},
+        {"{\"functions\":[{}]}", "name"},
+        {ONE("\"covariate\":\"speed\""), "covariate"},
+        {ONE("\"covariate\":\"ees\",\"unit\":\"knots\""), "unit"},
+        {ONE("\"covariate\":\"ees\",\"unit\":\"m/s\",\"range\":[5,1]"), "range"},
+        {ONE("\"covariate\":\"ees\",\"unit\":\"m/s\",\"range\":[0,1],\"formula\":\"probit\""),
+         "formula"},
+        {ONE("\"covariate\":\"ees\",\"unit\":\"m/s\",\"range\":[0,1],\"formula\":\"logistic\","
+             "\"intercept\":1"),
+         "slope"},
+        {ONE("\"covariate\":\"ees\",\"unit\":\"m/s\",\"range\":[0,1],\"formula\":\"logistic\","
+             "\"intercept\":1,\"slope\":1,\"offset\":{\"top\":1}"),
+         "offset"},
+        {ONE("\"covariate\":\"ees\",\"unit\":\"m/s\",\"range\":[0,1],\"formula\":\"power\","
+             "\"reference\":3"),
+         "exponent"},
+    };
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        struct cr_error err;
+        assert_int_not_equal(load(bad[i].json, &err), CR_ERR_OK);
+        assert_non_null(strstr(err.text, bad[i].word));
+        assert_non_null(strstr(err.src, "a.json"));
+    }
+    assert_int_equal(load(ONE("\"covariate\":\"ees\",\"unit\":\"m/s\",\"range\":[0,1],"
+                              "\"formula\":\"power\",\"reference\":3,\"exponent\":2"),
+                          NULL),
+                     CR_ERR_OK);
+    struct cr_irf_set *none;
+    assert_int_equal(cr_irf_load("/nonexistent", &none, NULL), CR_ERR_IO);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(values_of_the_literature),
+        cmocka_unit_test(direction_chooses_the_offset),
+        cmocka_unit_test(functions_apply_where_they_may),
+        cmocka_unit_test(faulty_files_are_refused),
+    };
+    return cmocka_run_group_tests(tests, open_set, close_set);
+}
