@@ -235,6 +235,12 @@ static void cdc_of_known_crashes(void **state) {
                                 .above_belt = true};
     cr_cdc_write(&what, cdc);
     assert_string_equal(cdc, "03RPAN2");
+}
+
+static void cdc_of_rear_and_flank(void **state) {
+    (void)state;
+    char cdc[12];
+    struct cr_cdc_case what;
     // rear, right third; back third of the left side; all of a side; deep
     what = (struct cr_cdc_case){.pdof = CR_PI,
                                 .face = CR_FACE_REAR,
@@ -268,6 +274,7 @@ int main(void) {
         cmocka_unit_test(outline_of_a_damaged_block),
         cmocka_unit_test(outline_of_nothing),
         cmocka_unit_test(cdc_of_known_crashes),
+        cmocka_unit_test(cdc_of_rear_and_flank),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -194,6 +194,7 @@ static void offset_profile(void **state) {
         int deep = 12 + y;
         for (int k = 0; k < deep; k++) {
             left[(NY - 30 + y) * NX + NX - 1 - k] = 0;
+            how[(NY - 30 + y) * NX + NX - 1 - k] = CR_CRUSH_CONTACT;
         }
     }
     const struct cr_severity *s = measure();
