@@ -39,20 +39,10 @@ void cr_abort_check(struct cr_solver *s, int pair, int a, int b, bool deformed) 
     }
 }
 
-/* Longest slice that does not run past the momentum threshold, with the force of the last slice;
- * the phase would otherwise end up to a whole slice late, by chance of where the grid lies. */
-double cr_abort_within(const struct cr_solver *s, int pair, int a, int b) {
+/* Slices end with the elastic phases. */
+double cr_abort_within(const struct cr_solver *s, int pair) {
     const struct cr_touch *t = &s->touch[pair];
-    const struct cr_contact *c = &s->contact[t->record];
-    if (c->phase != CR_PHASE_PLASTIC) {
-        return c->phase == CR_PHASE_APART ? (double)INFINITY : t->elastic_left;
-    }
-    if (!(t->force > 0) || t->quiet > 0) {
-        return INFINITY;
-    }
-    double kappa = c->restitution / (1 - c->restitution);
-    double fn = t->force * cr_vec2_dot(t->direction, t->normal);
-    double left = momentum_left(s, a, b, t, c) / (fn * (1 + kappa));
-    double least = s->cs->opts.dt / 64;
-    return left < least ? least : left;
+    enum cr_phase phase = s->contact[t->record].phase;
+    bool elastic = phase == CR_PHASE_COMPRESSION || phase == CR_PHASE_RESTITUTION;
+    return elastic ? t->elastic_left : (double)INFINITY;
 }

@@ -41,57 +41,41 @@ static double cover_of_shape(const struct cr_shape *shape, struct cr_vec2 p, dou
     return cr_clamp(0.5 - dist / hn, 0, 1);
 }
 
-/* The four voxels about a place and their bilinear weights. */
-struct corners {
-    int n, k[4];
-    double w[4];
+/* What the opponent's remaining material does at a place. */
+struct cover {
+    double phi;      /* bilinear share of a voxel that it fills */
+    double strength; /* its energy per unit of material, J */
 };
 
-/* u, v: place in voxels, centre of voxel (0,0) at 0; u, v > -2 */
-static struct corners corners_at(const struct cr_grid *g, double u, double v) {
-    struct corners cn = {0};
-    int i = (int)(u + 2) - 2, j = (int)(v + 2) - 2;
-    double fu = u - i, fv = v - j;
-    for (int d = 0; d < 4; d++) {
-        int x = i + (d & 1), y = j + (d >> 1);
-        if (x >= 0 && y >= 0 && x < g->nx && y < g->ny) {
-            cn.k[cn.n] = y * g->nx + x;
-            cn.w[cn.n++] = (d & 1 ? fu : 1 - fu) * (d >> 1 ? fv : 1 - fv);
-        }
-    }
-    return cn;
-}
-
-/* bilinear mean of the remaining material; material without strength against this partner (no
- * layer at its height) is not there for it */
-static double cover_of_grid(const struct cr_moving *m, const double *unit, double u, double v) {
+/* u, v: place in the opponent's voxels, centre of voxel (0,0) at 0; both > -2. Material without
+ * strength against this partner (no layer at its height) is not there for it. Strength is worked
+ * out only where `left` leaves no room for phi. */
+static inline struct cover cover_of_grid(const struct cr_moving *m, const double *unit, double u,
+                                         double v, double left) {
     const struct cr_grid *g = &m->body->grid;
     int i = (int)(u + 2) - 2, j = (int)(v + 2) - 2;
+    double fu = u - i, fv = v - j;
+    double l[4] = {0}, e[4] = {0};
     if (i >= 0 && j >= 0 && i + 1 < g->nx && j + 1 < g->ny) {
-        const double *l = m->left + j * g->nx + i, *un = unit + j * g->nx + i;
-        double fu = u - i, fv = v - j;
-        double l0 = un[0] > 0 ? l[0] : 0, l1 = un[1] > 0 ? l[1] : 0;
-        double l2 = un[g->nx] > 0 ? l[g->nx] : 0, l3 = un[g->nx + 1] > 0 ? l[g->nx + 1] : 0;
-        return (1 - fv) * (l0 + fu * (l1 - l0)) + fv * (l2 + fu * (l3 - l2));
+        int k = j * g->nx + i, kk = k + g->nx;
+        l[0] = m->left[k], l[1] = m->left[k + 1], l[2] = m->left[kk], l[3] = m->left[kk + 1];
+        e[0] = unit[k], e[1] = unit[k + 1], e[2] = unit[kk], e[3] = unit[kk + 1];
+    } else {
+        for (int d = 0; d < 4; d++) {
+            int x = i + (d & 1), y = j + (d >> 1);
+            if (x >= 0 && y >= 0 && x < g->nx && y < g->ny) {
+                l[d] = m->left[y * g->nx + x];
+                e[d] = unit[y * g->nx + x];
+            }
+        }
     }
-    struct corners cn = corners_at(g, u, v);
-    double phi = 0;
-    for (int d = 0; d < cn.n; d++) {
-        phi += unit[cn.k[d]] > 0 ? cn.w[d] * m->left[cn.k[d]] : 0;
+    double w0 = e[0] > 0 ? (1 - fu) * (1 - fv) * l[0] : 0, w1 = e[1] > 0 ? fu * (1 - fv) * l[1] : 0;
+    double w2 = e[2] > 0 ? (1 - fu) * fv * l[2] : 0, w3 = e[3] > 0 ? fu * fv * l[3] : 0;
+    struct cover cover = {w0 + w1 + w2 + w3, 0};
+    if (left + cover.phi > 1) {
+        cover.strength = (w0 * e[0] + w1 * e[1] + w2 * e[2] + w3 * e[3]) / cover.phi;
     }
-    return phi;
-}
-
-/* energy per unit of the remaining material about a place, J */
-static double strength_of_grid(const struct cr_moving *m, const double *unit, double u, double v) {
-    struct corners cn = corners_at(&m->body->grid, u, v);
-    double phi = 0, strength = 0;
-    for (int d = 0; d < cn.n; d++) {
-        double w = unit[cn.k[d]] > 0 ? cn.w[d] * m->left[cn.k[d]] : 0;
-        phi += w;
-        strength += w * unit[cn.k[d]];
-    }
-    return phi > 0 ? strength / phi : 0;
+    return cover;
 }
 
 /* Affine map from one body's frame to another's. */
@@ -114,8 +98,9 @@ static void clip(double base, double slope, double low, double high, double *lo,
         return;
     }
     double x0 = (low - base) / slope, x1 = (high - base) / slope;
-    *lo = fmax(*lo, fmin(x0, x1));
-    *hi = fmin(*hi, fmax(x0, x1));
+    double least = x0 < x1 ? x0 : x1, most = x0 < x1 ? x1 : x0;
+    *lo = least > *lo ? least : *lo;
+    *hi = most < *hi ? most : *hi;
 }
 
 /* more lines than this are not looked through for their live span */
@@ -125,8 +110,9 @@ enum { LINES_MAX = 24 };
  * are crossed to be worth the look. */
 static struct cr_span live_between(const struct cr_span *line, int n, double u0, double u1,
                                    struct cr_span whole) {
-    int from = (int)fmax(floor(fmin(u0, u1)) - 1, 0);
-    int to = (int)fmin(floor(fmax(u0, u1)) + 1, n - 1);
+    int from = (int)(u0 < u1 ? u0 : u1) - 2, to = (int)(u0 < u1 ? u1 : u0) + 1;
+    from = from < 0 ? 0 : from;
+    to = to > n - 1 ? n - 1 : to;
     if (to - from >= LINES_MAX) {
         return whole;
     }
@@ -207,6 +193,7 @@ static bool collect_row(struct cr_solver *s, const struct cr_moving *me,
     struct cr_vec2 p = {map->t.x + map->c * x - map->s * y, map->t.y + map->s * x + map->c * y};
     struct cr_vec2 step = {g->h * map->c, g->h * map->s};
     double per = their_unit != NULL ? 1 / og->h : 0;
+    double u0 = og->x0 * per + 0.5, v0 = og->y0 * per + 0.5;
     s->visits += span.hi > span.lo ? span.hi - span.lo : 0;
     for (int ix = span.lo; ix < span.hi; ix++, p.x += step.x, p.y += step.y) {
         int k = iy * g->nx + ix;
@@ -214,17 +201,19 @@ static bool collect_row(struct cr_solver *s, const struct cr_moving *me,
         if (left <= 0 || unit[k] <= 0) {
             continue;
         }
-        double u = (p.x - og->x0) * per - 0.5, v = (p.y - og->y0) * per - 0.5;
-        double phi = their_unit == NULL
-                         ? cover_of_shape(&other->body->shape, p, g->h, map->c, -map->s)
-                         : cover_of_grid(other, their_unit, u, v);
-        double excess = phi >= 1 - crumb ? left : left + phi - 1;
+        struct cover cover;
+        if (their_unit == NULL) {
+            cover.phi = cover_of_shape(&other->body->shape, p, g->h, map->c, -map->s);
+        } else {
+            cover = cover_of_grid(other, their_unit, p.x * per - u0, p.y * per - v0, left);
+        }
+        double excess = cover.phi >= 1 - crumb ? left : left + cover.phi - 1;
         if (excess <= crumb * left) {
             continue;
         }
         double amount = left - excess < crumb ? left : excess;
         if (their_unit != NULL) {
-            amount *= share_of_weaker(unit[k], strength_of_grid(other, their_unit, u, v));
+            amount *= share_of_weaker(unit[k], cover.strength);
         }
         if (amount > 0 && !cr_deform_add(losses, k, CR_CRUSH_CONTACT, amount, amount * unit[k])) {
             return false;

@@ -127,7 +127,7 @@ double cr_kinematics_slice_length(const struct cr_solver *s) {
     for (int p = 0, a = 0; a < s->cs->n; a++) {
         for (int b = a + 1; b < s->cs->n; b++, p++) {
             if (s->touch[p].record >= 0) {
-                dt = fmin(dt, cr_abort_within(s, p, a, b));
+                dt = fmin(dt, cr_abort_within(s, p));
             }
         }
     }

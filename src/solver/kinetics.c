@@ -40,10 +40,25 @@ void cr_impulse_apply(struct cr_solver *s, int a, int b, struct cr_vec2 p,
     push(s, &s->m[b], p, impulse);
 }
 
+/* Largest impulse along f before the remaining momentum of approach along the normal falls to
+ * e/(1-e) of the plastic impulse so far: the plastic phase ends there (step 5), not up to a slice
+ * later by chance of where the grid lies. */
+static double impulse_to_end(const struct cr_solver *s, int a, int b, const struct cr_force *f,
+                             const struct cr_contact *c, double vn) {
+    double mass = 1 / cr_vec2_dot(cr_compliance(s, a, b, f->coe, f->normal), f->normal);
+    double give = cr_vec2_dot(cr_compliance(s, a, b, f->coe, f->direction), f->normal);
+    double kappa = c->restitution / (1 - c->restitution);
+    double per = mass * give + kappa * f->cosine;
+    double left = mass * vn - kappa * c->plastic_impulse;
+    /* an eccentric force can fail to slow the approach along the normal: then no end is near */
+    return per > 0 ? fmax(left / per, 0) : (double)INFINITY;
+}
+
 /* Eq. (2), (4), (5) as an impulse: J v - J^2 / (2 m_eff) = W takes exactly the work W out of the
  * two bodies, where |F| = E / s would overshoot as the approach goes to zero (method.md 3, step
- * 3). W is the crush energy and the friction work of the slice. Where there is less energy than W
- * asks for, the bodies stop and only the share lambda of the deformation takes place. */
+ * 3). W is the crush energy and the friction work of the slice. Where the bodies have less energy
+ * than W, or the plastic phase ends within the slice, only the share lambda of the deformation
+ * takes place: what a smaller J pays for. */
 void cr_kinetics_slice(struct cr_solver *s, int pair, int a, int b, const struct cr_force *f) {
     struct cr_touch *t = &s->touch[pair];
     struct cr_contact *c = &s->contact[t->record];
@@ -51,8 +66,9 @@ void cr_kinetics_slice(struct cr_solver *s, int pair, int a, int b, const struct
     double vn = cr_vec2_dot(rel, f->normal), vf = cr_vec2_dot(rel, f->direction);
     double mass = 1 / cr_vec2_dot(cr_compliance(s, a, b, f->coe, f->direction), f->direction);
     double work = f->energy * vf / (vn * f->cosine), most = 0.5 * mass * vf * vf;
-    double lambda = work > most ? most / work : 1;
-    double j = lambda < 1 ? mass * vf : mass * (vf - sqrt(vf * vf - 2 * work / mass));
+    double whole = work < most ? mass * (vf - sqrt(vf * vf - 2 * work / mass)) : mass * vf;
+    double j = fmin(whole, impulse_to_end(s, a, b, f, c, vn));
+    double lambda = fmin(j < whole || work > most ? j * (vf - 0.5 * j / mass) / work : 1, 1);
     cr_deform_settle(s, &s->m[a], &s->losses[0], lambda);
     cr_deform_settle(s, &s->m[b], &s->losses[1], lambda);
     cr_impulse_apply(s, a, b, f->coe, cr_vec2_scale(f->direction, j));
@@ -69,7 +85,6 @@ void cr_kinetics_slice(struct cr_solver *s, int pair, int a, int b, const struct
     t->normal = f->normal;
     t->direction = f->direction;
     t->sliding = f->sliding;
-    t->force = j / s->dt;
     t->moment_coe = cr_vec2_axpy(t->moment_coe, j, f->coe);
     t->moment_weight += j;
     t->normal_sum = cr_vec2_axpy(t->normal_sum, lambda * f->energy, f->normal);

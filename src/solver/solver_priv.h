@@ -84,8 +84,6 @@ struct cr_touch {
     struct cr_vec2 coe;   /* carried along with the bodies between slices */
     struct cr_vec2 normal, direction;
     bool sliding;         /* force on the edge of the friction cone */
-    double force;         /* of the last plastic slice along direction, N */
-    double mass_eff;      /* along the normal, at the last COE, kg */
     double elastic_left;  /* time left of the elastic phase, s */
     double elastic_rate;  /* impulse per second of the elastic phase, N */
     double elastic_done;  /* impulse given in the phase so far, N s */
@@ -193,9 +191,9 @@ void cr_kinematics_move(struct cr_solver *s);
 void cr_kinematics_place(struct cr_moving *m, struct cr_vec2 pos, double heading);
 double cr_kinematics_slice_length(const struct cr_solver *s);
 
-/* step 5, abort.c: end of the plastic compression, and the longest slice before it */
+/* step 5, abort.c: end of the plastic compression, and the longest slice until a phase ends */
 void cr_abort_check(struct cr_solver *s, int pair, int a, int b, bool deformed);
-double cr_abort_within(const struct cr_solver *s, int pair, int a, int b);
+double cr_abort_within(const struct cr_solver *s, int pair);
 
 /* step 6, elastic.c */
 void cr_elastic_begin(struct cr_solver *s, int pair, int a, int b);
