@@ -11,13 +11,17 @@ COLUMNS=80
 export PATH COLUMNS
 
 # README: fences "console"; man page: .EX ... .EE with roff's escapes undone
-awk '/^```console$/ { on = 1; next } /^```$/ { on = 0 } on { print }' "$SRC/README.md" >"$tmp/readme"
+awk '/^```console$/ { on = 1; next } /^```$/ { on = 0 } on { print }' "$SRC/README.md" \
+    >"$tmp/readme"
 awk '/^\.EX$/ { on = 1; next } /^\.EE$/ { on = 0 } on { print }' "$SRC/man/crumple.1" |
     sed 's/\\-/-/g; s/\\e/\\/g' >"$tmp/man"
 
 # split FILE: each "$ command" with the lines after it into FILE.1.cmd, FILE.1.out, ...
 split() {
-    awk -v f="$1" '/^\$ / { n++; print substr($0, 3) >(f "." n ".cmd"); printf "" >(f "." n ".out"); next }
+    awk -v f="$1" '/^\$ / { n++
+                            print substr($0, 3) >(f "." n ".cmd")
+                            printf "" >(f "." n ".out")
+                            next }
                    n { print >(f "." n ".out") }' "$1"
 }
 
@@ -64,7 +68,13 @@ update() {
             cmd = old = ""
         }
         /^```console$/ { on = 1; print; next }
-        on && (/^\$ / || /^```$/) { flush(); print; on = !/^```/; cmd = on ? substr($0, 3) : ""; next }
+        on && (/^\$ / || /^```$/) {
+            flush()
+            print
+            on = !/^```/
+            cmd = on ? substr($0, 3) : ""
+            next
+        }
         on && cmd != "" { old = old $0 "\n"; next }
         { print }' "$SRC/README.md" >"$tmp/new" && cat "$tmp/new" >"$SRC/README.md"
 }

@@ -41,8 +41,8 @@ empty "no unbounded or unchecked C library calls" \
     "$(grep -nE '\b(alloca|gets|strcat|sprintf|vsprintf|atoi|atof|strtok) *\(' "$@")"
 
 unguarded=$(for file in $headers; do
-    guard=CR_$(echo "${file#src/}" | tr 'a-z/.' 'A-Z__')
-    grep -q "^#ifndef $guard\$" "$file" || echo "$file: no $guard"
+    guard=$(basename "$file" | tr 'a-z.' 'A-Z_')
+    grep -q "^#ifndef CR_[A-Z0-9_]*$guard\$" "$file" || echo "$file: no CR_..._$guard"
 done)
 empty "include guards are named after the file" "$unguarded"
 purposeless=$(for file in $headers; do

@@ -60,5 +60,6 @@ pole='{ "id": "P", "kind": "object", "shape": "pole", "position_m":'
 bad "overlap at the start" 3 'overlap' "$(wall_scene "$pole [1, 0], \"radius_m\": 0.2 }")"
 bad "they never meet" 4 'meet|contact' "$(wall_scene "$pole [-20, 9], \"radius_m\": 0.2 }")"
 bad "a pole without a radius" 3 'radius_m' "$(wall_scene "$pole [5, 0] }")"
-bad "nobody else there" 4 'meet|contact|alone|participant' "$(wall_scene | sed '/"wall"/d; s/50 },/50 } ] }/')"
+bad "nobody else there" 4 'meet|contact|alone|participant' \
+    "$(wall_scene | sed '/"wall"/d; s/50 },/50 } ] }/')"
 finish

@@ -39,13 +39,14 @@ scene() {
 
 # a scene that solves at once: a car into a wall; $1 replaces the wall, $2 goes into the car
 wall_scene() {
-    wall=${1:-'{ "id": "wall", "kind": "object", "shape": "wall", "position_m": [4, 0], "heading_deg": 180 }'}
+    wall='{ "id": "wall", "kind": "object", "shape": "wall",
+      "position_m": [4, 0], "heading_deg": 180 }'
     cat <<END
 { "crumple": 1, "name": "small",
   "participants": [
     { "id": "A", "kind": "vehicle", "type": "compact", "mass_kg": 1400,
       ${2:+$2,}
       "position_m": [0, 0], "heading_deg": 0, "speed_kmh": 50 },
-    $wall ] }
+    ${1:-$wall} ] }
 END
 }

@@ -39,7 +39,8 @@ has "and says so" "$(cat errs)" 'standard output: error: cannot write: Broken pi
 run run wall.json -o out.json
 same "-o succeeds" "$status" 0
 same "-o leaves standard output alone" "$out" ""
-same "-o writes what standard output gets" "$(cksum <out.json)" "$("$crumple" run wall.json | cksum)"
+same "-o writes what standard output gets" "$(cksum <out.json)" \
+    "$("$crumple" run wall.json | cksum)"
 before=$(ls)
 echo old >kept.json
 run run wall.json --set A.speed_kmh=-20 --set A.course_deg=0 -o kept.json

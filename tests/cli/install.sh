@@ -2,8 +2,8 @@
 # The data folder: of the source tree in a build, of the installation once installed, never mixed.
 . "$SRC/tests/cli/cli.sh"
 
-MAKEFLAGS='' MFLAGS='' ${MAKE:-make} -s -C "$BUILD" install DESTDIR="$tmp/stage" prefix=/opt/crumple \
-    >"$tmp/log" 2>&1
+MAKEFLAGS='' MFLAGS='' ${MAKE:-make} -s -C "$BUILD" install DESTDIR="$tmp/stage" \
+    prefix=/opt/crumple >"$tmp/log" 2>&1
 same "make install with DESTDIR" "$?" 0
 prefix=$tmp/stage/opt/crumple
 for file in bin/crumple share/man/man1/crumple.1 share/crumple/models/suv.json \
@@ -11,9 +11,10 @@ for file in bin/crumple share/man/man1/crumple.1 share/crumple/models/suv.json \
     [ -f "$prefix/$file" ]
     report $? "installs $file"
 done
-missing=$(cd "$SRC" && find models share -type f ! -path 'share/completions/*' | while read -r file; do
-    [ -f "$prefix/share/crumple/$file" ] || echo "$file"
-done)
+missing=$(cd "$SRC" && find models share -type f ! -path 'share/completions/*' |
+    while read -r file; do
+        [ -f "$prefix/share/crumple/$file" ] || echo "$file"
+    done)
 empty "everything in models/ and share/ is installed" "$missing"
 
 cd / || exit 99

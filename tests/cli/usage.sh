@@ -16,7 +16,8 @@ for word in run stack validate models; do
 done
 
 refused "unknown word" 2 'unknown .*rnu.*did you mean run' rnu
-refused "unknown option of the program" 2 'unknown option --versoin.*did you mean --version' --versoin
+refused "unknown option of the program" 2 'unknown option --versoin.*mean --version' \
+    --versoin
 refused "run without a scene" 2 'needs SCENE.json' run
 refused "run with two scenes" 2 'takes 1 operand' run a.json b.json
 refused "misspelt option" 2 'unknown option --fromat.*did you mean --format' run --fromat=csv x
