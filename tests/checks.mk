@@ -1,5 +1,5 @@
 # checks of the tree as a whole
-tree_checks = tests/check_includes.sh tests/check_symbols.sh
+tree_checks = tests/check_bootstrap.sh tests/check_includes.sh tests/check_symbols.sh
 cli_checks =
 TESTS += $(tree_checks) $(cli_checks)
 EXTRA_DIST += $(tree_checks) $(cli_checks) tests/tap.sh tests/check_examples.sh \

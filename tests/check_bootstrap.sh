@@ -1,0 +1,62 @@
+#!/bin/sh
+# ./bootstrap on a machine that lacks everything: what it says, installs and refuses. The machine is
+# a folder of links to the few tools that every system has, and stand-ins for apt-get, sudo and id.
+. "$SRC/tests/tap.sh"
+tmp=$(mktemp -d) || exit 99
+trap 'rm -rf "$tmp"' EXIT
+mkdir "$tmp/tree" "$tmp/bare" "$tmp/apt" "$tmp/root" "$tmp/user" "$tmp/sudo"
+cp "$SRC/bootstrap" "$tmp/tree/"
+for tool in sh dirname cat grep find head env mkdir rm sed; do
+    ln -s "$(command -v "$tool")" "$tmp/bare/$tool"
+done
+echo 'echo 0' >"$tmp/root/id"
+echo 'echo 1000' >"$tmp/user/id"
+echo 'echo "apt-get $DEBIAN_FRONTEND $*" >>"$LOG"' >"$tmp/apt/apt-get"
+printf 'echo "sudo $*" >>"$LOG"\nexec "$@"\n' >"$tmp/sudo/sudo"
+for file in root/id user/id apt/apt-get sudo/sudo; do
+    sed -i '1s|^|#!/bin/sh\n|' "$tmp/$file"
+    chmod +x "$tmp/$file"
+done
+LOG=$tmp/log
+export LOG
+
+# on FOLDERS WORD: run with the folders of $tmp as PATH; $out, $status, $log
+on() {
+    path=
+    for dir in $1; do
+        path=$path$tmp/$dir:
+    done
+    : >"$LOG"
+    out=$(cd / && PATH=${path%:} "$tmp/tree/bootstrap" "$2" 2>&1 </dev/null)
+    status=$?
+    log=$(cat "$LOG")
+}
+
+on "bare root" build
+same "without apt-get the status is 2" "$status" 2
+has "and all that is missing is named" "$out" \
+    'gcc .*make .*pkg-config .*libncurses-dev .*libreadline-dev .*libcjson-dev .*nettle-dev .*autoconf'
+has "and why it stops" "$out" 'there is no apt-get'
+same "a build does not need what only the tests need" "$(echo "$out" | grep -c cmocka)" 0
+on "bare root" check
+has "the tests need CMocka, too" "$out" 'libcmocka-dev'
+
+on "bare user apt" build
+same "neither root nor sudo: status 2" "$status" 2
+has "and the command to run as root" "$out" 'as root run: apt-get install .*gcc'
+same "and nothing was tried" "$log" ""
+
+on "bare root apt" demo
+has "root installs without sudo" "$log" '^apt-get noninteractive .*install --no-install-recommends .*gcc'
+same "and sudo is not asked" "$(echo "$log" | grep -c sudo)" 0
+has "it says what it installs" "$out" 'installing with apt-get: .*gcc.* libcjson-dev'
+on "bare user apt sudo" build
+has "others install by way of sudo" "$log" \
+    '^sudo env DEBIAN_FRONTEND=noninteractive apt-get .*install .*gcc'
+
+on "bare root" --help
+same "--help succeeds" "$status" 0
+has "and explains demo" "$out" 'demo +build, then solve'
+on "bare root" dmeo
+same "an unknown word is refused" "$status" 2
+finish
