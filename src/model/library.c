@@ -100,13 +100,25 @@ static enum cr_err build(const struct cr_model_recipe *r, struct kept *k, struct
     }
     enum cr_err rc = cr_model_body_build(r, &k->arena, &k->body, err);
     if (!rc) {
-        rc = cr_model_plan_build(&k->body, 0, r->dims.height, &k->arena, &k->whole, err);
+        rc = cr_model_plan_build(&k->body, 0, INFINITY, &k->arena, &k->whole, err);
     }
     if (!rc) {
         k->whole.weight[0] = k->whole.full[0];
         k->whole.weight[1] = k->whole.full[1];
         k->built = true;
     }
+    return rc;
+}
+
+enum cr_err cr_model_body_of(const struct cr_model_lib *lib, enum cr_type type,
+                             const struct cr_model_recipe **recipe,
+                             const struct cr_model_body **body, struct cr_error *err) {
+    struct kept *k = &lib->cache->kept[type];
+    pthread_mutex_lock(&lib->cache->lock);
+    enum cr_err rc = build(&lib->recipe[type], k, err);
+    pthread_mutex_unlock(&lib->cache->lock);
+    *recipe = &lib->recipe[type];
+    *body = &k->body;
     return rc;
 }
 
@@ -118,7 +130,7 @@ static enum cr_err plan_of(const struct cr_model_recipe *r, struct kept *k, doub
     if (rc) {
         return rc;
     }
-    if (lo <= 0 && hi >= r->dims.height) {
+    if (lo <= 0 && isinf(hi)) {
         *out = k->whole;
         return CR_ERR_OK;
     }
@@ -154,7 +166,8 @@ static enum cr_err substitute(const struct cr_model_lib *lib, const struct cr_mo
     }
     double top = q->dims.height;
     double lo = cr_model_map_ref(&stretch.z, cr_clamp(q->z_lo, 0, top));
-    double hi = cr_model_map_ref(&stretch.z, cr_clamp(q->z_hi, 0, top));
+    double hi =
+        q->z_hi >= top ? (double)INFINITY : cr_model_map_ref(&stretch.z, cr_clamp(q->z_hi, 0, top));
     pthread_mutex_lock(&lib->cache->lock);
     rc = plan_of(r, &lib->cache->kept[q->type], lo, hi, &scratch, &plan, err);
     pthread_mutex_unlock(&lib->cache->lock);

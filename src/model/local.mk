@@ -6,10 +6,12 @@ libmodel_a_SOURCES = \
 	src/model/json.c src/model/json.h \
 	src/model/library.c \
 	src/model/model.h src/model/model_priv.h \
+	src/model/own.c src/model/own_check.c src/model/own_csv.c src/model/own_json.c \
 	src/model/recipe.c \
 	src/model/stretch.c \
 	src/model/substitute.c \
-	src/model/type.c
+	src/model/type.c \
+	src/model/voxels.c
 libmodel_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)
 
 modelsdir = $(pkgdatadir)/models

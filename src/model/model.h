@@ -9,6 +9,7 @@
 #include "base/arena.h"
 #include "base/err.h"
 #include "base/hash.h"
+#include "base/str.h"
 #include "model/grid.h"
 
 #include <stdbool.h>
@@ -99,6 +100,61 @@ CR_MUST_CHECK enum cr_err cr_model_from_stiffness(const struct cr_model_lib *lib
 CR_MUST_CHECK enum cr_err cr_model_from_file(const char *path, const struct cr_model_query *query,
                                              struct cr_arena *arena, struct cr_grid *out,
                                              char hash[CR_HASH_SIZE], struct cr_error *err);
+
+/* A voxel model as it is exported and imported: 3D, or 2D with nz = 1 and flat set. Arrays are
+ * borrowed from the arena they were made in; x fastest, then y, then z. */
+struct cr_voxels {
+    char name[64];        /* "sedan/12" */
+    bool flat;            /* 2D: energies are sums over the height */
+    int nx, ny, nz;
+    double edge;          /* m */
+    double x0, y0, z0;    /* corner of voxel (0,0,0): x, y from the CG, z from the road, m */
+    double mass_kg;       /* of the vehicle whose energies these are */
+    double pdof;          /* rad, as in the query */
+    struct cr_dims dims;
+    double tension[CR_FACES], springback[CR_FACES]; /* as in struct cr_grid */
+    const double *fill;   /* 0..1 */
+    const double *energy; /* J */
+};
+enum { CR_VOXELS_MAX = 50000000 };
+
+/* The 3D model of a query (voxel: edge of its voxels; height range is ignored). The sum over its
+ * layers is the 2D substitute of the same query. Errors as cr_model_substitute. */
+CR_MUST_CHECK enum cr_err cr_model_voxels(const struct cr_model_lib *lib,
+                                          const struct cr_model_query *query,
+                                          struct cr_arena *arena, struct cr_voxels *out,
+                                          struct cr_error *err);
+
+/* The 2D substitute as a voxel model for export. */
+CR_MUST_CHECK enum cr_err cr_model_flat(const struct cr_model_lib *lib,
+                                        const struct cr_model_query *query,
+                                        struct cr_arena *arena, struct cr_voxels *out,
+                                        struct cr_error *err);
+
+/* EES value of each voxel, m/s, into out[nz * ny * nx]: sqrt(2 E / m) with E the energy of the
+ * face crushed down to the middle of the voxel, faces mixed as cos^2 and sin^2 of the PDOF; 0
+ * where there is no material. */
+CR_MUST_CHECK enum cr_err cr_voxels_ees(const struct cr_voxels *voxels, double *out,
+                                        struct cr_error *err);
+
+/* 2D substitute from voxels: layers in the query's height range summed, stretched onto its
+ * dimensions with the energy per kg kept; same dimensions and voxels give the same bits. */
+CR_MUST_CHECK enum cr_err cr_voxels_substitute(const struct cr_voxels *voxels,
+                                               const struct cr_model_query *query,
+                                               struct cr_arena *arena, struct cr_grid *out,
+                                               struct cr_error *err);
+
+/* Text of a voxel model (share/schema/voxel-model.schema.json, or CSV): numbers with 17 digits,
+ * so that reading gives the same bits. provenance: JSON object to include, or NULL. Check
+ * out->failed. */
+void cr_voxels_json(const struct cr_voxels *voxels, const char *provenance, struct cr_str *out);
+void cr_voxels_csv(const struct cr_voxels *voxels, struct cr_str *out);
+
+/* Read a voxel model; the suffix .csv decides the format. hash (nullable) receives the SHA-256 of
+ * the file. Errors: IO, SYNTAX, MODEL, RANGE, ... with their place. */
+CR_MUST_CHECK enum cr_err cr_voxels_read(const char *path, struct cr_arena *arena,
+                                         struct cr_voxels *out, char hash[CR_HASH_SIZE],
+                                         struct cr_error *err);
 
 /* A box-shaped object of uniform voxels (deformable barrier): energy per area J/m2 of plan. */
 CR_MUST_CHECK enum cr_err cr_model_block(double length, double width, double voxel,

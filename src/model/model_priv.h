@@ -123,4 +123,41 @@ CR_MUST_CHECK enum cr_err cr_model_resample(const struct cr_model_recipe *r,
                                             const struct cr_model_query *q, struct cr_arena *arena,
                                             struct cr_grid *out, struct cr_error *err);
 
+/* What both formats of voxel models have in common: counts, dimensions and energies that can be.
+ * Errors: RANGE, MODEL; where is a key, "" if it is about the whole. */
+struct cr_voxels_fault {
+    enum cr_err code;
+    const char *key;
+    char text[160];
+};
+/* Header: before memory for the voxels is taken. */
+bool cr_voxels_check_header(const struct cr_voxels *v, struct cr_voxels_fault *fault);
+/* Arrays. */
+bool cr_voxels_check_data(const struct cr_voxels *v, struct cr_voxels_fault *fault);
+
+/* Numbers of the header by name, in the order they are written. */
+struct cr_voxels_field {
+    const char *key;
+    int n, at_least; /* numbers; those beyond at_least may be left out */
+    bool vehicle;    /* member of "vehicle" in JSON */
+    bool optional;
+    double *at[4];
+};
+enum { CR_VOXELS_FIELDS = 16 };
+int cr_voxels_fields(struct cr_voxels *v, double count[3], struct cr_voxels_field *out);
+/* Put counts and height into place after the fields were read. */
+bool cr_voxels_counts(struct cr_voxels *v, const double count[3], struct cr_voxels_fault *fault);
+
+CR_MUST_CHECK enum cr_err cr_voxels_read_json(char *text, size_t len, const char *src,
+                                              struct cr_arena *arena, struct cr_voxels *out,
+                                              struct cr_error *err);
+CR_MUST_CHECK enum cr_err cr_voxels_read_csv(const char *text, const char *src,
+                                             struct cr_arena *arena, struct cr_voxels *out,
+                                             struct cr_error *err);
+
+/* The body of a type, built on first use and kept by the library. */
+CR_MUST_CHECK enum cr_err cr_model_body_of(const struct cr_model_lib *lib, enum cr_type type,
+                                           const struct cr_model_recipe **recipe,
+                                           const struct cr_model_body **body, struct cr_error *err);
+
 #endif
