@@ -1,4 +1,5 @@
 # one fragment per folder of src/, so that a test lives beside what it tests
+if HAVE_CMOCKA
 include $(srcdir)/tests/unit/base.mk
 include $(srcdir)/tests/unit/model.mk
 include $(srcdir)/tests/unit/solver.mk
@@ -9,6 +10,7 @@ include $(srcdir)/tests/unit/cmd.mk
 include $(srcdir)/tests/unit/repl.mk
 include $(srcdir)/tests/unit/tui.mk
 include $(srcdir)/tests/unit/batch.mk
+endif
 include $(srcdir)/tests/checks.mk
 include $(srcdir)/tests/bench/local.mk
 include $(srcdir)/tests/fuzz/local.mk
