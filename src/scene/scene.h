@@ -13,6 +13,7 @@
 #include "solver/case.h"
 
 #include <stdbool.h>
+#include <stdint.h>
 
 enum { CR_NAME_MAX = 64, CR_PATH_MAX = 512, CR_VERTEX_MAX = 64 };
 
@@ -46,14 +47,14 @@ struct cr_model_choice {
     double pdof; /* rad clockwise from ahead, if given */
     bool pdof_is_clock;
     bool blend;
-    char file[CR_PATH_MAX]; /* relative to the scene file's folder unless absolute */
+    char file[CR_PATH_MAX];      /* relative to the scene file's folder unless absolute */
     struct cr_stiffness face[3]; /* front, side, rear; a = b = 0: from the type */
 };
 
 struct cr_participant {
     char id[CR_NAME_MAX];
     enum cr_kind kind;
-    double mass; /* kg; NaN: absent (an object is then fixed) */
+    double mass;                  /* kg; NaN: absent (an object is then fixed) */
     double length, width, height; /* m */
     double friction;              /* of its surface, NaN: the setting */
     struct cr_vec2 pos;           /* CG of a vehicle, reference point of an object, m */
@@ -62,7 +63,7 @@ struct cr_participant {
     int waypoints;                /* > 0: instead of pos, heading, speed */
     struct cr_waypoint *waypoint; /* owned */
     /* vehicle */
-    enum cr_type type;
+    enum cr_type type; /* CR_TYPES: not given */
     double wheelbase, track, front_overhang, cg_behind_front_axle, cg_height, yaw_inertia;
     struct cr_model_choice model;
     double brake[CR_WHEELS], steer[CR_WHEELS]; /* 0..1, rad: front left, front right, rear l, r */
@@ -73,7 +74,7 @@ struct cr_participant {
     int vertices;
     struct cr_vec2 vertex[CR_VERTEX_MAX];
     double z_lo, z_hi; /* height range of an object, m */
-    unsigned given;    /* bits: which optional keys the file had (see participant.def) */
+    uint64_t given;    /* bit i: row i of the participants' table (keys.h) was given */
     char *extra;       /* owned JSON text of its x_ keys, NULL if none */
 };
 
@@ -107,14 +108,24 @@ CR_MUST_CHECK enum cr_err cr_scene_from_json(const struct cJSON *json, struct cr
                                              struct cr_error *err);
 CR_MUST_CHECK enum cr_err cr_scene_load(const char *path, struct cr_scene *scene,
                                         struct cr_error *err);
+/* As cr_scene_load, for a scene in the making: participants and required keys may be missing, as
+ * they may in what cr_scene_save wrote; cr_scene_resolve asks for them. */
+CR_MUST_CHECK enum cr_err cr_scene_load_draft(const char *path, struct cr_scene *scene,
+                                              struct cr_error *err);
+/* Give an error that has a JSON pointer (from cr_scene_resolve, say) its line and column in the
+ * text the scene was read from. */
+void cr_scene_locate(const char *text, size_t len, const char *src, struct cr_error *err);
 /* Scene -> JSON object (caller deletes), exact inverse of parsing: what was given and nothing
  * else; with all = true every value, for `input.resolved`. NULL when memory is out. */
 struct cJSON *cr_scene_to_json(const struct cr_scene *scene, bool all);
 CR_MUST_CHECK enum cr_err cr_scene_save(const struct cr_scene *scene, const char *path,
                                         struct cr_error *err);
 
-/* "KEY=VALUE" as of `--set` and the `set` command: settings by their JSON name ("dt_ms=0.25") and
- * participants' numbers as ID.key ("A.speed_kmh=60"). */
+/* "KEY=VALUE" as of `--set` and the `set` command: settings by their JSON name ("dt_ms") and keys
+ * of participants as ID.key ("A.speed_kmh", "A.cg.height_m"), both also without the unit in the
+ * name. The value is a number with or without unit ("60", "60km/h"; a list "1,1,0,0"), a word, or
+ * JSON; "auto" takes back what was given. Errors: KEY, NAME, TYPE, RANGE, DUPLICATE; the scene then
+ * stays as it was. */
 CR_MUST_CHECK enum cr_err cr_scene_set(struct cr_scene *scene, const char *key, const char *value,
                                        struct cr_error *err);
 
@@ -134,17 +145,17 @@ CR_MUST_CHECK enum cr_err cr_scene_resolve(struct cr_scene *scene, const struct 
 /* What a compiled case was made of. */
 struct cr_compiled {
     struct cr_case cs;
-    struct cr_arena arena;                  /* owns the grids, vertices and waypoints of cs */
-    char model[CR_BODY_MAX][CR_NAME_MAX];   /* "suv/12", "file my.json", "stiffness" */
-    char hash[CR_BODY_MAX][CR_HASH_SIZE];   /* of the model's source */
+    struct cr_arena arena;                /* owns the grids, vertices and waypoints of cs */
+    char model[CR_BODY_MAX][CR_NAME_MAX]; /* "suv/12", "file my.json", "stiffness" */
+    char hash[CR_BODY_MAX][CR_HASH_SIZE]; /* of the model's source */
 };
 
 /* Resolved scene -> case. pdof[i] is the PDOF (rad) for vehicle i's model, used where the model
  * choice is auto. Own model files are read here. Errors: those of the model functions. */
 CR_MUST_CHECK enum cr_err cr_scene_compile(const struct cr_scene *scene,
                                            const struct cr_model_lib *lib,
-                                           const double pdof[CR_BODY_MAX],
-                                           struct cr_compiled *out, struct cr_error *err);
+                                           const double pdof[CR_BODY_MAX], struct cr_compiled *out,
+                                           struct cr_error *err);
 void cr_compiled_fini(struct cr_compiled *compiled);
 
 /* Outline of a participant in its own frame, counter-clockwise, for drawing, placing and overlap

@@ -1,0 +1,69 @@
+/* Units: one table, and the reading of "number[unit]" against the dimension that is wanted.
+ * Everything inside the program is SI; this is the only place that converts. */
+#ifndef CR_BASE_UNITS_H
+#define CR_BASE_UNITS_H
+
+#include "base/err.h"
+
+#include <stddef.h>
+
+/* X(NAME, what it is called in messages) */
+#define CR_DIM_LIST(X)                                                                             \
+    X(NUMBER, "a number")                                                                          \
+    X(LENGTH, "a length")                                                                          \
+    X(MASS, "a mass")                                                                              \
+    X(SPEED, "a speed")                                                                            \
+    X(ANGLE, "an angle")                                                                           \
+    X(TIME, "a time")                                                                              \
+    X(FORCE, "a force")                                                                            \
+    X(ENERGY, "an energy")                                                                         \
+    X(ACCELERATION, "an acceleration")                                                             \
+    X(INERTIA, "a moment of inertia")                                                              \
+    X(YAW_RATE, "a yaw rate")                                                                      \
+    X(STIFFNESS_A, "a force per width")                                                            \
+    X(STIFFNESS_B, "a force per width and depth")                                                  \
+    X(AREA, "an area")
+
+enum cr_dim {
+#define X(name, text) CR_DIM_##name,
+    CR_DIM_LIST(X)
+#undef X
+        CR_DIMS
+};
+
+/* SI value = number * mul / div; the two keep decimal factors exact in both directions. */
+struct cr_unit {
+    const char *name; /* "km/h"; "" for the bare number */
+    enum cr_dim dim;
+    double mul, div;
+    const char *suffix; /* with which JSON keys in this unit end, "" if none do */
+};
+
+/* Unit of a dimension by name; an empty name is the SI unit. NULL if there is none. */
+const struct cr_unit *cr_unit_find(const char *name, enum cr_dim dim);
+
+/* Unit i of a dimension in the order of the table, NULL after the last (for completion). */
+const struct cr_unit *cr_unit_nth(enum cr_dim dim, int i);
+
+/* "a speed" */
+const char *cr_dim_word(enum cr_dim dim);
+
+double cr_unit_to_si(const struct cr_unit *unit, double x);
+
+/* The number with the fewest digits that cr_unit_to_si takes to the same SI value, so that 56 km/h
+ * is written 56 again. */
+double cr_unit_from_si(const struct cr_unit *unit, double si);
+
+/* A decimal number at the start of text (sign, digits, fraction, exponent; no inf, nan or hex);
+ * *end is set behind it. Returns 0 and leaves *end at text where there is none. */
+double cr_number_scan(const char *text, const char **end);
+
+/* "number[unit]" -> SI. Without a unit the number is in `plain` (NULL: SI). *unit (nullable)
+ * receives the unit that was used. Errors: TYPE for what is no number, NAME for a unit that does
+ * not exist or belongs to another dimension (hint: those that fit), RANGE for what is not finite.
+ */
+CR_MUST_CHECK enum cr_err cr_unit_parse(const char *text, enum cr_dim dim,
+                                        const struct cr_unit *plain, double *si,
+                                        const struct cr_unit **unit, struct cr_error *err);
+
+#endif

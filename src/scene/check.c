@@ -1,0 +1,258 @@
+/* What a scene must keep to beyond the ranges of its single values. */
+#include "scene/scene_priv.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum cr_err cr_scene_id_check(struct cr_reader *r, const char *id) {
+    size_t n = strlen(id);
+    if (n == 0 || n >= CR_NAME_MAX) {
+        return cr_scene_fail(r, CR_ERR_RANGE, "an id has 1 to %d characters", CR_NAME_MAX - 1);
+    }
+    for (size_t i = 0; i < n; i++) {
+        unsigned char c = (unsigned char)id[i];
+        bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c >= 0x80;
+        if (!letter && (c < '0' || c > '9') && c != '_' && c != '-') {
+            cr_scene_fail(r, CR_ERR_RANGE, "id \"%.40s\" has a '%c' in it", id, c < 0x20 ? ' ' : c);
+            cr_err_hint(r->err, "letters, digits, _ and - only");
+            return CR_ERR_RANGE;
+        }
+    }
+    /* the trace of a result has the times under this name beside the participants (formats.md) */
+    if (strcmp(id, "t_s") == 0) {
+        return cr_scene_fail(r, CR_ERR_RANGE, "id \"t_s\" is taken by the times of a result");
+    }
+    return CR_ERR_OK;
+}
+
+static double signed_area(const struct cr_vec2 *v, int n) {
+    double twice = 0;
+    for (int i = 0; i < n; i++) {
+        twice += cr_vec2_cross(v[i], v[(i + 1) % n]);
+    }
+    return twice / 2;
+}
+
+static int side_of(struct cr_vec2 a, struct cr_vec2 b, struct cr_vec2 p) {
+    double c = cr_vec2_cross(cr_vec2_sub(b, a), cr_vec2_sub(p, a));
+    return (c > 0) - (c < 0);
+}
+
+/* p, which is in line with a and b, lies between them */
+static bool between(struct cr_vec2 a, struct cr_vec2 b, struct cr_vec2 p) {
+    return fmin(a.x, b.x) <= p.x && p.x <= fmax(a.x, b.x) && fmin(a.y, b.y) <= p.y &&
+           p.y <= fmax(a.y, b.y);
+}
+
+static bool edges_meet(struct cr_vec2 a, struct cr_vec2 b, struct cr_vec2 c, struct cr_vec2 d) {
+    int s1 = side_of(a, b, c), s2 = side_of(a, b, d), s3 = side_of(c, d, a), s4 = side_of(c, d, b);
+    if (s1 * s2 < 0 && s3 * s4 < 0) {
+        return true;
+    }
+    return (s1 == 0 && between(a, b, c)) || (s2 == 0 && between(a, b, d)) ||
+           (s3 == 0 && between(c, d, a)) || (s4 == 0 && between(c, d, b));
+}
+
+enum cr_err cr_scene_polygon_check(struct cr_reader *r, struct cr_vec2 *v, int n) {
+    for (int i = 0; i < n; i++) {
+        struct cr_vec2 a = v[i], b = v[(i + 1) % n], c = v[(i + 2) % n];
+        /* neighbours share a corner; they may not fold back onto each other */
+        bool folded =
+            side_of(a, b, c) == 0 && cr_vec2_dot(cr_vec2_sub(b, a), cr_vec2_sub(c, b)) < 0;
+        if ((a.x == b.x && a.y == b.y) || folded) {
+            return cr_scene_fail(r, CR_ERR_RANGE, "corner %d of the polygon lies on another", i);
+        }
+        for (int k = i + 2; k < n - (i == 0); k++) {
+            if (edges_meet(a, b, v[k], v[(k + 1) % n])) {
+                cr_scene_fail(r, CR_ERR_RANGE, "edges %d and %d of the polygon cross", i, k);
+                cr_err_hint(r->err, "list the corners in the order in which they are walked");
+                return CR_ERR_RANGE;
+            }
+        }
+    }
+    double area = signed_area(v, n);
+    if (!(fabs(area) > 1e-6)) {
+        return cr_scene_fail(r, CR_ERR_RANGE, "the polygon has no area");
+    }
+    for (int i = 0, k = n - 1; area < 0 && i < k; i++, k--) {
+        struct cr_vec2 swap = v[i];
+        v[i] = v[k];
+        v[k] = swap;
+    }
+    return CR_ERR_OK;
+}
+
+/* Fails at a key of the participant. */
+static enum cr_err at_key(struct cr_reader *r, const char *key, const char *hint,
+                          const char *text) {
+    size_t up = strlen(r->path);
+    char name[64];
+    snprintf(name, sizeof name, "%s", key);
+    char *rest = strchr(name, '.');
+    if (rest != NULL) {
+        *rest++ = '\0';
+    }
+    cr_scene_enter(r, name);
+    if (rest != NULL) {
+        cr_scene_enter(r, rest);
+    }
+    cr_scene_fail(r, CR_ERR_RANGE, "%s", text);
+    cr_err_hint(r->err, "%s", hint);
+    cr_scene_leave(r, up);
+    return CR_ERR_RANGE;
+}
+
+/* one quantity must be less than another; NaN, what is not known, is never too much */
+struct limit {
+    double value, most;
+    const char *key, *text, *most_text;
+};
+
+static enum cr_err check_limit(struct cr_reader *r, const struct limit *l) {
+    if (!(l->value >= l->most)) {
+        return CR_ERR_OK;
+    }
+    char text[160], hint[120];
+    snprintf(text, sizeof text, "%s of %.4g is not below %s of %.4g", l->text, l->value,
+             l->most_text, l->most);
+    snprintf(hint, sizeof hint, "mend %s or what it is compared with", l->key);
+    return at_key(r, l->key, hint, text);
+}
+
+static enum cr_err check_vehicle(struct cr_reader *r, const struct cr_participant *p) {
+    /* the radius of gyration is below half the length even with all mass at both ends */
+    const struct limit limits[] = {
+        {p->wheelbase, p->length, "wheelbase_m", "wheelbase", "the length"},
+        {p->front_overhang + p->wheelbase, p->length, "front_overhang_m",
+         "front overhang and wheelbase", "the length"},
+        {p->cg_behind_front_axle, p->wheelbase, "cg.behind_front_axle_m",
+         "centre of gravity behind the front axle", "the wheelbase"},
+        {p->track, p->width, "track_m", "track", "the width"},
+        {p->cg_height, p->height, "cg.height_m", "height of the centre of gravity", "the height"},
+        {p->yaw_inertia, p->mass * p->length * p->length / 4, "yaw_inertia_kgm2", "yaw inertia",
+         "the mass at both ends"},
+    };
+    for (size_t i = 0; i < sizeof limits / sizeof limits[0]; i++) {
+        enum cr_err code = check_limit(r, &limits[i]);
+        if (code != CR_ERR_OK) {
+            return code;
+        }
+    }
+    const struct cr_model_choice *m = &p->model;
+    static const char *const faces[] = {"front", "side", "rear"};
+    bool stiff = false;
+    for (int i = 0; i < 3; i++) {
+        stiff = stiff || m->face[i].a != 0 || m->face[i].b != 0;
+        if (m->face[i].a > 0 && !(m->face[i].b > 0)) {
+            char key[40];
+            snprintf(key, sizeof key, "model.stiffness.%s", faces[i]);
+            return at_key(r, "model", "a face needs A_N_per_m and B_N_per_m2",
+                          "a stiffness without its B");
+        }
+    }
+    if (stiff && m->file[0] != '\0') {
+        return at_key(r, "model", "keep one of the two",
+                      "a model is from a file or from stiffness");
+    }
+    return CR_ERR_OK;
+}
+
+static enum cr_err check_object(struct cr_reader *r, const struct cr_participant *p) {
+    double half = fmin(p->length, p->width) / 2;
+    if (p->shape == CR_OBJECT_BOX && p->edge_radius > half) {
+        char text[96];
+        snprintf(text, sizeof text, "edge radius of %.4g is more than half the box, %.4g",
+                 p->edge_radius, half);
+        return at_key(r, "edge_radius_m", "a box rounded all over is a pole", text);
+    }
+    if (isnan(p->mass)) {
+        const char *hint = "give it mass_kg if it shall move";
+        if (p->speed != 0) {
+            return at_key(r, "speed_kmh", hint, "an object without mass is fixed and has no speed");
+        }
+        if (p->yaw_rate != 0) {
+            return at_key(r, "yaw_rate_deg_s", hint, "an object without mass is fixed");
+        }
+        if (p->waypoints > 0) {
+            return at_key(r, "trajectory", hint, "an object without mass is fixed");
+        }
+    }
+    return CR_ERR_OK;
+}
+
+/* keys that say the same as a trajectory */
+static enum cr_err check_trajectory(struct cr_reader *r, const struct cr_participant *p) {
+    static const char *const rivals[] = {"position_m", "heading_deg", "course_deg", "speed_kmh",
+                                         "yaw_rate_deg_s"};
+    int n;
+    const struct cr_key *row = cr_scene_keys(CR_KEYS_PARTICIPANT, &n);
+    for (size_t i = 0; i < sizeof rivals / sizeof rivals[0] && p->waypoints > 0; i++) {
+        const struct cr_key *key =
+            cr_scene_key_find(CR_KEYS_PARTICIPANT, rivals[i], cr_scene_kind_mask(p));
+        if ((p->given >> (key - row) & 1) != 0) {
+            char text[80];
+            snprintf(text, sizeof text, "%s cannot stand beside a trajectory", rivals[i]);
+            return at_key(r, rivals[i], "the rows of the trajectory say it already", text);
+        }
+    }
+    return CR_ERR_OK;
+}
+
+enum cr_err cr_scene_part_check(struct cr_reader *r, const struct cr_participant *p) {
+    enum cr_err code = check_trajectory(r, p);
+    if (code == CR_ERR_OK) {
+        code = p->kind == CR_KIND_VEHICLE ? check_vehicle(r, p) : check_object(r, p);
+    }
+    return code;
+}
+
+enum cr_err cr_scene_part_complete(struct cr_reader *r, const struct cr_participant *p) {
+    unsigned mask = cr_scene_kind_mask(p);
+    int n;
+    const struct cr_key *row = cr_scene_keys(CR_KEYS_PARTICIPANT, &n);
+    for (int i = 0; i < n; i++) {
+        const struct cr_key *key = &row[i];
+        bool placed = key->type == CR_KEY_PAIR;
+        bool there = placed ? (p->given >> i & 1) != 0 || p->waypoints > 0 || r->draft
+                            : cr_scene_value_known(key, p);
+        if ((key->required & mask) == 0 || there) {
+            continue;
+        }
+        cr_scene_fail(r, CR_ERR_MISSING, "%s \"%s\" has no \"%s\"", cr_scene_kind_word(mask) + 2,
+                      p->id, key->name);
+        cr_err_hint(r->err, "%s%s%s%s", key->help, key->unit && key->unit[0] ? " (" : "",
+                    key->unit && key->unit[0] ? key->unit : "",
+                    placed                      ? ") or a \"trajectory\""
+                    : key->unit && key->unit[0] ? ")"
+                                                : "");
+        return CR_ERR_MISSING;
+    }
+    return CR_ERR_OK;
+}
+
+enum cr_err cr_scene_whole_check(struct cr_reader *r, const struct cr_scene *scene) {
+    size_t up = cr_scene_enter(r, "participants");
+    if (scene->n < 2 && !r->draft) {
+        cr_scene_fail(r, CR_ERR_MISSING, "a crash needs at least two participants, got %d",
+                      scene->n);
+        cr_err_hint(r->err, "add a vehicle or an object");
+        return CR_ERR_MISSING;
+    }
+    for (int i = 1; i < scene->n; i++) {
+        for (int k = 0; k < i; k++) {
+            if (strcmp(scene->part[i].id, scene->part[k].id) == 0) {
+                char token[12];
+                snprintf(token, sizeof token, "%d", i);
+                cr_scene_enter(r, token);
+                cr_scene_enter(r, "id");
+                cr_scene_fail(r, CR_ERR_DUPLICATE, "id \"%s\" is taken by participant %d",
+                              scene->part[i].id, k + 1);
+                cr_err_hint(r->err, "each participant needs its own id");
+                return CR_ERR_DUPLICATE;
+            }
+        }
+    }
+    cr_scene_leave(r, up);
+    return CR_ERR_OK;
+}

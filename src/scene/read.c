@@ -1,0 +1,470 @@
+/* JSON tree -> scene (formats.md, scene version 1). */
+#include "scene/scene_priv.h"
+
+#include "base/file.h"
+#include "base/json.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* no scene needs more keys in one object; a bound keeps the search for duplicates cheap */
+enum { MEMBER_MAX = 1000 };
+
+enum cr_err cr_scene_extra_in(struct cr_reader *r, cJSON **outer) {
+    cJSON *inner = cJSON_CreateObject();
+    if (inner == NULL) {
+        return cr_scene_fail(r, CR_ERR_MEMORY, "no memory to read the scene");
+    }
+    *outer = r->extra;
+    r->extra = inner;
+    return CR_ERR_OK;
+}
+
+void cr_scene_extra_out(struct cr_reader *r, const char *token, cJSON *outer) {
+    cJSON *inner = r->extra;
+    r->extra = outer;
+    if (inner->child == NULL || !cJSON_AddItemToObject(outer, token, inner)) {
+        cJSON_Delete(inner);
+    }
+}
+
+static enum cr_err keep_extra(struct cr_reader *r, const cJSON *member) {
+    cJSON *copy = cJSON_Duplicate(member, 1);
+    if (copy == NULL || !cJSON_AddItemToObject(r->extra, member->string, copy)) {
+        cJSON_Delete(copy);
+        return cr_scene_fail(r, CR_ERR_MEMORY, "no memory to read the scene");
+    }
+    return CR_ERR_OK;
+}
+
+static bool is_extra(const char *name) {
+    return strncmp(name, "x_", 2) == 0;
+}
+
+static enum cr_err check_twice(struct cr_reader *r, const cJSON *object, const cJSON *member) {
+    for (const cJSON *m = object->child; m != member; m = m->next) {
+        if (strcmp(m->string, member->string) == 0) {
+            return cr_scene_fail(r, CR_ERR_DUPLICATE, "key \"%.60s\" stands here twice",
+                                 member->string);
+        }
+    }
+    return CR_ERR_OK;
+}
+
+/* name of the kinds that a key of another kind belongs to */
+static void hint_owner(struct cr_reader *r, enum cr_key_table table, const char *name) {
+    int n;
+    const struct cr_key *row = cr_scene_keys(table, &n);
+    unsigned owners = 0;
+    char list[80] = "";
+    for (int i = 0; i < n; i++) {
+        owners |= strcmp(row[i].name, name) == 0 ? row[i].for_kinds : 0;
+    }
+    for (unsigned bit = 1; bit <= CR_FOR_POLYGON; bit <<= 1) {
+        if ((owners & bit) != 0) {
+            size_t k = strlen(list);
+            snprintf(list + k, sizeof list - k, "%s%s", k > 0 ? ", " : "", cr_scene_kind_word(bit));
+        }
+    }
+    cr_err_hint(r->err, "it is a key of %s", list);
+}
+
+static enum cr_err unknown_key(struct cr_reader *r, enum cr_key_table table, unsigned mask,
+                               const char *name, const char *prefix, const char *full) {
+    if (cr_scene_key_find(table, full, CR_FOR_ALL) != NULL &&
+        cr_scene_key_find(table, full, mask) == NULL) {
+        cr_scene_fail(r, CR_ERR_KEY, "key \"%.60s\" does not apply to %s", name,
+                      cr_scene_kind_word(mask));
+        hint_owner(r, table, full);
+        return CR_ERR_KEY;
+    }
+    cr_scene_fail(r, CR_ERR_KEY, "unknown key \"%.60s\"", name);
+    const struct cr_key *near_row = cr_scene_key_find(table, full, mask);
+    const char *near = near_row != NULL ? near_row->name + strlen(prefix)
+                                        : cr_scene_key_nearest(table, name, prefix, mask);
+    if (near != NULL) {
+        cr_err_hint(r->err, "did you mean \"%s\"?", near);
+    } else {
+        cr_err_hint(r->err, "keys of your own begin with x_");
+    }
+    return CR_ERR_KEY;
+}
+
+/* does some key lie inside the object of this name? */
+static bool is_group(enum cr_key_table table, unsigned mask, const char *full) {
+    int n;
+    const struct cr_key *row = cr_scene_keys(table, &n);
+    size_t k = strlen(full);
+    for (int i = 0; i < n; i++) {
+        if ((row[i].for_kinds == 0 || (row[i].for_kinds & mask) != 0) &&
+            strncmp(row[i].name, full, k) == 0 && row[i].name[k] == '.') {
+            return true;
+        }
+    }
+    return false;
+}
+
+static enum cr_err read_inner(struct cr_reader *r, enum cr_key_table table, unsigned mask,
+                              const cJSON *json, const char *prefix, void *base, uint64_t *given) {
+    char got[64];
+    cJSON *outer;
+    if (!cJSON_IsObject(json)) {
+        return cr_scene_fail(r, CR_ERR_TYPE, "%s: expected an object, got %s", json->string,
+                             cr_scene_describe(json, got, sizeof got));
+    }
+    enum cr_err code = cr_scene_extra_in(r, &outer);
+    if (code == CR_ERR_OK) {
+        code = cr_scene_members_read(r, table, mask, json, prefix, base, given);
+        cr_scene_extra_out(r, json->string, outer);
+    }
+    return code;
+}
+
+static enum cr_err read_member(struct cr_reader *r, enum cr_key_table table, unsigned mask,
+                               const cJSON *m, const char *prefix, void *base, uint64_t *given) {
+    char full[64];
+    int n;
+    const struct cr_key *row = cr_scene_keys(table, &n);
+    bool fits = snprintf(full, sizeof full, "%s%s", prefix, m->string) < (int)sizeof full;
+    const struct cr_key *key = fits ? cr_scene_key_find(table, full, mask) : NULL;
+    /* files have the full name with its unit; short names are for commands */
+    if (key != NULL && strcmp(key->name, full) == 0) {
+        *given |= (uint64_t)1 << (key - row);
+        return cr_scene_value_read(r, key, m, base);
+    }
+    if (fits && is_group(table, mask, full)) {
+        char inner[sizeof full + 1];
+        snprintf(inner, sizeof inner, "%s.", full);
+        return read_inner(r, table, mask, m, inner, base, given);
+    }
+    return unknown_key(r, table, mask, m->string, prefix, full);
+}
+
+enum cr_err cr_scene_members_read(struct cr_reader *r, enum cr_key_table table, unsigned mask,
+                                  const cJSON *json, const char *prefix, void *base,
+                                  uint64_t *given) {
+    int members = 0;
+    for (const cJSON *m = json->child; m != NULL; m = m->next) {
+        if (++members > MEMBER_MAX) {
+            return cr_scene_fail(r, CR_ERR_RANGE, "object with more than %d keys", MEMBER_MAX);
+        }
+        size_t up = cr_scene_enter(r, m->string);
+        enum cr_err code = check_twice(r, json, m);
+        if (code == CR_ERR_OK) {
+            code = is_extra(m->string) ? keep_extra(r, m)
+                                       : read_member(r, table, mask, m, prefix, base, given);
+        }
+        cr_scene_leave(r, up);
+        if (code != CR_ERR_OK) {
+            return code;
+        }
+    }
+    return CR_ERR_OK;
+}
+
+/* text of the x_ keys that were kept, NULL if there are none */
+static enum cr_err extra_text(struct cr_reader *r, char **out) {
+    char *text = NULL;
+    if (r->extra->child != NULL) {
+        char *printed = cJSON_PrintUnformatted(r->extra);
+        size_t n = printed != NULL ? strlen(printed) + 1 : 0;
+        text = printed != NULL ? malloc(n) : NULL;
+        if (text == NULL) {
+            cJSON_free(printed);
+            return cr_scene_fail(r, CR_ERR_MEMORY, "no memory to read the scene");
+        }
+        memcpy(text, printed, n);
+        cJSON_free(printed);
+    }
+    *out = text;
+    return CR_ERR_OK;
+}
+
+/* one word key ahead of the others, because it decides which keys there are */
+static enum cr_err read_ahead(struct cr_reader *r, const cJSON *json, const char *name,
+                              struct cr_participant *part, bool *found) {
+    const cJSON *m = cJSON_GetObjectItemCaseSensitive(json, name);
+    *found = m != NULL;
+    if (m == NULL) {
+        return CR_ERR_OK;
+    }
+    size_t up = cr_scene_enter(r, name);
+    enum cr_err code =
+        cr_scene_value_read(r, cr_scene_key_find(CR_KEYS_PARTICIPANT, name, CR_FOR_ALL), m, part);
+    cr_scene_leave(r, up);
+    return code;
+}
+
+static enum cr_err missing(struct cr_reader *r, const char *name, const char *hint) {
+    cr_scene_fail(r, CR_ERR_MISSING, "this participant has no \"%s\"", name);
+    cr_err_hint(r->err, "%s", hint);
+    return CR_ERR_MISSING;
+}
+
+static enum cr_err read_identity(struct cr_reader *r, const cJSON *json,
+                                 struct cr_participant *part) {
+    bool found;
+    cr_scene_part_init(part, CR_KIND_VEHICLE);
+    enum cr_err code = read_ahead(r, json, "id", part, &found);
+    if (code == CR_ERR_OK && found) {
+        size_t up = cr_scene_enter(r, "id");
+        code = cr_scene_id_check(r, part->id);
+        cr_scene_leave(r, up);
+    }
+    if (code != CR_ERR_OK || !found) {
+        return code != CR_ERR_OK ? code : missing(r, "id", "give it a name, \"id\": \"A\"");
+    }
+    code = read_ahead(r, json, "kind", part, &found);
+    if (code != CR_ERR_OK || !found) {
+        return code != CR_ERR_OK ? code : missing(r, "kind", "\"kind\": \"vehicle\" or \"object\"");
+    }
+    if (part->kind == CR_KIND_VEHICLE) {
+        return CR_ERR_OK;
+    }
+    char id[CR_NAME_MAX];
+    memcpy(id, part->id, sizeof id);
+    cr_scene_part_init(part, CR_KIND_OBJECT);
+    memcpy(part->id, id, sizeof id);
+    code = read_ahead(r, json, "shape", part, &found);
+    if (code == CR_ERR_OK && !found && !r->draft) {
+        code = missing(r, "shape", "wall, pole, box or polygon");
+    }
+    return code;
+}
+
+static enum cr_err read_part(struct cr_reader *r, const cJSON *json, struct cr_participant *part) {
+    char got[64];
+    cJSON *outer;
+    if (!cJSON_IsObject(json)) {
+        return cr_scene_fail(r, CR_ERR_TYPE, "expected an object, got %s",
+                             cr_scene_describe(json, got, sizeof got));
+    }
+    enum cr_err code = read_identity(r, json, part);
+    if (code == CR_ERR_OK) {
+        code = cr_scene_extra_in(r, &outer);
+    }
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    code = cr_scene_members_read(r, CR_KEYS_PARTICIPANT, cr_scene_kind_mask(part), json, "", part,
+                                 &part->given);
+    if (code == CR_ERR_OK) {
+        code = extra_text(r, &part->extra);
+    }
+    cJSON_Delete(r->extra);
+    r->extra = outer;
+    cr_scene_model_kind(part);
+    if (code == CR_ERR_OK) {
+        code = cr_scene_part_check(r, part);
+    }
+    if (code == CR_ERR_OK && !r->draft) {
+        code = cr_scene_part_complete(r, part);
+    }
+    return code;
+}
+
+static enum cr_err read_participants(struct cr_reader *r, const cJSON *json,
+                                     struct cr_scene *scene) {
+    char got[64];
+    if (!cJSON_IsArray(json)) {
+        return cr_scene_fail(r, CR_ERR_TYPE, "participants: expected an array, got %s",
+                             cr_scene_describe(json, got, sizeof got));
+    }
+    int n = cJSON_GetArraySize(json);
+    if (n > CR_BODY_MAX) {
+        return cr_scene_fail(r, CR_ERR_RANGE, "a scene has no more than %d participants, got %d",
+                             CR_BODY_MAX, n);
+    }
+    const cJSON *item = json->child;
+    for (int i = 0; i < n; i++, item = item->next) {
+        char token[12];
+        snprintf(token, sizeof token, "%d", i);
+        size_t up = cr_scene_enter(r, token);
+        scene->n = i + 1;
+        enum cr_err code = read_part(r, item, &scene->part[i]);
+        cr_scene_leave(r, up);
+        if (code != CR_ERR_OK) {
+            return code;
+        }
+    }
+    return CR_ERR_OK;
+}
+
+static enum cr_err read_settings(struct cr_reader *r, const cJSON *json, struct cr_scene *scene) {
+    uint64_t given = 0;
+    enum cr_err code = read_inner(r, CR_KEYS_SETTINGS, 0, json, "", &scene->set, &given);
+    scene->set.given = (unsigned)given;
+    return code;
+}
+
+static enum cr_err read_version(struct cr_reader *r, const cJSON *json) {
+    char got[64];
+    if (!cJSON_IsNumber(json)) {
+        return cr_scene_fail(r, CR_ERR_TYPE, "crumple: expected the number 1, got %s",
+                             cr_scene_describe(json, got, sizeof got));
+    }
+    if (json->valuedouble != 1) {
+        return cr_scene_fail(r, CR_ERR_RANGE, "scene version %.10g is not known; this is version 1",
+                             json->valuedouble);
+    }
+    return CR_ERR_OK;
+}
+
+static enum cr_err unknown_top(struct cr_reader *r, const char *name) {
+    static const char *const top[] = {"crumple", "name", "pair", "settings", "participants"};
+    cr_scene_fail(r, CR_ERR_KEY, "unknown key \"%.60s\"", name);
+    int n;
+    const struct cr_key *row = cr_scene_keys(CR_KEYS_SETTINGS, &n);
+    for (int i = 0; i < n; i++) {
+        if (strcmp(row[i].name, name) == 0) {
+            cr_err_hint(r->err, "it belongs into \"settings\"");
+            return CR_ERR_KEY;
+        }
+    }
+    const char *near = cr_str_nearest(name, top, 5);
+    if (strcmp(name, "crumple_result") == 0) {
+        cr_err_hint(r->err, "this is a result, not a scene");
+    } else if (near != NULL) {
+        cr_err_hint(r->err, "did you mean \"%s\"?", near);
+    } else {
+        cr_err_hint(r->err, "keys of your own begin with x_");
+    }
+    return CR_ERR_KEY;
+}
+
+static enum cr_err read_top(struct cr_reader *r, const cJSON *m, struct cr_scene *scene) {
+    if (is_extra(m->string)) {
+        return keep_extra(r, m);
+    }
+    if (strcmp(m->string, "crumple") == 0) {
+        return read_version(r, m);
+    }
+    if (strcmp(m->string, "settings") == 0) {
+        return read_settings(r, m, scene);
+    }
+    if (strcmp(m->string, "participants") == 0) {
+        return read_participants(r, m, scene);
+    }
+    const struct cr_key *key = cr_scene_key_find(CR_KEYS_SCENE, m->string, 0);
+    return key != NULL ? cr_scene_value_read(r, key, m, scene) : unknown_top(r, m->string);
+}
+
+static enum cr_err need_top(struct cr_reader *r, const cJSON *json, const char *name,
+                            const char *hint) {
+    if (cJSON_GetObjectItemCaseSensitive(json, name) != NULL) {
+        return CR_ERR_OK;
+    }
+    cr_scene_fail(r, CR_ERR_MISSING, "the scene has no \"%s\"", name);
+    cr_err_hint(r->err, "%s", hint);
+    return CR_ERR_MISSING;
+}
+
+static enum cr_err read_scene(struct cr_reader *r, const cJSON *json, struct cr_scene *scene) {
+    char got[64];
+    if (!cJSON_IsObject(json)) {
+        return cr_scene_fail(r, CR_ERR_TYPE, "a scene is an object, got %s",
+                             cr_scene_describe(json, got, sizeof got));
+    }
+    int members = 0;
+    for (const cJSON *m = json->child; m != NULL; m = m->next) {
+        if (++members > MEMBER_MAX) {
+            return cr_scene_fail(r, CR_ERR_RANGE, "object with more than %d keys", MEMBER_MAX);
+        }
+        size_t up = cr_scene_enter(r, m->string);
+        enum cr_err code = check_twice(r, json, m);
+        if (code == CR_ERR_OK) {
+            code = read_top(r, m, scene);
+        }
+        cr_scene_leave(r, up);
+        if (code != CR_ERR_OK) {
+            return code;
+        }
+    }
+    enum cr_err code = need_top(r, json, "crumple", "a scene begins with { \"crumple\": 1");
+    if (code == CR_ERR_OK && !r->draft) {
+        code = need_top(r, json, "participants", "at least two stand in the array");
+    }
+    if (code == CR_ERR_OK) {
+        code = extra_text(r, &scene->extra);
+    }
+    return code == CR_ERR_OK ? cr_scene_whole_check(r, scene) : code;
+}
+
+static enum cr_err from_json(const cJSON *json, bool draft, struct cr_scene *scene,
+                             struct cr_error *err) {
+    struct cr_reader r = {.err = err, .draft = draft, .extra = cJSON_CreateObject()};
+    cr_scene_init(scene);
+    enum cr_err code = r.extra != NULL ? read_scene(&r, json, scene)
+                                       : cr_scene_fail(&r, CR_ERR_MEMORY, "no memory");
+    cJSON_Delete(r.extra);
+    if (code != CR_ERR_OK) {
+        cr_scene_fini(scene);
+    }
+    return code;
+}
+
+enum cr_err cr_scene_from_json(const struct cJSON *json, struct cr_scene *scene,
+                               struct cr_error *err) {
+    return from_json(json, false, scene, err);
+}
+
+void cr_scene_locate(const char *text, size_t len, const char *src, struct cr_error *err) {
+    enum cr_json_part part = err->code == CR_ERR_KEY         ? CR_JSON_KEY
+                             : err->code == CR_ERR_DUPLICATE ? CR_JSON_LAST_KEY
+                                                             : CR_JSON_VALUE;
+    int line, col;
+    cr_json_locate(text, len, err->where, part, &line, &col);
+    cr_err_place(err, src, line, col);
+}
+
+static enum cr_err parse(const char *text, size_t len, const char *src, bool draft,
+                         struct cr_scene *scene, struct cr_error *err) {
+    struct cr_error own;
+    err = err != NULL ? err : &own;
+    cr_scene_init(scene);
+    enum cr_err code = cr_json_check(text, len, src, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    cJSON *json = cJSON_ParseWithLength(text, len);
+    if (json == NULL) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory to read the scene");
+    }
+    code = from_json(json, draft, scene, err);
+    cJSON_Delete(json);
+    if (code != CR_ERR_OK) {
+        cr_scene_locate(text, len, src, err);
+    }
+    return code;
+}
+
+enum cr_err cr_scene_parse(const char *text, size_t len, const char *src, struct cr_scene *scene,
+                           struct cr_error *err) {
+    return parse(text, len, src, false, scene, err);
+}
+
+static enum cr_err load(const char *path, bool draft, struct cr_scene *scene,
+                        struct cr_error *err) {
+    char *text;
+    size_t len;
+    cr_scene_init(scene);
+    enum cr_err code = cr_file_read(path, &text, &len, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    code = parse(text, len, path, draft, scene, err);
+    free(text);
+    if (code == CR_ERR_OK) {
+        cr_file_dir(path, scene->dir, sizeof scene->dir);
+    }
+    return code;
+}
+
+enum cr_err cr_scene_load(const char *path, struct cr_scene *scene, struct cr_error *err) {
+    return load(path, false, scene, err);
+}
+
+enum cr_err cr_scene_load_draft(const char *path, struct cr_scene *scene, struct cr_error *err) {
+    return load(path, true, scene, err);
+}

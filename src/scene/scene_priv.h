@@ -1,0 +1,84 @@
+/* What the files of src/scene share among themselves. */
+#ifndef CR_SCENE_SCENE_PRIV_H
+#define CR_SCENE_SCENE_PRIV_H
+
+#include "scene/keys.h"
+
+#include <cjson/cJSON.h>
+
+/* Reading of a JSON tree: where we are, for messages, and where x_ keys go. */
+struct cr_reader {
+    struct cr_error *err;
+    char path[128]; /* JSON pointer of the value being read */
+    cJSON *extra;   /* x_ keys of the object being read, owned */
+    bool draft;     /* keys and participants may still be missing */
+};
+
+/* Fill in the error with the reader's place; returns code. */
+enum cr_err cr_scene_fail(struct cr_reader *r, enum cr_err code, const char *fmt, ...)
+    CR_PRINTF(3, 4);
+
+/* Go down to a member, and back up to the length that was returned. */
+size_t cr_scene_enter(struct cr_reader *r, const char *token);
+void cr_scene_leave(struct cr_reader *r, size_t length);
+
+/* x_ keys of an inner object or array are kept apart, and joined to those of the outer one under
+ * its token when it is left. Errors: MEMORY. */
+CR_MUST_CHECK enum cr_err cr_scene_extra_in(struct cr_reader *r, cJSON **outer);
+void cr_scene_extra_out(struct cr_reader *r, const char *token, cJSON *outer);
+
+/* All members of an object by a table, with those of inner objects ("cg."); `given` gets bits. */
+CR_MUST_CHECK enum cr_err cr_scene_members_read(struct cr_reader *r, enum cr_key_table table,
+                                                unsigned mask, const cJSON *json,
+                                                const char *prefix, void *base, uint64_t *given);
+
+/* JSON value of a key -> its field in *base (a scene, settings, participant or waypoint); nothing
+ * is changed when it fails. */
+CR_MUST_CHECK enum cr_err cr_scene_value_read(struct cr_reader *r, const struct cr_key *key,
+                                              const cJSON *json, void *base);
+/* The inverse, for a value that is known: NULL when memory is out. */
+cJSON *cr_scene_value_write(const struct cr_key *key, const void *base);
+bool cr_scene_value_known(const struct cr_key *key, const void *base);
+/* Give the field the value it has where nothing is given, in a scene of that method. */
+void cr_scene_value_reset(const struct cr_key *key, void *base, int method);
+
+CR_MUST_CHECK enum cr_err cr_scene_vertices_read(struct cr_reader *r, const struct cr_key *key,
+                                                 const cJSON *json, void *base);
+cJSON *cr_scene_vertices_write(const struct cr_key *key, const void *base);
+CR_MUST_CHECK enum cr_err cr_scene_trajectory_read(struct cr_reader *r, const struct cr_key *key,
+                                                   const cJSON *json, void *base);
+cJSON *cr_scene_trajectory_write(const struct cr_key *key, const void *base);
+
+/* "KEY: expected ..., got ..." */
+enum cr_err cr_scene_wrong_type(struct cr_reader *r, const struct cr_key *key, const char *expected,
+                                const cJSON *json);
+/* An array of n numbers, checked against the range of the key, and back. */
+CR_MUST_CHECK enum cr_err cr_scene_numbers_read(struct cr_reader *r, const struct cr_key *key,
+                                                const cJSON *json, double *out, int n,
+                                                const char *expected);
+cJSON *cr_scene_numbers_write(const struct cr_key *key, const double *x, int n);
+/* What stands in the JSON, for messages: string "north", an array. */
+const char *cr_scene_describe(const cJSON *json, char *buf, size_t size);
+
+/* A polygon without crossing edges and with an area; made counter-clockwise. */
+CR_MUST_CHECK enum cr_err cr_scene_polygon_check(struct cr_reader *r, struct cr_vec2 *vertex,
+                                                 int n);
+
+/* Contradictions between those values of a participant that are known. */
+CR_MUST_CHECK enum cr_err cr_scene_part_check(struct cr_reader *r, const struct cr_participant *p);
+/* Required keys of a participant that are not known. */
+CR_MUST_CHECK enum cr_err cr_scene_part_complete(struct cr_reader *r,
+                                                 const struct cr_participant *p);
+/* Number of participants, ids that occur twice. */
+CR_MUST_CHECK enum cr_err cr_scene_whole_check(struct cr_reader *r, const struct cr_scene *scene);
+CR_MUST_CHECK enum cr_err cr_scene_id_check(struct cr_reader *r, const char *id);
+
+/* Participant of a kind with nothing given. */
+void cr_scene_part_init(struct cr_participant *part, enum cr_kind kind);
+void cr_scene_part_fini(struct cr_participant *part);
+/* Kind of the model from what is given of it: a file, a stiffness, or the type alone. */
+void cr_scene_model_kind(struct cr_participant *part);
+/* There is no such id; with the nearest as hint. */
+enum cr_err cr_scene_unknown_id(const struct cr_scene *scene, const char *id, struct cr_error *err);
+
+#endif
