@@ -87,7 +87,7 @@ static enum cr_err read_waypoints(struct cr_reader *r, const cJSON *json, int n,
     const cJSON *item = json->child;
     for (int i = 0; i < n && code == CR_ERR_OK; i++, item = item->next) {
         char token[12];
-        cJSON *outer;
+        cJSON *outer = NULL;
         snprintf(token, sizeof token, "%d", i);
         size_t up = cr_scene_enter(r, token);
         code = cr_scene_extra_in(r, &outer);
@@ -115,7 +115,7 @@ enum cr_err cr_scene_trajectory_read(struct cr_reader *r, const struct cr_key *k
     if (way == NULL) {
         return cr_scene_fail(r, CR_ERR_MEMORY, "no memory for the trajectory");
     }
-    cJSON *outer;
+    cJSON *outer = NULL;
     enum cr_err code = cr_scene_extra_in(r, &outer);
     if (code == CR_ERR_OK) {
         code = read_waypoints(r, json, n, way);

@@ -1,12 +1,19 @@
 noinst_LIBRARIES += libscene.a
 libscene_a_SOURCES = \
 	src/scene/check.c \
+	src/scene/compile.c \
 	src/scene/keys.c src/scene/keys.h \
 	src/scene/list.c \
+	src/scene/outline.c \
 	src/scene/read.c \
+	src/scene/resolve.c \
 	src/scene/scene.c src/scene/scene.h \
 	src/scene/scene_priv.h \
 	src/scene/set.c \
 	src/scene/value.c \
 	src/scene/write.c
 libscene_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)
+
+scenesdir = $(pkgdatadir)/share/scenes
+dist_scenes_DATA = \
+	share/scenes/q7-fiat500.json

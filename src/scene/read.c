@@ -108,7 +108,7 @@ static bool is_group(enum cr_key_table table, unsigned mask, const char *full) {
 static enum cr_err read_inner(struct cr_reader *r, enum cr_key_table table, unsigned mask,
                               const cJSON *json, const char *prefix, void *base, uint64_t *given) {
     char got[64];
-    cJSON *outer;
+    cJSON *outer = NULL;
     if (!cJSON_IsObject(json)) {
         return cr_scene_fail(r, CR_ERR_TYPE, "%s: expected an object, got %s", json->string,
                              cr_scene_describe(json, got, sizeof got));
@@ -235,7 +235,7 @@ static enum cr_err read_identity(struct cr_reader *r, const cJSON *json,
 
 static enum cr_err read_part(struct cr_reader *r, const cJSON *json, struct cr_participant *part) {
     char got[64];
-    cJSON *outer;
+    cJSON *outer = NULL;
     if (!cJSON_IsObject(json)) {
         return cr_scene_fail(r, CR_ERR_TYPE, "expected an object, got %s",
                              cr_scene_describe(json, got, sizeof got));

@@ -1,4 +1,5 @@
 /* Scene -> JSON tree: the inverse of read.c. */
+#define _XOPEN_SOURCE 700 /* realpath */
 #include "scene/scene_priv.h"
 
 #include "base/file.h"

@@ -1,0 +1,354 @@
+/* Resolved scene -> case for the solver. */
+#include "scene/scene_priv.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* What the functions below share. */
+struct making {
+    const struct cr_scene *scene;
+    const struct cr_model_lib *lib;
+    const double *pdof;
+    struct cr_compiled *out;
+    struct cr_error *err;
+};
+
+static enum cr_err no_memory(struct making *m) {
+    return cr_err_set(m->err, CR_ERR_MEMORY, "no memory for the voxels");
+}
+
+static double pdof_of(const struct making *m, int i) {
+    const struct cr_model_choice *choice = &m->scene->part[i].model;
+    return choice->pdof_kind == CR_PDOF_GIVEN ? choice->pdof : m->pdof[i];
+}
+
+static struct cr_model_query query_of(const struct making *m, int i, double z_lo, double z_hi) {
+    const struct cr_participant *p = &m->scene->part[i];
+    return (struct cr_model_query){
+        .type = p->type,
+        .pdof = pdof_of(m, i),
+        .blend = p->model.blend,
+        .dims = {.length = p->length,
+                 .width = p->width,
+                 .height = p->height,
+                 .wheelbase = p->wheelbase,
+                 .track = p->track,
+                 .front_overhang = p->front_overhang,
+                 .cg_behind_front_axle = p->cg_behind_front_axle,
+                 .cg_height = p->cg_height},
+        .mass_kg = p->mass,
+        .voxel = m->scene->set.voxel,
+        .curve = m->scene->set.residual_curve == 1 ? CR_CURVE_RESIDUAL : CR_CURVE_DYNAMIC,
+        .z_lo = z_lo,
+        .z_hi = z_hi,
+    };
+}
+
+/* path of a model file, from the folder of the scene unless absolute */
+static enum cr_err file_path(const struct making *m, const char *file, char *path, size_t size) {
+    bool own = file[0] == '/' || m->scene->dir[0] == '\0';
+    int n =
+        own ? snprintf(path, size, "%s", file) : snprintf(path, size, "%s/%s", m->scene->dir, file);
+    return n < (int)size ? CR_ERR_OK
+                         : cr_err_set(m->err, CR_ERR_RANGE, "path of the model file is too long");
+}
+
+static enum cr_err make_grid(struct making *m, int i, double z_lo, double z_hi,
+                             struct cr_grid *grid) {
+    const struct cr_model_choice *choice = &m->scene->part[i].model;
+    struct cr_model_query query = query_of(m, i, z_lo, z_hi);
+    char path[2 * CR_PATH_MAX], hash[CR_HASH_SIZE];
+    enum cr_err code;
+    switch (choice->kind) {
+    case CR_MODEL_FILE:
+        code = file_path(m, choice->file, path, sizeof path);
+        if (code == CR_ERR_OK) {
+            code = cr_model_from_file(path, &query, &m->out->arena, grid, hash, m->err);
+        }
+        if (code == CR_ERR_OK) {
+            memcpy(m->out->hash[i], hash, sizeof hash);
+        }
+        return code;
+    case CR_MODEL_STIFFNESS:
+        return cr_model_from_stiffness(m->lib, &query, choice->face, &m->out->arena, grid, m->err);
+    default:
+        return cr_model_substitute(m->lib, &query, &m->out->arena, grid, m->err);
+    }
+}
+
+static void name_model(struct making *m, int i) {
+    const struct cr_participant *p = &m->scene->part[i];
+    char *name = m->out->model[i];
+    size_t size = sizeof m->out->model[i];
+    if (p->model.kind == CR_MODEL_FILE) {
+        const char *slash = strrchr(p->model.file, '/');
+        snprintf(name, size, "file %.*s", (int)size - 6, slash != NULL ? slash + 1 : p->model.file);
+        return;
+    }
+    snprintf(m->out->hash[i], sizeof m->out->hash[i], "%s", cr_model_hash(m->lib, p->type));
+    if (p->model.kind == CR_MODEL_STIFFNESS) {
+        snprintf(name, size, "stiffness");
+    } else {
+        snprintf(name, size, "%s/%d", cr_type_word(p->type), cr_pdof_clock(pdof_of(m, i)));
+    }
+}
+
+/* Wheels at their contact points with the static loads that the place of the CG gives. */
+static void make_wheels(const struct cr_participant *p, struct cr_body *body) {
+    double front = p->cg_behind_front_axle, rear = p->wheelbase - front;
+    double weight = p->mass * CR_G;
+    body->wheels = CR_WHEELS;
+    for (int w = 0; w < CR_WHEELS; w++) {
+        bool is_front = w < 2, is_left = w % 2 == 0;
+        body->wheel[w] = (struct cr_wheel){
+            .at = cr_vec2(is_front ? front : -rear, is_left ? p->track / 2 : -p->track / 2),
+            .load = weight * (is_front ? rear : front) / p->wheelbase / 2,
+            .brake = p->brake[w],
+            .steer = p->steer[w],
+            .locked = p->locked[w],
+        };
+    }
+}
+
+static enum cr_err make_vehicle(struct making *m, int i, struct cr_body *body) {
+    const struct cr_participant *p = &m->scene->part[i];
+    body->mass = p->mass;
+    body->inertia = p->yaw_inertia;
+    make_wheels(p, body);
+    name_model(m, i);
+    enum cr_err code = make_grid(m, i, 0, INFINITY, &body->grid);
+    if (code != CR_ERR_OK && m->err != NULL && m->err->where[0] == '\0') {
+        snprintf(m->err->where, sizeof m->err->where, "/participants/%d/model", i);
+    }
+    return code;
+}
+
+/* area, centroid and second moment of area about the centroid of a polygon (Green's theorem) */
+static void polygon_moments(const struct cr_vec2 *v, int n, double *area, struct cr_vec2 *centre,
+                            double *second) {
+    double a = 0, x = 0, y = 0, j = 0;
+    for (int i = 0; i < n; i++) {
+        struct cr_vec2 p = v[i], q = v[(i + 1) % n];
+        double c = cr_vec2_cross(p, q);
+        a += c / 2;
+        x += c * (p.x + q.x) / 6;
+        y += c * (p.y + q.y) / 6;
+        j += c * (cr_vec2_dot(p, p) + cr_vec2_dot(p, q) + cr_vec2_dot(q, q)) / 12;
+    }
+    *area = a;
+    *centre = cr_vec2(x / a, y / a);
+    *second = j - a * cr_vec2_dot(*centre, *centre);
+}
+
+/* Centre of a shape from its reference point, and inertia per mass (uniform; the rounding of a
+ * box's edges is left out). A wall has no end and so does not turn. */
+static void shape_moments(const struct cr_participant *p, struct cr_vec2 *centre, double *inertia) {
+    double area, second;
+    *centre = cr_vec2(0, 0);
+    switch (p->shape) {
+    case CR_OBJECT_POLE:
+        *inertia = p->radius * p->radius / 2;
+        break;
+    case CR_OBJECT_BOX:
+        *inertia = (p->length * p->length + p->width * p->width) / 12;
+        break;
+    case CR_OBJECT_POLYGON:
+        polygon_moments(p->vertex, p->vertices, &area, centre, &second);
+        *inertia = second / area;
+        break;
+    default:
+        *inertia = 0;
+        break;
+    }
+}
+
+static enum cr_err make_polygon(struct making *m, const struct cr_participant *p,
+                                struct cr_vec2 centre, struct cr_shape *shape) {
+    bool box = p->shape == CR_OBJECT_BOX;
+    double x = p->length / 2 - p->edge_radius, y = p->width / 2 - p->edge_radius;
+    const struct cr_vec2 corner[] = {cr_vec2(-x, -y), cr_vec2(x, -y), cr_vec2(x, y),
+                                     cr_vec2(-x, y)};
+    int n = box ? 4 : p->vertices;
+    struct cr_vec2 *v = cr_arena_take(&m->out->arena, (size_t)n, sizeof *v);
+    if (v == NULL) {
+        return no_memory(m);
+    }
+    for (int i = 0; i < n; i++) {
+        v[i] = box ? corner[i] : cr_vec2_sub(p->vertex[i], centre);
+    }
+    shape->kind = CR_SHAPE_POLYGON;
+    shape->edge_radius = box ? p->edge_radius : 0;
+    shape->n = n;
+    shape->vertex = v;
+    return CR_ERR_OK;
+}
+
+/* The solver's bodies turn about their CG: a polygon is moved to its centroid. */
+static enum cr_err make_object(struct making *m, int i, struct cr_body *body,
+                               struct cr_vec2 *centre) {
+    const struct cr_participant *p = &m->scene->part[i];
+    double inertia;
+    shape_moments(p, centre, &inertia);
+    body->mass = isnan(p->mass) ? 0 : p->mass;
+    body->inertia = inertia * body->mass;
+    switch (p->shape) {
+    case CR_OBJECT_WALL:
+        body->shape.kind = CR_SHAPE_WALL;
+        return CR_ERR_OK;
+    case CR_OBJECT_POLE:
+        body->shape.kind = CR_SHAPE_POLE;
+        body->shape.radius = p->radius;
+        return CR_ERR_OK;
+    default:
+        return make_polygon(m, p, *centre, &body->shape);
+    }
+}
+
+static struct cr_vec2 shifted(struct cr_vec2 pos, double heading, struct cr_vec2 by) {
+    return cr_vec2_add(pos, cr_vec2_rotate(by, cos(heading), sin(heading)));
+}
+
+static enum cr_err make_motion(struct making *m, const struct cr_participant *p,
+                               struct cr_vec2 centre, struct cr_body *body) {
+    double course = isnan(p->course) ? p->heading : p->course;
+    body->pos = shifted(p->pos, p->heading, centre);
+    body->heading = p->heading;
+    body->yaw_rate = p->yaw_rate;
+    body->vel = cr_vec2(p->speed * cos(course), p->speed * sin(course));
+    if (p->waypoints == 0) {
+        return CR_ERR_OK;
+    }
+    struct cr_waypoint *way = cr_arena_take(&m->out->arena, (size_t)p->waypoints, sizeof *way);
+    if (way == NULL) {
+        return no_memory(m);
+    }
+    memcpy(way, p->waypoint, (size_t)p->waypoints * sizeof *way);
+    for (int i = 0; i < p->waypoints; i++) {
+        way[i].pos = shifted(way[i].pos, way[i].heading, centre);
+    }
+    body->waypoints = p->waypoints;
+    body->waypoint = way;
+    body->pos = way[0].pos;
+    body->heading = way[0].heading;
+    body->vel = cr_vec2(way[0].speed * cos(way[0].heading), way[0].speed * sin(way[0].heading));
+    return CR_ERR_OK;
+}
+
+static enum cr_err make_body(struct making *m, int i) {
+    const struct cr_participant *p = &m->scene->part[i];
+    struct cr_body *body = &m->out->cs.body[i];
+    struct cr_vec2 centre = {0, 0};
+    *body = (struct cr_body){.friction = isnan(p->friction) ? -1 : p->friction};
+    enum cr_err code =
+        p->kind == CR_KIND_VEHICLE ? make_vehicle(m, i, body) : make_object(m, i, body, &centre);
+    return code == CR_ERR_OK ? make_motion(m, p, centre, body) : code;
+}
+
+/* Height range of a participant, m above the road. A vehicle's model knows itself what stands at
+ * which height, so the vehicle counts from the road up. */
+static void heights_of(const struct cr_participant *p, double *lo, double *hi) {
+    bool vehicle = p->kind == CR_KIND_VEHICLE;
+    *lo = vehicle ? 0 : p->z_lo;
+    *hi = vehicle ? p->height : p->z_hi;
+}
+
+/* The upper fifth of a body is glass and roof, and the lowest part air: leaving them out changes
+ * nothing that matters, and most pairs need no second grid. */
+static bool meets_all(double lo, double hi, double height) {
+    return lo <= 0.05 && hi >= 0.8 * height;
+}
+
+static enum cr_err make_partial(struct making *m, int i, double lo, double hi,
+                                const double **energy) {
+    const struct cr_grid *whole = &m->out->cs.body[i].grid;
+    size_t n = (size_t)whole->nx * (size_t)whole->ny;
+    struct cr_grid part;
+    if (!(lo < hi)) {
+        *energy = cr_arena_take(&m->out->arena, n, sizeof **energy);
+        return *energy != NULL ? CR_ERR_OK : no_memory(m);
+    }
+    enum cr_err code = make_grid(m, i, lo, hi, &part);
+    if (code == CR_ERR_OK && (part.nx != whole->nx || part.ny != whole->ny)) {
+        code = cr_err_set(m->err, CR_ERR_MODEL, "model of \"%s\" changes its size with height",
+                          m->scene->part[i].id);
+    }
+    if (code == CR_ERR_OK) {
+        *energy = part.energy;
+    }
+    return code;
+}
+
+/* Energies of vehicle i in the heights in which it meets k (method.md 2, beyond the paper). */
+static enum cr_err make_against(struct making *m, int i, int k) {
+    double lo, hi, other_lo, other_hi;
+    heights_of(&m->scene->part[i], &lo, &hi);
+    heights_of(&m->scene->part[k], &other_lo, &other_hi);
+    double height = hi;
+    lo = fmax(lo, other_lo);
+    hi = fmin(hi, other_hi);
+    if (meets_all(lo, hi, height)) {
+        return CR_ERR_OK;
+    }
+    /* the same range as against an earlier partner is the same grid */
+    for (int e = 0; e < k; e++) {
+        double e_lo, e_hi;
+        heights_of(&m->scene->part[e], &e_lo, &e_hi);
+        if (e != i && fmax(0, e_lo) == lo && fmin(height, e_hi) == hi) {
+            m->out->cs.body[i].energy_against[k] = m->out->cs.body[i].energy_against[e];
+            return CR_ERR_OK;
+        }
+    }
+    return make_partial(m, i, lo, hi, &m->out->cs.body[i].energy_against[k]);
+}
+
+static enum cr_err make_heights(struct making *m) {
+    const struct cr_scene *scene = m->scene;
+    for (int i = 0; i < scene->n; i++) {
+        for (int k = 0; k < scene->n && scene->part[i].kind == CR_KIND_VEHICLE; k++) {
+            enum cr_err code = k == i ? CR_ERR_OK : make_against(m, i, k);
+            if (code != CR_ERR_OK) {
+                return code;
+            }
+        }
+    }
+    return CR_ERR_OK;
+}
+
+static struct cr_opts make_opts(const struct cr_settings *set) {
+    struct cr_opts opts = cr_opts_default();
+    opts.dt = set->dt;
+    opts.friction = set->friction;
+    opts.road_friction = set->road_friction;
+    opts.restitution = set->restitution;
+    opts.restitution_auto = set->restitution_auto;
+    opts.elastic_s = set->elastic;
+    opts.induced = set->induced == 1;
+    opts.end = set->end;
+    return opts;
+}
+
+enum cr_err cr_scene_compile(const struct cr_scene *scene, const struct cr_model_lib *lib,
+                             const double pdof[CR_BODY_MAX], struct cr_compiled *out,
+                             struct cr_error *err) {
+    struct making m = {.scene = scene, .lib = lib, .pdof = pdof, .out = out, .err = err};
+    memset(out, 0, sizeof *out);
+    out->cs.n = scene->n;
+    out->cs.opts = make_opts(&scene->set);
+    enum cr_err code = CR_ERR_OK;
+    for (int i = 0; i < scene->n && code == CR_ERR_OK; i++) {
+        code = make_body(&m, i);
+    }
+    if (code == CR_ERR_OK && scene->set.heights == 1) {
+        code = make_heights(&m);
+    }
+    if (code != CR_ERR_OK) {
+        cr_compiled_fini(out);
+    }
+    return code;
+}
+
+void cr_compiled_fini(struct cr_compiled *compiled) {
+    cr_arena_free(&compiled->arena);
+    memset(compiled, 0, sizeof *compiled);
+}

@@ -1,0 +1,198 @@
+/* Values that were not given, from type and mass. */
+#include "scene/scene_priv.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What the rules start from. */
+struct basis {
+    const struct cr_participant *part;
+    const struct cr_dims *ref; /* of the type's recipe */
+    double ref_mass;           /* kg */
+};
+
+/* Regressions of stiffness.md 7.3 (LVI, model years from 2000): CG height and track over mass, per
+ * kind of body. */
+static const struct {
+    double height, height_per_kg, track, track_per_kg;
+} body[CR_TYPES] = {
+    [CR_TYPE_SUPER_COMPACT] = {0.535, 1.97e-5, 1.225, 1.94e-4}, /* hatchback */
+    [CR_TYPE_MINI_COMPACT] = {0.535, 1.97e-5, 1.225, 1.94e-4},
+    [CR_TYPE_COMPACT] = {0.535, 1.97e-5, 1.225, 1.94e-4},
+    [CR_TYPE_STATION_WAGON] = {0.464, 7.27e-5, 1.219, 1.84e-4},
+    [CR_TYPE_SEDAN] = {0.515, 1.99e-5, 1.263, 1.80e-4},
+    [CR_TYPE_SUV] = {0.511, 8.05e-5, 1.330, 1.39e-4},
+};
+
+/* Length: in proportion to a wheelbase that is given, else with the cube root of mass, the trend of
+ * the class medians of stiffness.md 7.1 (exponents 0.36 to 0.38), by no more than a fifth. */
+static double rule_length(const struct basis *b) {
+    double size = !isnan(b->part->wheelbase)
+                      ? b->part->wheelbase / b->ref->wheelbase
+                      : cr_clamp(cbrt(b->part->mass / b->ref_mass), 0.8, 1.2);
+    return b->ref->length * size;
+}
+
+/* Width goes with the square root of length (stiffness.md 7.1: 4.570 to 4.857 m is 6 % of length
+ * and 3 % of width). */
+static double rule_width(const struct basis *b) {
+    double w = b->ref->width * sqrt(b->part->length / b->ref->length);
+    return isnan(b->part->track) ? w : fmax(w, b->part->track / 0.9);
+}
+
+static double rule_height(const struct basis *b) {
+    return isnan(b->part->cg_height) ? b->ref->height
+                                     : fmax(b->ref->height, b->part->cg_height / 0.45);
+}
+
+static double rule_wheelbase(const struct basis *b) {
+    return b->ref->wheelbase * b->part->length / b->ref->length;
+}
+
+static double rule_track(const struct basis *b) {
+    double t = body[b->part->type].track + body[b->part->type].track_per_kg * b->part->mass;
+    return cr_clamp(t, 0.7 * b->part->width, 0.9 * b->part->width);
+}
+
+/* the recipe's share of what stands out before and behind the axles */
+static double rule_overhang(const struct basis *b) {
+    double share = b->ref->front_overhang / (b->ref->length - b->ref->wheelbase);
+    return share * (b->part->length - b->part->wheelbase);
+}
+
+/* share of the wheelbase 0.308 + 7.7e-5 per kg, s 0.025 (stiffness.md 7.3) */
+static double rule_cg(const struct basis *b) {
+    return b->part->wheelbase * cr_clamp(0.308 + 7.7e-5 * b->part->mass, 0.36, 0.6);
+}
+
+static double rule_cg_height(const struct basis *b) {
+    double h = body[b->part->type].height + body[b->part->type].height_per_kg * b->part->mass;
+    return fmin(h, 0.45 * b->part->height);
+}
+
+/* 0.137 m L WB: six measured vehicles 0.133 to 0.140 (stiffness.md 7.4) */
+static double rule_inertia(const struct basis *b) {
+    return 0.137 * b->part->mass * b->part->length * b->part->wheelbase;
+}
+
+/* in an order in which each rule finds what it needs */
+static const struct {
+    const char *key;
+    double (*rule)(const struct basis *b);
+} rules[] = {
+    {"length_m", rule_length},
+    {"width_m", rule_width},
+    {"height_m", rule_height},
+    {"wheelbase_m", rule_wheelbase},
+    {"track_m", rule_track},
+    {"front_overhang_m", rule_overhang},
+    {"cg.behind_front_axle_m", rule_cg},
+    {"cg.height_m", rule_cg_height},
+    {"yaw_inertia_kgm2", rule_inertia},
+};
+
+void cr_assumed_fini(struct cr_assumed *assumed) {
+    free(assumed->key);
+    *assumed = (struct cr_assumed){0};
+}
+
+static enum cr_err assume(struct cr_assumed *a, const char *id, const char *key,
+                          struct cr_error *err) {
+    if (a == NULL) {
+        return CR_ERR_OK;
+    }
+    void *more = realloc(a->key, ((size_t)a->n + 1) * sizeof *a->key);
+    if (more == NULL) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory to resolve the scene");
+    }
+    a->key = more;
+    snprintf(a->key[a->n++], sizeof *a->key, "%s.%s", id, key);
+    return CR_ERR_OK;
+}
+
+static enum cr_err resolve_vehicle(struct cr_participant *p, const struct cr_model_lib *lib,
+                                   struct cr_assumed *assumed, struct cr_error *err) {
+    struct basis b = {.part = p};
+    b.ref = cr_model_dims(lib, p->type, &b.ref_mass);
+    for (size_t i = 0; i < sizeof rules / sizeof rules[0]; i++) {
+        const struct cr_key *key =
+            cr_scene_key_find(CR_KEYS_PARTICIPANT, rules[i].key, CR_FOR_VEHICLE);
+        double *x = (double *)(void *)((char *)p + key->at);
+        if (!isnan(*x)) {
+            continue;
+        }
+        *x = rules[i].rule(&b);
+        enum cr_err code = assume(assumed, p->id, rules[i].key, err);
+        if (code != CR_ERR_OK) {
+            return code;
+        }
+    }
+    return CR_ERR_OK;
+}
+
+/* without a height range an object is as high as a vehicle at least: 0 to 3 m */
+static enum cr_err resolve_object(struct cr_participant *p, struct cr_assumed *assumed,
+                                  struct cr_error *err) {
+    if (!isnan(p->z_lo)) {
+        return CR_ERR_OK;
+    }
+    p->z_lo = 0;
+    p->z_hi = 3;
+    return assume(assumed, p->id, "height_m", err);
+}
+
+static enum cr_err resolve_part(struct cr_reader *r, struct cr_participant *p,
+                                const struct cr_model_lib *lib, struct cr_assumed *assumed) {
+    enum cr_err code = cr_scene_part_complete(r, p);
+    cr_scene_model_kind(p);
+    if (code == CR_ERR_OK) {
+        code = cr_scene_part_check(r, p);
+    }
+    if (code == CR_ERR_OK) {
+        code = p->kind == CR_KIND_VEHICLE ? resolve_vehicle(p, lib, assumed, r->err)
+                                          : resolve_object(p, assumed, r->err);
+    }
+    if (isnan(p->course) && p->waypoints == 0) {
+        p->course = p->heading;
+    }
+    return code == CR_ERR_OK ? cr_scene_part_check(r, p) : code;
+}
+
+/* what the method decides where the scene does not */
+static void resolve_settings(struct cr_settings *set) {
+    int n;
+    const struct cr_key *row = cr_scene_keys(CR_KEYS_SETTINGS, &n);
+    for (int i = 0; i < n; i++) {
+        int on = (int)row[i].def[set->method];
+        if ((set->given >> i & 1) != 0) {
+            continue;
+        }
+        if (row[i].type == CR_KEY_NUMBER) {
+            cr_scene_value_reset(&row[i], set, (int)set->method);
+        } else if (row[i].type == CR_KEY_SWITCH && !cr_scene_value_known(&row[i], set)) {
+            memcpy((char *)set + row[i].at, &on, sizeof on);
+        }
+    }
+}
+
+enum cr_err cr_scene_resolve(struct cr_scene *scene, const struct cr_model_lib *lib,
+                             struct cr_assumed *assumed, struct cr_error *err) {
+    /* a scene made by commands may leave positions at the origin */
+    struct cr_reader whole = {.err = err}, r = {.err = err, .draft = true};
+    enum cr_err code = cr_scene_whole_check(&whole, scene);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    resolve_settings(&scene->set);
+    cr_scene_enter(&r, "participants");
+    for (int i = 0; i < scene->n && code == CR_ERR_OK; i++) {
+        char token[12];
+        snprintf(token, sizeof token, "%d", i);
+        size_t up = cr_scene_enter(&r, token);
+        code = resolve_part(&r, &scene->part[i], lib, assumed);
+        cr_scene_leave(&r, up);
+    }
+    return code;
+}
