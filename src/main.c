@@ -1,5 +1,6 @@
 #include "config.h"
 
+#include "base/str.h"
 #include "batch/batch.h"
 
 #include <locale.h>
@@ -28,12 +29,33 @@ static const char version[] = PACKAGE_STRING
     "sanitizers: " CR_SANITIZERS "\n"
     "Free software under the GNU General Public License, version 3 or later; no warranty.\n";
 
+struct word {
+    const char *name;
+    int (*run)(int argc, char **argv);
+};
+static const struct word words[] = {
+    {"run", cr_batch_run},
+};
+enum { WORDS = sizeof words / sizeof *words };
+
 static int print(const char *text) {
     if (fputs(text, stdout) == EOF || fflush(stdout) != 0) {
         perror("crumple: error: cannot write to standard output");
         return 2;
     }
     return 0;
+}
+
+static int unknown(const char *what, const char *given) {
+    const char *known[WORDS + 2] = {"--help", "--version"};
+    for (int i = 0; i < WORDS; i++) {
+        known[i + 2] = words[i].name;
+    }
+    const char *near = cr_str_nearest(given, known, WORDS + 2);
+    fprintf(stderr, "crumple: error: unknown %s %s (%s%s%s)\n", what, given,
+            near != NULL ? "did you mean " : "crumple --help lists them", near != NULL ? near : "",
+            near != NULL ? "?" : "");
+    return 2;
 }
 
 int main(int argc, char **argv) {
@@ -47,6 +69,14 @@ int main(int argc, char **argv) {
     if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0) {
         return print(help);
     }
-    fputs(help, stderr);
-    return 2;
+    for (int i = 0; i < WORDS; i++) {
+        if (strcmp(word, words[i].name) == 0) {
+            return words[i].run(argc - 1, argv + 1);
+        }
+    }
+    if (word[0] == '\0') {
+        fputs(help, stderr);
+        return 2;
+    }
+    return unknown(word[0] == '-' ? "option" : "word", word);
 }
