@@ -33,7 +33,8 @@ struct cr_batch_shared {
 CR_MUST_CHECK enum cr_err cr_batch_open(struct cr_batch_shared *shared, struct cr_error *err);
 void cr_batch_close(struct cr_batch_shared *shared);
 
-/* Make SIGINT and SIGTERM set a flag, and a closed pipe an error of writing. */
+/* Make SIGINT and SIGTERM set a flag, and a closed pipe and a limit of file size errors of writing.
+ */
 void cr_batch_catch(void);
 /* Non-zero once interrupted; has the shape of cr_context.cancel. */
 int cr_batch_cancelled(void *unused);

@@ -40,7 +40,9 @@ static enum cr_err override(struct cr_scene *scene, const struct cr_option_value
         enum cr_err code = cr_scene_set(scene, key, equals + 1, err);
         if (code != CR_ERR_OK) {
             if (err->src[0] == '\0') {
-                cr_err_place(err, "--set", 0, 0);
+                char given[200];
+                snprintf(given, sizeof given, "--set %s", set->value[i]);
+                cr_err_place(err, given, 0, 0);
             }
             return code;
         }

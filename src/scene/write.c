@@ -101,6 +101,10 @@ static bool wanted(const struct cr_participant *part, const struct cr_participan
     if (!cr_scene_value_known(key, part)) {
         return false;
     }
+    /* a face without a pair of its own has that of its type, which no pair of numbers can say */
+    if (strncmp(key->name, "model.stiffness.", 16) == 0 && !given) {
+        return differs(key, part, blank);
+    }
     return given || key->required != 0 || differs(key, part, blank) || (all && !follows) ||
            (all && key->for_kinds != CR_FOR_ALL);
 }

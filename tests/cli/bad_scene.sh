@@ -12,7 +12,6 @@ bad() {
 car() {
     bad "$1" 3 "$2" "$(wall_scene "" "$3")"
 }
-wall='"wall", "kind": "object", "shape"'
 
 bad "empty file" 3 '.' ''
 bad "broken JSON has line and column" 3 '.' '{ "crumple": 1,
@@ -42,9 +41,10 @@ car "NaN is no JSON" '.' '"height_m": NaN'
 car "negative width" '/participants/0/width_m' '"width_m": -1.8'
 car "brake beyond 1" '/participants/0/brake' '"brake": 3'
 car "PDOF o'clock beyond 12" '/participants/0/model/pdof' '"model": { "pdof": "13 o clock" }'
-car "own model that is not there" 'nowhere.json' '"model": { "file": "nowhere.json" }'
+scene file.json "$(wall_scene "" '"model": { "file": "own.json" }')"
+refused "own model that is not there" 2 'own.json: error: .*No such file' run file.json
 scene own.json '{ "voxels": "none" }'
-car "own model that is none" 'own.json' '"model": { "file": "own.json" }'
+refused "own model that is none" 3 'own.json: error: .*' run file.json
 scene mass.json "$(wall_scene | sed 's/1400/0/')"
 refused "mass 0" 3 '/participants/0/mass_kg' run mass.json
 scene mass.json "$(wall_scene | sed 's/1400/-1400/')"
@@ -53,13 +53,13 @@ scene type.json "$(wall_scene | sed 's/"compact"/"compcat"/')"
 refused "unknown type has the nearest" 3 '/participants/0/type.*compact' run type.json
 scene twice.json "$(wall_scene | sed 's/"wall", "kind"/"A", "kind"/')"
 refused "two of one name" 3 '/participants/1.*A' run twice.json
-scene shape.json "$(wall_scene | sed "s/$wall\": \"wall\"/$wall\": \"wal\"/")"
+scene shape.json "$(wall_scene | sed 's/"shape": "wall"/"shape": "wal"/')"
 refused "unknown shape" 3 '/participants/1/shape.*wall' run shape.json
 
 pole='{ "id": "P", "kind": "object", "shape": "pole", "position_m":'
 bad "overlap at the start" 3 'overlap' "$(wall_scene "$pole [1, 0], \"radius_m\": 0.2 }")"
 bad "they never meet" 4 'meet|contact' "$(wall_scene "$pole [-20, 9], \"radius_m\": 0.2 }")"
 bad "a pole without a radius" 3 'radius_m' "$(wall_scene "$pole [5, 0] }")"
-bad "nobody else there" 4 'meet|contact|alone|participant' \
-    "$(wall_scene | sed '/"wall"/d; s/50 },/50 } ] }/')"
+bad "nobody else there" 3 'at least two participants' \
+    "$(wall_scene | sed '/"wall"/,$d; s/50 },/50 } ] }/')"
 finish
