@@ -5,6 +5,7 @@ libbase_a_SOURCES = \
 	src/base/file.c src/base/file.h \
 	src/base/hash.c src/base/hash.h \
 	src/base/json.c src/base/json.h \
+	src/base/stats.c src/base/stats.h \
 	src/base/str.c src/base/str.h \
 	src/base/units.c src/base/units.h \
 	src/base/vec.h

@@ -20,3 +20,5 @@ dist_irf_DATA = \
 	share/irf/lubbe-2022.json \
 	share/irf/malliaris-1997.json \
 	share/irf/tum-crss.json
+resultschemadir = $(pkgdatadir)/share/schema
+dist_resultschema_DATA = share/schema/result.schema.json

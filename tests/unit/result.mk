@@ -16,3 +16,5 @@ test_result_irf_LDADD = $(result_test_libs)
 test_result_measure_SOURCES = tests/unit/test_result_measure.c
 test_result_measure_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 test_result_measure_LDADD = $(result_test_libs)
+TESTS += tests/schema_result.sh
+EXTRA_DIST += tests/schema_result.sh

@@ -1,0 +1,82 @@
+#include "base/stats.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static const double NONE = (double)NAN;
+
+double cr_stats_mean(const double *x, int n) {
+    double sum = 0;
+    for (int i = 0; i < n; i++) {
+        sum += x[i];
+    }
+    return n > 0 ? sum / n : NONE;
+}
+
+double cr_stats_sd(const double *x, int n) {
+    double mean = cr_stats_mean(x, n), sum = 0;
+    for (int i = 0; i < n; i++) {
+        sum += (x[i] - mean) * (x[i] - mean);
+    }
+    return n > 1 ? sqrt(sum / (n - 1)) : NONE;
+}
+
+static int ascending(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+double cr_stats_quantile(double *x, int n, double q) {
+    if (n < 1 || !(q >= 0 && q <= 1)) {
+        return NONE;
+    }
+    qsort(x, (size_t)n, sizeof *x, ascending);
+    double at = q * (n - 1);
+    int i = (int)at;
+    return i + 1 < n ? x[i] + (at - i) * (x[i + 1] - x[i]) : x[n - 1];
+}
+
+double cr_stats_median(double *x, int n) {
+    return cr_stats_quantile(x, n, 0.5);
+}
+
+double cr_stats_rms(const double *x, int n) {
+    double sum = 0;
+    for (int i = 0; i < n; i++) {
+        sum += x[i] * x[i];
+    }
+    return n > 0 ? sqrt(sum / n) : NONE;
+}
+
+struct cr_stats_error cr_stats_errors(const double *value, const double *reference, int n) {
+    struct cr_stats_error e = {.n = n};
+    double square = 0;
+    for (int i = 0; i < n; i++) {
+        double d = value[i] - reference[i], percent = 100 * d / reference[i];
+        e.mpe += percent / n;
+        e.mape += fabs(percent) / n;
+        e.bias += d / n;
+        square += d * d;
+    }
+    double spread = 0;
+    for (int i = 0; i < n; i++) {
+        double off = 100 * (value[i] - reference[i]) / reference[i] - e.mpe;
+        spread += off * off;
+    }
+    if (n < 1) {
+        e.mpe = e.mape = e.bias = NONE;
+    }
+    e.rms = n > 0 ? sqrt(square / n) : NONE;
+    e.sd = n > 1 ? sqrt(spread / (n - 1)) : NONE;
+    return e;
+}
+
+double cr_stats_correlation(const double *x, const double *y, int n) {
+    double mx = cr_stats_mean(x, n), my = cr_stats_mean(y, n), xy = 0, xx = 0, yy = 0;
+    for (int i = 0; i < n; i++) {
+        xy += (x[i] - mx) * (y[i] - my);
+        xx += (x[i] - mx) * (x[i] - mx);
+        yy += (y[i] - my) * (y[i] - my);
+    }
+    return xx > 0 && yy > 0 ? xy / sqrt(xx * yy) : NONE;
+}

@@ -1,0 +1,35 @@
+/* Statistics of samples and of errors against reference values. All are undefined (NaN) for too
+ * few values, and for a relative error when a reference is zero. */
+#ifndef CR_BASE_STATS_H
+#define CR_BASE_STATS_H
+
+#include "base/err.h"
+
+double cr_stats_mean(const double *x, int n);
+
+/* Standard deviation of a sample (divisor n - 1); NaN for n < 2. */
+double cr_stats_sd(const double *x, int n);
+
+/* Quantile q of 0..1, linear between order statistics (Hyndman and Fan type 7). x is sorted in
+ * place. */
+double cr_stats_quantile(double *x, int n, double q);
+double cr_stats_median(double *x, int n);
+
+double cr_stats_rms(const double *x, int n);
+
+/* Errors of n values against their references, as the paper reports them. Percentage errors are
+ * 100 (value - reference) / reference. */
+struct cr_stats_error {
+    int n;
+    double mpe;  /* mean percentage error, % */
+    double sd;   /* standard deviation of the percentage error, points */
+    double mape; /* mean absolute percentage error, % */
+    double rms;  /* root mean square error, in the unit of the values */
+    double bias; /* mean of value - reference, in that unit */
+};
+struct cr_stats_error cr_stats_errors(const double *value, const double *reference, int n);
+
+/* Pearson correlation; NaN if either has no spread. */
+double cr_stats_correlation(const double *x, const double *y, int n);
+
+#endif

@@ -1,0 +1,81 @@
+#!/bin/sh
+# share/schema/result.schema.json is a valid schema, accepts every result of the tree's scenes and
+# refuses results that are wrong in one place each.
+. "$SRC/tests/tap.sh"
+if ! python3 -c 'import jsonschema; jsonschema.Draft202012Validator' 2>/dev/null; then
+    echo "1..0 # SKIP no python3 with jsonschema for drafts of 2020-12"
+    exit 0
+fi
+tmp=$(mktemp -d) || exit 99
+trap 'rm -rf "$tmp"' EXIT
+cat >"$tmp/check.py" <<'PY'
+import copy, json, sys
+import jsonschema
+schema = json.load(open(sys.argv[1]))
+jsonschema.Draft202012Validator.check_schema(schema)
+kind = {k: jsonschema.Draft202012Validator({**schema, "oneOf": [{"$ref": "#/$defs/" + k}]})
+        for k in ("solved", "error", "pair")}
+faults = []
+
+def best(k, value):
+    error = jsonschema.exceptions.best_match(kind[k].iter_errors(value))
+    return error and "%s: %s" % ("/".join(map(str, error.absolute_path)), error.message[:200])
+
+def accept(name, k, value):
+    wrong = best(k, value)
+    if wrong:
+        faults.append("%s refused: %s" % (name, wrong))
+
+def refuse(name, k, value):
+    if not best(k, value):
+        faults.append("%s was accepted" % name)
+
+def drop(value, *path):
+    value = copy.deepcopy(value)
+    at = value
+    for key in path[:-1]:
+        at = at[key]
+    del at[path[-1]]
+    return value
+
+def put(value, new, *path):
+    value = copy.deepcopy(value)
+    at = value
+    for key in path[:-1]:
+        at = at[key]
+    at[path[-1]] = new
+    return value
+
+error = {"crumple_result": 1, "scene": "x",
+         "error": {"code": "no-contact", "message": "m", "where": ""}}
+accept("an error object", "error", error)
+refuse("an error without a code", "error", drop(error, "error", "code"))
+for path in sys.argv[2:]:
+    got = json.load(open(path))
+    accept(path, "solved", got)
+    cars = [i for i, p in enumerate(got["participants"]) if "kind" not in p]
+    for key in got:
+        if key not in ("pair", "contacts", "trace"):
+            refuse("%s without %s" % (path, key), "solved", drop(got, key))
+    for i in cars[:1]:
+        for key in got["participants"][i]:
+            refuse("%s without %s of a car" % (path, key), "solved",
+                   drop(got, "participants", i, key))
+        refuse("negative EES", "solved", put(got, -1, "participants", i, "ees_kmh"))
+        refuse("clock 13", "solved", put(got, 13, "participants", i, "pdof_clock"))
+        refuse("CDC of nowhere", "solved", put(got, "12XDEW2", "participants", i, "cdc"))
+        refuse("an unknown key", "solved", put(got, 1, "participants", i, "ess_kmh"))
+    refuse("an unknown stop", "solved", put(got, "tired", "time", "stop"))
+    refuse("a short hash", "solved", put(got, "abc", "input", "scene_sha256"))
+print("\n".join(faults))
+PY
+for scene in "$SRC"/share/scenes/*.json; do
+    [ -f "$scene" ] || continue
+    name=$(basename "$scene")
+    "$CRUMPLE" run --trace "$scene" >"$tmp/$name" 2>"$tmp/err"
+    same "$name is solved" "$?:$(cat "$tmp/err")" "0:"
+    [ -s "$tmp/$name" ] && set -- "$@" "$tmp/$name"
+done
+empty "the schema takes good results and refuses bad ones" \
+    "$(python3 "$tmp/check.py" "$SRC/share/schema/result.schema.json" "$@" 2>&1)"
+finish
