@@ -1,6 +1,7 @@
 noinst_LIBRARIES += libresult.a
 libresult_a_SOURCES = \
 	src/result/cdc.c \
+	src/result/compare.c src/result/compare.h \
 	src/result/csv.c \
 	src/result/deform.c src/result/deform.h \
 	src/result/filter.c \
@@ -9,8 +10,10 @@ libresult_a_SOURCES = \
 	src/result/measure.c \
 	src/result/outline.c \
 	src/result/pulse.c src/result/pulse.h \
+	src/result/rating.c src/result/rating.h \
 	src/result/result.h src/result/result_priv.h \
 	src/result/run.c \
+	src/result/signal.c src/result/signal.h \
 	src/result/trace.c \
 	src/result/warn.c
 libresult_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)

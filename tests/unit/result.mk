@@ -1,5 +1,6 @@
 # unit tests of src/result
-result_tests = test_result_pulse test_result_deform test_result_irf test_result_measure
+result_tests = test_result_pulse test_result_deform test_result_irf test_result_measure \
+	test_result_rating test_result_signal
 result_test_libs = libresult.a libscene.a libsolver.a libmodel.a libbase.a \
 	$(CMOCKA_LIBS) $(CJSON_LIBS) $(NETTLE_LIBS)
 check_PROGRAMS += $(result_tests)
@@ -18,3 +19,9 @@ test_result_measure_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 test_result_measure_LDADD = $(result_test_libs)
 TESTS += tests/schema_result.sh
 EXTRA_DIST += tests/schema_result.sh
+test_result_rating_SOURCES = tests/unit/test_result_rating.c
+test_result_rating_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
+test_result_rating_LDADD = $(result_test_libs)
+test_result_signal_SOURCES = tests/unit/test_result_signal.c
+test_result_signal_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
+test_result_signal_LDADD = $(result_test_libs)

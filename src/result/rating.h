@@ -1,0 +1,44 @@
+/* Objective ratings of a curve against a reference: ISO/TS 18571 (literature.md 4.10) and CORA 4
+ * (literature.md 4.11). Both curves are uniform in time with the same step. */
+#ifndef CR_RESULT_RATING_H
+#define CR_RESULT_RATING_H
+
+#include "base/err.h"
+
+/* All scores 0..1, 1 for equal curves. */
+struct cr_rating_iso {
+    double corridor;  /* Z */
+    double phase;     /* E_P */
+    double magnitude; /* E_M */
+    double slope;     /* E_S */
+    double total;     /* R = 0.4 Z + 0.2 E_P + 0.2 E_M + 0.2 E_S */
+    int shift;        /* samples by which the curve lags (+) or leads (-) the reference */
+};
+
+enum { CR_RATING_MIN = 20, CR_RATING_MAX = 20000 }; /* samples */
+
+/* n samples at a step of dt (the standard's rate is 10 kHz); n within CR_RATING_MIN..MAX.
+ * Errors: RANGE, MEMORY. */
+CR_MUST_CHECK enum cr_err cr_rating_iso18571(const double *reference, const double *curve, int n,
+                                             double dt, struct cr_rating_iso *out,
+                                             struct cr_error *err);
+
+/* Word for a total: excellent > 0.94, good > 0.80, fair > 0.58, else poor. */
+const char *cr_rating_grade(double total);
+
+struct cr_rating_cora {
+    double corridor;    /* C1 */
+    double progression; /* V */
+    double phase;       /* P */
+    double size;        /* G */
+    double correlation; /* C2 = V/2 + P/4 + G/4 */
+    double total;       /* C1/2 + C2/2 */
+    int first, last;    /* samples of the interval that was evaluated */
+};
+
+/* CORA 4 with the defaults of CORAplus 4.0.5. Errors: RANGE (also for a reference that is zero all
+ * over), MEMORY. */
+CR_MUST_CHECK enum cr_err cr_rating_cora4(const double *reference, const double *curve, int n,
+                                          struct cr_rating_cora *out, struct cr_error *err);
+
+#endif
