@@ -1,4 +1,5 @@
 # one fragment per folder of src/, so that a test lives beside what it tests
+EXTRA_DIST += tests/unit/test.h
 if HAVE_CMOCKA
 include $(srcdir)/tests/unit/base.mk
 include $(srcdir)/tests/unit/model.mk

@@ -10,7 +10,7 @@
 #include <string.h>
 
 static int replay(const char *dir, const char *name, int n) {
-    char path[4096], *text = NULL;
+    char path[4400], *text = NULL;
     size_t size = 0;
     struct cr_error err;
     snprintf(path, sizeof path, "%s/%s", dir, name);
