@@ -269,8 +269,10 @@ static void change(struct cr_moving *m, int k, double amount) {
     int iy = k / g->nx, ix = k - iy * g->nx;
     double left = m->left[k] - amount;
     m->left[k] = left > 0 ? left : 0;
-    m->depth[2 * ix >= g->nx ? CR_FACE_FRONT : CR_FACE_REAR][iy] += amount * g->h;
-    m->depth[2 * iy >= g->ny ? CR_FACE_LEFT : CR_FACE_RIGHT][ix] += amount * g->h;
+    enum cr_face end = 2 * ix >= g->nx ? CR_FACE_FRONT : CR_FACE_REAR;
+    enum cr_face flank = 2 * iy >= g->ny ? CR_FACE_LEFT : CR_FACE_RIGHT;
+    m->depth[end][iy] += amount * g->h / m->share[end][iy];
+    m->depth[flank][ix] += amount * g->h / m->share[flank][ix];
 }
 
 void cr_deform_apply(struct cr_moving *m, const struct cr_losses *losses, int from) {

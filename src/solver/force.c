@@ -162,6 +162,18 @@ static void within_cone(struct cr_force *f, struct cr_vec2 v, double mu) {
     f->cosine = cr_vec2_dot(f->direction, n);
 }
 
+void cr_force_update(struct cr_solver *s, int a, int b, struct cr_force *force) {
+    struct cr_force whole = *force;
+    whole.energy = energy_and_coe(s, a, b, &whole.coe);
+    struct cr_vec2 v = cr_vec2_unit(cr_relative_velocity(s, a, b, whole.coe), cr_vec2(0, 0));
+    if (cr_vec2_dot(v, force->normal) < cosine_min) {
+        force->energy = whole.energy; /* far out the bodies part: the force stays in the contact */
+        return;
+    }
+    within_cone(&whole, v, cr_force_friction(s, a, b));
+    *force = whole;
+}
+
 bool cr_force_find(struct cr_solver *s, int a, int b, struct cr_force *force) {
     *force = (struct cr_force){0};
     force->energy = energy_and_coe(s, a, b, &force->coe);

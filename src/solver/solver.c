@@ -34,8 +34,11 @@ static bool new_lines(struct cr_solver *s, struct cr_moving *m) {
     for (int f = 0; f < CR_FACES; f++) {
         size_t n = f == CR_FACE_FRONT || f == CR_FACE_REAR ? ny : nx;
         m->depth[f] = cr_arena_take(&s->arena, n, sizeof(double));
+        m->outline[f] = cr_arena_take(&s->arena, n, sizeof(double));
+        m->share[f] = cr_arena_take(&s->arena, n, sizeof(double));
         m->pulled[f] = cr_arena_take(&s->arena, n, 1);
-        if (m->depth[f] == NULL || m->pulled[f] == NULL) {
+        if (m->depth[f] == NULL || m->outline[f] == NULL || m->share[f] == NULL ||
+            m->pulled[f] == NULL) {
             return false;
         }
     }
@@ -60,6 +63,27 @@ static void span_lines(struct cr_moving *m) {
             }
         }
         row->lo = row->hi == 0 ? 0 : row->lo;
+    }
+}
+
+/* undeformed surface of every face, and how much of a line's width its voxels fill */
+static void measure_faces(struct cr_moving *m) {
+    const struct cr_grid *g = &m->body->grid;
+    for (int f = 0; f < CR_FACES; f++) {
+        bool row = f == CR_FACE_FRONT || f == CR_FACE_REAR;
+        bool from_end = f == CR_FACE_FRONT || f == CR_FACE_LEFT;
+        int lines = row ? g->ny : g->nx, length = row ? g->nx : g->ny;
+        for (int i = 0; i < lines; i++) {
+            double most = 0, before = 0;
+            for (int k = 0; k < length; k++) {
+                int along = from_end ? length - 1 - k : k;
+                double fill = row ? m->left[i * g->nx + along] : m->left[along * g->nx + i];
+                before += most <= 0 && fill <= 0 ? g->h : 0;
+                most = fill > most ? fill : most;
+            }
+            m->share[f][i] = most > 0 ? most : 1;
+            m->outline[f][i] = before;
+        }
     }
 }
 
@@ -104,6 +128,7 @@ static bool new_grid(struct cr_solver *s, struct cr_moving *m) {
         m->left[k] = g->fill[k] > 1e-6 ? g->fill[k] : 0;
     }
     span_lines(m);
+    measure_faces(m);
     m->lo = cr_vec2(g->x0, g->y0);
     m->hi = cr_vec2(g->x0 + g->nx * g->h, g->y0 + g->ny * g->h);
     return new_units(s, m);
@@ -203,8 +228,9 @@ static bool new_scratch(struct cr_solver *s) {
     s->string.w = cr_arena_take(&s->arena, (size_t)longest, sizeof(double));
     s->string.gain = cr_arena_take(&s->arena, (size_t)longest, sizeof(double));
     s->string.r = cr_arena_take(&s->arena, (size_t)longest, sizeof(double));
+    s->string.taut = cr_arena_take(&s->arena, (size_t)longest + 1, sizeof(double));
     s->freed = cr_arena_take(&s->arena, 1, sizeof *s->freed);
-    return s->string.w != NULL && s->string.gain != NULL && s->string.r != NULL &&
+    return s->string.w != NULL && s->string.gain != NULL && s->string.r != NULL && s->string.taut != NULL &&
            s->freed != NULL;
 }
 
@@ -285,10 +311,7 @@ static bool crush(struct cr_solver *s, int pair, int a, int b, struct cr_force *
             !cr_string_pull(s, mb, a, f->normal, &s->losses[1])) {
             return false;
         }
-        struct cr_force whole;
-        if (cr_force_find(s, a, b, &whole)) {
-            *f = whole;
-        }
+        cr_force_update(s, a, b, f);
     }
     cr_kinetics_slice(s, pair, a, b, f);
     return true;

@@ -32,8 +32,10 @@ struct cr_moving {
     uint8_t *how;                      /* enum cr_crush flags */
     const double *unit[CR_BODY_MAX];   /* energy per unit of material against each partner, J */
     struct cr_span *row, *col;         /* live span of each row (along x) and column (along y) */
-    double *depth[CR_FACES];           /* material lost per line of a face, m: rows for front and
+    double *depth[CR_FACES];           /* crush of each line of a face, m: rows for front and
                                           rear, columns for left and right */
+    double *outline[CR_FACES];         /* undeformed surface behind the foremost one, m */
+    double *share[CR_FACES];           /* fill of a line's voxels: less than 1 at the edges */
     double membrane[CR_FACES];         /* string energy of a face, J */
     uint8_t *pulled[CR_FACES];         /* lines that the string pulls */
     double energy, induced;            /* plastic so far, J */
@@ -73,8 +75,10 @@ struct cr_losses {
 struct cr_string {
     double *w;     /* depth, m */
     double *gain;  /* of the elimination */
-    double *r;     /* sag of a free line below the mean of its neighbours, m */
+    double *r;     /* h^2 q / N0 of each line, m */
+    double *taut;  /* [lines + 1] 1 where segment i, between lines i - 1 and i, is stretched */
     uint8_t *free; /* borrowed: lines the string pulls */
+    struct cr_span window; /* lines looked at, both ends included */
 };
 
 /* A contact being worked: the record that is reported and what only the solver needs. */
@@ -175,6 +179,8 @@ struct cr_force {
     bool sliding;
 };
 bool cr_force_find(struct cr_solver *s, int a, int b, struct cr_force *force);
+/* energy and COE again once the string has added its losses */
+void cr_force_update(struct cr_solver *s, int a, int b, struct cr_force *force);
 double cr_force_friction(const struct cr_solver *s, int a, int b);
 
 /* step 3, kinetics.c */

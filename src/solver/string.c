@@ -2,7 +2,7 @@
  *
  * Neighbouring lines of depth w are tied by the tension N0; outside the contact
  *     N0 (w[i-1] - 2 w[i] + w[i+1]) / h = h q_i,   w never decreasing,
- * with q the strength of the voxel at the surface (J/m2 = N/m). Solved exactly in each slice
+ * where the string is stretched, with q the strength of the voxel at the surface (J/m2 = N/m). Solved exactly in each slice
  * (an obstacle problem, by policy iteration); what the string pulls in is foundation energy, what it is
  * stretched by is membrane energy, both plastic. */
 #include "solver/solver_priv.h"
@@ -47,59 +47,66 @@ static enum cr_face struck_face(const struct cr_moving *m, struct cr_vec2 inward
     return d.y < 0 ? CR_FACE_LEFT : CR_FACE_RIGHT;
 }
 
-/* Free lines obey w = (wl + wr)/2 - r, r = h^2 q / (2 N0); the others stay at their depth. One
- * sweep of the Thomas algorithm over [lo, hi], with the string anchored at both ends of the face. */
-static void sweep(const struct cr_string *st, const double *depth, struct cr_span window, int n) {
-    double *w = st->w, *g = st->gain;
+/* Free lines obey  tl (w - wl) + tr (w - wr) = -r,  t = 1 where the segment beside them is taut and
+ * r = h^2 q / N0; the others stay at their depth. One sweep of the Thomas algorithm. */
+static void sweep(const struct cr_string *st, const double *depth, struct cr_span window) {
+    double *w = st->w, *gain = st->gain;
     for (int i = window.lo; i <= window.hi; i++) {
-        bool first = i == window.lo;
-        double wl = first ? (i > 0 ? depth[i - 1] : 0) : 0;
-        double gl = first ? 0 : g[i - 1], cl = first ? wl : w[i - 1];
-        if (st->free[i]) { /* w_i = gain w_{i+1} + w[i] */
-            double pivot = 1 - 0.5 * gl;
-            g[i] = 0.5 / pivot;
-            w[i] = (0.5 * cl - st->r[i]) / pivot;
-        } else {
-            g[i] = 0;
+        gain[i] = 0;
+        if (!st->free[i]) {
             w[i] = depth[i];
+            continue;
         }
+        /* w_i = gain_i w_{i+1} + w[i] */
+        bool first = i == window.lo;
+        double tl = st->taut[i], tr = st->taut[i + 1];
+        double pivot = tl + tr - (first ? 0 : tl * gain[i - 1]);
+        double known = first ? (i > 0 ? depth[i - 1] : 0) : w[i - 1];
+        gain[i] = tr / pivot;
+        w[i] = (tl * known - st->r[i]) / pivot;
     }
-    double right = window.hi + 1 < n ? depth[window.hi + 1] : 0;
+    double right = 0; /* the last line of the window is not free, or hangs free */
     for (int i = window.hi; i >= window.lo; i--) {
-        w[i] += g[i] * right;
+        w[i] += gain[i] * right;
         right = w[i];
     }
+}
+
+/* depth to which the neighbours would pull line i, -1 for one that hangs free */
+static double pulled_to(const struct cr_string *st, int i, double wl, double wr) {
+    double tl = st->taut[i], tr = st->taut[i + 1];
+    return tl + tr > 0 ? (tl * wl + tr * wr - st->r[i]) / (tl + tr) : -1;
 }
 
 /* Policy iteration for the obstacle problem w >= depth: solve with the present set of free lines,
  * free those that would be pulled, hold those that would rise; exact after a few rounds because
  * the set of the slice before is nearly right. Returns the range of lines that moved. */
-static struct cr_span relax(const struct cr_string *st, const double *depth, int n,
-                            struct cr_span *window) {
+static struct cr_span relax(const struct cr_string *st, const double *depth, int n) {
+    struct cr_span window = st->window;
+    for (int i = window.lo; i <= window.hi; i++) {
+        st->free[i] = st->free[i] && st->taut[i] + st->taut[i + 1] > 0 && isfinite(st->r[i]);
+    }
     for (int round = 0; round < ROUNDS_MAX; round++) {
-        sweep(st, depth, *window, n);
+        sweep(st, depth, window);
         bool changed = false;
-        for (int i = window->lo; i <= window->hi; i++) {
-            double wl = i > window->lo ? st->w[i - 1] : i > 0 ? depth[i - 1] : 0;
-            double wr = i < window->hi ? st->w[i + 1] : i + 1 < n ? depth[i + 1] : 0;
-            bool pulled = 0.5 * (wl + wr) - st->r[i] > depth[i] + 1e-12;
+        for (int i = window.lo; i <= window.hi; i++) {
+            double wl = i > window.lo ? st->w[i - 1] : i > 0 ? depth[i - 1] : 0;
+            double wr = i < window.hi ? st->w[i + 1] : i + 1 < n ? depth[i + 1] : 0;
+            bool pulled = pulled_to(st, i, wl, wr) > depth[i] + 1e-12;
             changed = changed || pulled != (st->free[i] != 0);
             st->free[i] = pulled;
         }
-        if (st->free[window->lo] && window->lo > 0) {
-            window->lo--;
-            changed = true;
-        }
-        if (st->free[window->hi] && window->hi + 1 < n) {
-            window->hi++;
-            changed = true;
-        }
-        if (!changed) {
+        /* the ends of the window must be at rest */
+        int grow_lo = st->free[window.lo] && window.lo > 0;
+        int grow_hi = st->free[window.hi] && window.hi + 1 < n;
+        window.lo -= grow_lo;
+        window.hi += grow_hi;
+        if (!changed && !grow_lo && !grow_hi) {
             break;
         }
     }
     struct cr_span moved = {n, -1};
-    for (int i = window->lo; i <= window->hi; i++) {
+    for (int i = window.lo; i <= window.hi; i++) {
         if (st->w[i] > depth[i]) {
             moved.lo = i < moved.lo ? i : moved.lo;
             moved.hi = i;
@@ -113,7 +120,7 @@ static bool take(const struct lines *l, int line, double by, struct cr_losses *l
     int step = 0, k = surface(l, line, &step);
     bool row = l->face == CR_FACE_FRONT || l->face == CR_FACE_REAR;
     struct cr_span span = row ? l->m->row[line] : l->m->col[line];
-    double want = by / l->g->h;
+    double want = by / l->g->h * l->m->share[l->face][line];
     for (; k >= span.lo && k < span.hi && want > 1e-12; k += step) {
         int v = voxel_at(l, line, k);
         double amount = fmin(want, l->m->left[v]);
@@ -127,13 +134,42 @@ static bool take(const struct lines *l, int line, double by, struct cr_losses *l
     return true;
 }
 
-static double membrane_energy(const double *w, int n, double tension, double h) {
+static double membrane_energy(const struct cr_string *st, int n, double tension, double h) {
     double sum = 0;
-    for (int i = 0; i <= n; i++) {
-        double d = (i < n ? w[i] : 0) - (i > 0 ? w[i - 1] : 0);
-        sum += d * d;
+    for (int i = 1; i < n; i++) {
+        double d = st->w[i] - st->w[i - 1];
+        sum += st->taut[i] * d * d;
     }
     return 0.5 * tension * sum / h;
+}
+
+/* A segment is taut where the crush has stretched it beyond its undeformed length: a wall that
+ * flattens a rounded end leaves it slack. The ends of a face hang free. */
+static void find_taut(struct cr_string *st, const double *outline, const double *depth, int n) {
+    st->taut[0] = st->taut[n] = 0;
+    for (int i = 1; i < n; i++) {
+        double rest = outline[i] - outline[i - 1], moved = depth[i] - depth[i - 1];
+        st->taut[i] = fabs(rest + moved) >= fabs(rest);
+    }
+}
+
+/* the string in the state before the slice's pull, and the lines that it may move */
+static void prepare(struct cr_string *st, const struct lines *l, double tension) {
+    const double *depth = l->m->depth[l->face];
+    double h = l->g->h;
+    st->free = l->m->pulled[l->face];
+    st->window = (struct cr_span){l->n, -1};
+    for (int i = 0; i < l->n; i++) {
+        int step, k = surface(l, i, &step);
+        double q = k < 0 ? 0 : l->unit[voxel_at(l, i, k)] / (h * h);
+        st->r[i] = k < 0 ? (double)INFINITY : h * h * q * l->m->share[l->face][i] / tension;
+        st->w[i] = depth[i];
+        if (depth[i] > 0) {
+            st->window.lo = st->window.lo < i ? st->window.lo : i > 0 ? i - 1 : 0;
+            st->window.hi = i + 1 < l->n ? i + 1 : i;
+        }
+    }
+    find_taut(st, l->m->outline[l->face], depth, l->n);
 }
 
 bool cr_string_pull(struct cr_solver *s, struct cr_moving *m, int partner, struct cr_vec2 inward,
@@ -148,26 +184,18 @@ bool cr_string_pull(struct cr_solver *s, struct cr_moving *m, int partner, struc
     struct lines l = {g, m, m->unit[partner], losses->face, row ? g->ny : g->nx};
     const double *depth = m->depth[losses->face];
     struct cr_string *st = &s->string;
-    st->free = m->pulled[losses->face];
-    struct cr_span window = {l.n, -1};
-    for (int i = 0; i < l.n; i++) {
-        int step, k = surface(&l, i, &step);
-        double q = k < 0 ? 0 : l.unit[voxel_at(&l, i, k)] / (g->h * g->h);
-        st->r[i] = k < 0 ? (double)INFINITY : g->h * g->h * q / (2 * tension);
-        st->w[i] = depth[i];
-        if (depth[i] > 0) {
-            window.lo = window.lo < i ? window.lo : i > 0 ? i - 1 : 0;
-            window.hi = i + 1 < l.n ? i + 1 : i;
-        }
+    prepare(st, &l, tension);
+    if (st->window.hi < 0) {
+        return true;
     }
-    struct cr_span moved = relax(st, depth, l.n, &window);
+    struct cr_span moved = relax(st, depth, l.n);
     double before = losses->energy;
     for (int i = moved.lo; i <= moved.hi; i++) {
         if (st->w[i] > depth[i] && !take(&l, i, st->w[i] - depth[i], losses)) {
             return false;
         }
     }
-    double stretched = membrane_energy(st->w, l.n, tension, g->h);
+    double stretched = membrane_energy(st, l.n, tension, g->h);
     losses->stretch = fmax(0, stretched - m->membrane[losses->face]);
     losses->induced = losses->energy - before + losses->stretch;
     losses->energy += losses->stretch;
