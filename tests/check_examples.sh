@@ -16,13 +16,16 @@ awk '/^```console$/ { on = 1; next } /^```$/ { on = 0 } on { print }' "$SRC/READ
 awk '/^\.EX$/ { on = 1; next } /^\.EE$/ { on = 0 } on { print }' "$SRC/man/crumple.1" |
     sed 's/\\-/-/g; s/\\e/\\/g' >"$tmp/man"
 
-# split FILE: each "$ command" with the lines after it into FILE.1.cmd, FILE.1.out, ...
+# split FILE: each "$ command" (going on in lines "> ...") into FILE.1.cmd, what follows it into
+# FILE.1.out, and so on
 split() {
     awk -v f="$1" '/^\$ / { n++
+                            head = 1
                             print substr($0, 3) >(f "." n ".cmd")
                             printf "" >(f "." n ".out")
                             next }
-                   n { print >(f "." n ".out") }' "$1"
+                   head && /^> / { print substr($0, 3) >(f "." n ".cmd"); next }
+                   n { head = 0; print >(f "." n ".out") }' "$1"
 }
 
 # alike WANT GOT: equal, where a line "..." stands for any lines
@@ -47,7 +50,7 @@ examples() { # FILE
     for cmd in "$tmp/$1".*.cmd; do
         base=${cmd%.cmd}
         (cd "$tmp" && sh "$cmd") >"$base.got" 2>&1 </dev/null
-        report $? "$1: $(cat "$cmd")"
+        report $? "$1: $(head -n 1 "$cmd")"
         [ -s "$base.out" ] || continue
         alike "$base.out" "$base.got"
         good=$?
@@ -56,12 +59,17 @@ examples() { # FILE
     done
 }
 
-# an output that is shown in part (with a line "...") is left as it is
+# the output of each example of README.md as it is today; one that is shown in part (with a line
+# "...") is left as it is
 update() {
     awk -v dir="$tmp" '
-        function flush(   line) {
+        function flush(   line, script) {
             if (cmd != "" && old !~ /(^|\n)\.\.\.\n/) {
-                while ((("cd " dir " && " cmd " 2>&1") | getline line) > 0) print line
+                script = dir "/example"
+                printf "cd %s\n%s", dir, cmd >script
+                close(script)
+                while ((("sh " script " 2>&1 </dev/null") | getline line) > 0) print line
+                close("sh " script " 2>&1 </dev/null")
             } else {
                 printf "%s", old
             }
@@ -71,11 +79,12 @@ update() {
         on && (/^\$ / || /^```$/) {
             flush()
             print
-            on = !/^```/
-            cmd = on ? substr($0, 3) : ""
+            head = on = !/^```/
+            cmd = on ? substr($0, 3) "\n" : ""
             next
         }
-        on && cmd != "" { old = old $0 "\n"; next }
+        on && head && /^> / { print; cmd = cmd substr($0, 3) "\n"; next }
+        on && cmd != "" { head = 0; old = old $0 "\n"; next }
         { print }' "$SRC/README.md" >"$tmp/new" && cat "$tmp/new" >"$SRC/README.md"
 }
 

@@ -70,7 +70,11 @@ static enum cr_err run(const char *path, const struct run_options *opt, struct c
     struct cr_result *result = NULL;
     struct cr_str text = {0};
     cr_scene_init(&scene);
+    const char *name = strcmp(path, "-") == 0 ? "standard input" : path;
     enum cr_err code = cr_scene_load(path, &scene, err);
+    if (code != CR_ERR_OK && strcmp(err->src, "-") == 0) {
+        cr_err_place(err, name, err->line, err->col);
+    }
     if (code == CR_ERR_OK) {
         code = override(&scene, &opt->set, err);
     }
@@ -83,7 +87,7 @@ static enum cr_err run(const char *path, const struct run_options *opt, struct c
         code = cr_result_run(&scene, &shared.ctx, &result, err);
         /* faults of the whole scene have no line; name at least the file */
         if (code != CR_ERR_OK && err->src[0] == '\0') {
-            cr_err_place(err, strcmp(path, "-") == 0 ? "standard input" : path, 0, 0);
+            cr_err_place(err, name, 0, 0);
         }
     }
     if (code == CR_ERR_OK) {
