@@ -38,22 +38,21 @@ static uint32_t shaft(int dx, int dy, bool ascii) {
     return dx * dy < 0 ? '/' : '\\';
 }
 
-/* Arrow from a world point along a vector (m), with its head at the far end. skip cells are left
- * out at the start. */
+/* Arrow from a world point along a vector (m), with its head at the far end. */
 static void arrow(const struct ink *ink, struct cr_vec2 from, struct cr_vec2 along,
-                  enum cr_role role, int skip) {
+                  enum cr_role role) {
     struct cr_vec2 a = cr_pic_to_cell(ink->pic, from);
     struct cr_vec2 b = cr_pic_to_cell(ink->pic, cr_vec2_add(from, along));
     int x0 = (int)floor(a.x), y0 = (int)floor(a.y), x1 = (int)floor(b.x), y1 = (int)floor(b.y);
     int steps = abs(x1 - x0) > abs(y1 - y0) ? abs(x1 - x0) : abs(y1 - y0);
-    if (steps <= skip || steps > 2000) {
+    if (steps < 1 || steps > 2000) {
         return;
     }
     int px = x0, py = y0;
     for (int i = 1; i <= steps; i++) {
         int x = x0 + (int)lround((double)(x1 - x0) * i / steps);
         int y = y0 + (int)lround((double)(y1 - y0) * i / steps);
-        if (i > skip && i < steps) {
+        if (i < steps) {
             put(ink, x, y, role, shaft(x - px, y - py, ink->look->ascii));
         }
         px = x;
@@ -69,8 +68,7 @@ static void draw_velocity(const struct ink *ink, const struct cr_pic_body *b) {
     }
     /* the way of 60 ms, at least four and at most twenty columns */
     double len = cr_clamp(0.06 * v, 5 * ink->pic->m_per_col, 20 * ink->pic->m_per_col);
-    bool flat = fabs(b->now.vel.x) > fabs(b->now.vel.y);
-    arrow(ink, b->now.pos, cr_vec2_scale(b->now.vel, len / v), b->role, flat ? 2 : 0);
+    arrow(ink, b->now.pos, cr_vec2_scale(b->now.vel, len / v), b->role);
 }
 
 static void draw_force(const struct ink *ink, const struct cr_pic_body *b) {
@@ -79,7 +77,7 @@ static void draw_force(const struct ink *ink, const struct cr_pic_body *b) {
         return;
     }
     double len = (2 + 10 * f / ink->pic->force_max) * ink->pic->m_per_col;
-    arrow(ink, b->now.coe, cr_vec2_scale(b->now.force, len / f), CR_ROLE_FORCE, 0);
+    arrow(ink, b->now.coe, cr_vec2_scale(b->now.force, len / f), CR_ROLE_FORCE);
 }
 
 static void draw_coe(const struct ink *ink) {
@@ -92,29 +90,49 @@ static void draw_coe(const struct ink *ink) {
     }
 }
 
-/* letter at the CG with the heading beside it: " A> " */
+/* letter at the CG with the heading on its front side: " A> " or " <B " */
 static void draw_letter(const struct ink *ink, const struct cr_pic_body *b, bool selected) {
     struct cr_vec2 p = cr_pic_to_cell(ink->pic, b->now.pos);
     int x = (int)floor(p.x), y = (int)floor(p.y);
     if (!in_field(ink->pic, x, y)) {
         return;
     }
-    struct cr_rect box = cr_pic_cells_of(ink->pic, b);
-    if (b->grid->nx == 0 && (box.w < 5 || box.h < 2)) {
-        return; /* a pole is named beside it */
+    bool leftward = b->c < -0.01;
+    int from = leftward ? x - 2 : x - 1;
+    for (int i = 0; i < 4; i++) {
+        put(ink, from + i, y, b->role, ' ');
     }
-    put(ink, x - 1, y, b->role, ' ');
+    put(ink, leftward ? x - 1 : x + 1, y, b->role,
+        cr_glyph_arrow(b->now.heading, ink->look->ascii));
     put(ink, x, y, b->role, (uint8_t)b->letter);
-    put(ink, x + 1, y, b->role,
-        b->grid->nx > 0 ? cr_glyph_arrow(b->now.heading, ink->look->ascii) : ' ');
-    put(ink, x + 2, y, b->role, ' ');
-    for (int i = -1; i <= 2; i++) {
-        struct cr_cell *cell = cr_cells_at(ink->cells, x + i, y);
-        if (cell != NULL && in_field(ink->pic, x + i, y)) {
+    for (int i = 0; i < 4; i++) {
+        struct cr_cell *cell = cr_cells_at(ink->cells, from + i, y);
+        if (cell != NULL && in_field(ink->pic, from + i, y)) {
             cell->bg = 0;
             cell->flags |= selected ? CR_CELL_REVERSE | CR_CELL_BOLD : CR_CELL_BOLD;
         }
     }
+}
+
+/* Name of a rigid object on it, along or down; false when it is too small for that. */
+static bool draw_object_name(const struct ink *ink, const struct cr_pic_body *b) {
+    struct cr_rect box = cr_pic_cells_of(ink->pic, b);
+    int w = cr_glyph_width(b->id);
+    bool along = box.w >= w + 4, down = box.h >= w + 2 && box.w >= 3;
+    if (!along && !down) {
+        return false;
+    }
+    const char *s = b->id;
+    int x = box.x + (along ? (box.w - w) / 2 : box.w / 2);
+    int y = box.y + (along ? box.h / 2 : (box.h - w) / 2);
+    put(ink, along ? x - 1 : x, along ? y : y - 1, b->role, ' ');
+    while (*s != '\0') {
+        put(ink, x, y, CR_ROLE_TITLE, cr_glyph_next(&s));
+        x += along;
+        y += !along;
+    }
+    put(ink, x, y, b->role, ' ');
+    return true;
 }
 
 static void label_text(const struct ink *ink, const struct cr_pic_body *b, char *buf, int size) {
@@ -193,7 +211,7 @@ static void draw_axes(const struct ink *ink) {
 const char *cr_pic_field_label(enum cr_field field, bool ascii) {
     switch (field) {
     case CR_FIELD_EES:
-        return ascii ? "EES kJ/m2" : "EES kJ/m\u00b2";
+        return ascii ? "EES density kJ/m2" : "EES density kJ/m\u00b2";
     case CR_FIELD_ENERGY:
         return ascii ? "absorbed kJ/m2" : "absorbed kJ/m\u00b2";
     case CR_FIELD_CRUSH:
@@ -225,7 +243,7 @@ static void write_scale(struct pen *pen) {
     double m = pen->ink->pic->m_per_col, length = 1000;
     for (int i = 10; i >= 0; i--) {
         double columns = lengths[i] / m;
-        if (columns >= 3 && columns <= 20) {
+        if (columns >= 3 && columns <= 12.5) {
             length = lengths[i];
             break;
         }
@@ -248,7 +266,7 @@ static void write_scale(struct pen *pen) {
 static void write_ramp(struct pen *pen) {
     const struct cr_pic *pic = pen->ink->pic;
     const struct cr_look *look = pen->ink->look;
-    if (pic->field == CR_FIELD_NONE || !room(pen, 28)) {
+    if (pic->field == CR_FIELD_NONE || !room(pen, 36)) {
         return;
     }
     char top[32];
@@ -307,8 +325,13 @@ void cr_pic_marks(struct cr_pic *pic, struct cr_cells *cells, const struct cr_lo
     for (int i = 0; view->vectors && i < pic->n; i++) {
         draw_velocity(&ink, &pic->body[i]);
     }
+    bool named[CR_BODY_MAX] = {false};
     for (int i = 0; i < pic->n; i++) {
-        draw_letter(&ink, &pic->body[i], i == view->selected);
+        if (pic->body[i].grid->nx > 0) {
+            draw_letter(&ink, &pic->body[i], i == view->selected);
+        } else {
+            named[i] = draw_object_name(&ink, &pic->body[i]) && !pic->body[i].moves;
+        }
     }
     for (int i = 0; view->vectors && i < pic->n; i++) {
         draw_force(&ink, &pic->body[i]);
@@ -317,7 +340,9 @@ void cr_pic_marks(struct cr_pic *pic, struct cr_cells *cells, const struct cr_lo
         draw_coe(&ink);
     }
     for (int i = 0; i < pic->n; i++) {
-        draw_label(&ink, i);
+        if (!named[i]) {
+            draw_label(&ink, i);
+        }
     }
     draw_axes(&ink);
     draw_legend(&ink, view);

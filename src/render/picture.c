@@ -288,16 +288,15 @@ void cr_pic_fit(struct cr_pic *pic, const struct cr_result *result,
     }
 }
 
-int cr_pic_rows(const struct cr_compiled *compiled, const struct cr_scene *scene,
-                const struct cr_result *result, const struct cr_scene_view *view, int width,
-                int most) {
+int cr_pic_frame(const struct cr_result *result, struct cr_scene_view *view, int width, int most) {
     struct cr_pic pic;
     struct cr_vec2 box[2];
-    cr_pic_init(&pic, compiled, scene, result, view);
+    cr_pic_init(&pic, &result->compiled, &result->resolved, result, view);
     world_box(&pic, result, box);
     int room = most - ROWS_ABOVE - ROWS_BELOW;
-    double m = view->m_per_col > 0 ? view->m_per_col : fit_scale(box, width - 2 * COLS_SIDE, room);
-    int rows = (int)ceil((box[1].y - box[0].y) / (2 * m) - 1e-9);
+    view->m_per_col = fit_scale(box, width - 2 * COLS_SIDE, room);
+    view->centre = cr_vec2_scale(cr_vec2_add(box[0], box[1]), 0.5);
+    int rows = (int)ceil((box[1].y - box[0].y) / (2 * view->m_per_col) - 1e-9);
     rows = rows < 3 ? 3 : rows > room ? room : rows;
     return rows + ROWS_ABOVE + ROWS_BELOW;
 }

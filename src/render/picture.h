@@ -56,10 +56,9 @@ void cr_pic_init(struct cr_pic *pic, const struct cr_compiled *compiled,
                  const struct cr_scene_view *view);
 void cr_pic_fit(struct cr_pic *pic, const struct cr_result *result,
                 const struct cr_scene_view *view, struct cr_rect at);
-/* Rows a picture of this width needs when height is no matter, at most `most`. */
-int cr_pic_rows(const struct cr_compiled *compiled, const struct cr_scene *scene,
-                const struct cr_result *result, const struct cr_scene_view *view, int width,
-                int most);
+/* Set scale and middle of a view so that it shows all from its time to the end of the crash, and
+ * return the rows this takes at that width, at most `most`. */
+int cr_pic_frame(const struct cr_result *result, struct cr_scene_view *view, int width, int most);
 
 bool cr_pic_look(const struct cr_pic *pic, const struct cr_pic_body *body, struct cr_vec2 world,
                  struct cr_pic_hit *hit);

@@ -47,6 +47,10 @@ static void data_range(const struct cr_plot *plot, struct frame *f) {
     if (f->y_hi < 0 && -f->y_hi < 2 * span) {
         f->y_hi = 0;
     }
+    /* what a filter rings below zero is not worth an axis of its own */
+    if (f->y_lo < 0 && -f->y_lo < 0.04 * f->y_hi) {
+        f->y_lo = 0;
+    }
     if (!(f->y_hi - f->y_lo > 1e-12 * fmax(fabs(f->y_hi), 1))) {
         f->y_lo = fmin(f->y_lo, 0);
         f->y_hi = f->y_lo < f->y_hi ? f->y_hi : f->y_lo + 1;
@@ -62,6 +66,7 @@ static int dot_x(const struct frame *f, double x) {
 }
 
 static int dot_y(const struct frame *f, double y) {
+    y = y < f->y_lo ? f->y_lo : y;
     double u = (f->y_hi - y) / (f->y_hi - f->y_lo) * (4 * f->area.h - 1);
     return (int)lround(cr_clamp(u, -1e6, 1e6));
 }

@@ -101,23 +101,18 @@ static enum cr_err title(const struct page *page, struct cr_error *err) {
     return emit(page, &c, err);
 }
 
-static enum cr_err picture(const struct page *page, const char *name, const char *note, double time,
-                           struct cr_error *err) {
+static enum cr_err picture(const struct page *page, const char *name, const char *note,
+                           const struct cr_scene_view *view, int rows, struct cr_error *err) {
     const struct cr_result *r = page->result;
-    struct cr_scene_view view = {
-        .field = CR_FIELD_EES, .time = time, .centre = {NAN, NAN}, .vectors = true, .selected = -1};
-    int most = page->width / 4 + 6;
-    int rows = cr_pic_rows(&r->compiled, &r->resolved, r, &view, page->width, most);
-    struct cr_cells c;
+    struct cr_cells c = {0};
     enum cr_err code = heading(page, name, note, err);
     if (code == CR_ERR_OK) {
         code = cr_cells_new(page->width, rows, &c, err);
     }
-    if (code != CR_ERR_OK) {
-        return code;
+    if (code == CR_ERR_OK) {
+        code = cr_render_scene(&c, (struct cr_rect){0, 0, page->width, rows}, page->look,
+                               &r->compiled, &r->resolved, r, view, err);
     }
-    code = cr_render_scene(&c, (struct cr_rect){0, 0, page->width, rows}, page->look, &r->compiled,
-                           &r->resolved, r, &view, err);
     if (code != CR_ERR_OK) {
         cr_cells_fini(&c);
         return code;
@@ -128,15 +123,26 @@ static enum cr_err picture(const struct page *page, const char *name, const char
 static enum cr_err pictures(const struct page *page, struct cr_error *err) {
     const struct cr_solution *sol = page->result->solution;
     double t0 = cr_render_t_contact(sol), t1 = cr_render_t_after(sol);
+    /* a hand's breadth apart, so that one sees where one body ends and the other begins */
+    double closing = sol->contacts > 0 ? sol->contact[0].closing : 0;
+    double lead = closing > 1 ? fmin(0.3 / closing, t0) : 0;
+    struct cr_scene_view view = {.field = CR_FIELD_EES,
+                                 .time = t0 - lead,
+                                 .centre = {NAN, NAN},
+                                 .vectors = true,
+                                 .selected = -1};
+    int rows = cr_pic_frame(page->result, &view, page->width, page->width / 4 + 6);
     char note[80];
-    snprintf(note, sizeof note, "first contact, %.1f ms after the start", t0 * 1e3);
-    enum cr_err code = picture(page, "Before", note, t0, err);
+    snprintf(note, sizeof note, "%.0f ms before the first touch", lead * 1e3);
+    enum cr_err code =
+        picture(page, "Before", lead > 0 ? note : "at the first touch", &view, rows, err);
     if (code != CR_ERR_OK) {
         return code;
     }
     snprintf(note, sizeof note, "end of the last contact, %.1f ms after the first touch",
              (t1 - t0) * 1e3);
-    return picture(page, "After", note, NAN, err);
+    view.time = NAN;
+    return picture(page, "After", note, &view, rows, err);
 }
 
 static enum cr_err pulses(const struct page *page, struct cr_error *err) {
@@ -233,7 +239,7 @@ static enum cr_err contact_lines(const struct page *page, const struct cr_contac
     }
     if (code == CR_ERR_OK) {
         snprintf(text, sizeof text,
-                 "  closing speed %.1f km/h, restitution %.2f, impulse %.2f kN s, friction %.1f kJ",
+                 "  closing %.1f km/h, restitution %.2f, impulse %.2f kN s, friction %.1f kJ",
                  cr_kmh(k->closing), k->restitution, cr_vec2_len(k->impulse) * 1e-3,
                  k->friction * 1e-3);
         code = paragraph(page, 2, CR_ROLE_TEXT, text, err);

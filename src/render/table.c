@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { LABEL = 24, UNIT = 7, COLUMN = 11, COLUMN_MOST = 15 };
+enum { LABEL = 27, UNIT = 7, COLUMN = 11, COLUMN_MOST = 18 };
 
 struct source {
     const struct cr_result *result;
@@ -104,43 +104,43 @@ static const struct row FINAL[] = {
     {"mass", "kg", 0, get_mass, NULL, false},
     {"speed at first contact", "km/h", 1, get_before, NULL, false},
     {"Severity", NULL, 0, NULL, NULL, false},
-    {"EES", "km/h", 1, get_ees, NULL, true},
-    {"delta-v", "km/h", 1, get_delta_v, NULL, false},
-    {"  forward", "km/h", 1, get_forward, NULL, false},
-    {"  to the left", "km/h", 1, get_left, NULL, false},
-    {"PDOF", "deg", 0, get_pdof, NULL, true},
-    {"  as the clock", "", -1, NULL, put_clock, true},
-    {"CDC", "", -1, NULL, put_cdc, true},
+    {"  EES", "km/h", 1, get_ees, NULL, true},
+    {"  delta-v", "km/h", 1, get_delta_v, NULL, false},
+    {"    forward", "km/h", 1, get_forward, NULL, false},
+    {"    to the left", "km/h", 1, get_left, NULL, false},
+    {"  PDOF", "deg", 0, get_pdof, NULL, true},
+    {"    as the clock", "", -1, NULL, put_clock, true},
+    {"  CDC", "", -1, NULL, put_cdc, true},
     {"Deformation", NULL, 0, NULL, NULL, true},
-    {"struck face", "", -1, NULL, put_face, true},
-    {"greatest depth, residual", "m", 2, get_depth, NULL, true},
-    {"greatest depth, dynamic", "m", 2, get_dynamic, NULL, true},
-    {"crushed area", "m\u00b2", 2, get_area, NULL, true},
-    {"  induced part", "m\u00b2", 2, get_area_induced, NULL, true},
-    {"energy", "kJ", 1, get_energy, NULL, true},
-    {"  induced part", "kJ", 1, get_induced, NULL, true},
+    {"  struck face", "", -1, NULL, put_face, true},
+    {"  greatest depth, residual", "m", 2, get_depth, NULL, true},
+    {"  greatest depth, dynamic", "m", 2, get_dynamic, NULL, true},
+    {"  crushed area", "m\u00b2", 2, get_area, NULL, true},
+    {"    induced part", "m\u00b2", 2, get_area_induced, NULL, true},
+    {"  energy", "kJ", 1, get_energy, NULL, true},
+    {"    induced part", "kJ", 1, get_induced, NULL, true},
     {"Acceleration", NULL, 0, NULL, NULL, false},
-    {"maximum, CFC 60", "g", 1, get_a_max, NULL, false},
-    {"  after first contact", "ms", 1, get_t_max, NULL, false},
-    {"mean", "g", 1, get_a_mean, NULL, false},
-    {"contact lasts", "ms", 1, get_pulse, NULL, false},
-    {"OLC", "g", 1, get_olc, NULL, false},
-    {"ASI", "", 2, get_asi, NULL, false},
-    {"VPI", "g", 1, get_vpi, NULL, false},
-    {"THIV", "km/h", 1, get_thiv, NULL, false},
-    {"PHD", "g", 1, get_phd, NULL, false},
+    {"  maximum, CFC 60", "g", 1, get_a_max, NULL, false},
+    {"    after first contact", "ms", 1, get_t_max, NULL, false},
+    {"  mean", "g", 1, get_a_mean, NULL, false},
+    {"  contact lasts", "ms", 1, get_pulse, NULL, false},
+    {"  OLC", "g", 1, get_olc, NULL, false},
+    {"  ASI", "", 2, get_asi, NULL, false},
+    {"  VPI", "g", 1, get_vpi, NULL, false},
+    {"  THIV", "km/h", 1, get_thiv, NULL, false},
+    {"  PHD", "g", 1, get_phd, NULL, false},
     {"After the crash", NULL, 0, NULL, NULL, false},
-    {"speed", "km/h", 1, get_speed_after, NULL, false},
-    {"course", "deg", 1, get_course_after, NULL, false},
-    {"yaw rate", "deg/s", 1, get_yaw_after, NULL, false},
-    {"  change in the crash", "deg/s", 1, get_yaw_change, NULL, false},
+    {"  speed", "km/h", 1, get_speed_after, NULL, false},
+    {"  course", "deg", 1, get_course_after, NULL, false},
+    {"  yaw rate", "deg/s", 1, get_yaw_after, NULL, false},
+    {"    change in the crash", "deg/s", 1, get_yaw_change, NULL, false},
 };
 static const struct row REST[] = {
     {"At rest", NULL, 0, NULL, NULL, false},
-    {"after first contact", "s", 2, get_rest_t, NULL, false},
-    {"x", "m", 2, get_rest_x, NULL, false},
-    {"y", "m", 2, get_rest_y, NULL, false},
-    {"heading", "deg", 1, get_rest_heading, NULL, false},
+    {"  after first contact", "s", 2, get_rest_t, NULL, false},
+    {"  x", "m", 2, get_rest_x, NULL, false},
+    {"  y", "m", 2, get_rest_y, NULL, false},
+    {"  heading", "deg", 1, get_rest_heading, NULL, false},
 };
 static const struct row INSTANT[] = {
     {"type", "", -1, NULL, put_type, false},
@@ -284,7 +284,7 @@ static void write_injuries(struct layout *l, const struct cr_result *result) {
         cr_cells_print(l->cells, l->at.x, l->y++, 0, CR_ROLE_TITLE, "Probability of injury");
     }
     for (int i = 0; i < n && l->y < l->at.y + l->at.h; i++) {
-        cr_cells_print(l->cells, l->at.x, l->y, l->label, CR_ROLE_TEXT, name[i]);
+        cr_cells_print(l->cells, l->at.x + 2, l->y, l->label - 2, CR_ROLE_TEXT, name[i]);
         for (int k = 0; k < l->n; k++) {
             const struct cr_severity *of = &result->of[l->body[k]];
             char text[32] = "-";
