@@ -7,11 +7,14 @@ librender_a_SOURCES = \
 	src/render/dots.c \
 	src/render/draw.c \
 	src/render/glyph.c \
+	src/render/layout.c src/render/layout.h \
 	src/render/marks.c \
+	src/render/panes.c src/render/panes.h \
 	src/render/picture.c src/render/picture.h \
 	src/render/plot.c \
 	src/render/pulse.c \
 	src/render/report.c \
+	src/render/results_pane.c \
 	src/render/state.c \
 	src/render/table.c src/render/table.h \
 	src/render/theme.c src/render/theme.h

@@ -1,5 +1,5 @@
 /* Plots of a result's traces: pulses, any other quantity, energies. */
-#include "render/render_priv.h"
+#include "render/picture.h"
 
 #include "base/arena.h"
 #include "base/vec.h"
@@ -41,14 +41,8 @@ bool cr_render_moves(const struct cr_result *result, int body) {
     return result->compiled.cs.body[body].mass > 0;
 }
 
-/* last sample that a plot over the crash shows: a little after the last contact */
-static int last_sample(const struct cr_solution *sol) {
-    double t_end = sol->t_contact;
-    for (int i = 0; i < sol->bodies; i++) {
-        if (isfinite(sol->body[i].t_last)) {
-            t_end = fmax(t_end, sol->body[i].t_last);
-        }
-    }
+int cr_render_samples(const struct cr_solution *sol) {
+    double t_end = cr_render_t_after(sol);
     t_end += 0.05 * (t_end - sol->t_contact);
     int n = 0;
     while (n < sol->samples && (n < 2 || sol->t[n] <= t_end)) {
@@ -77,10 +71,8 @@ static void set_name(char name[2], const struct cr_result *result, int body) {
     name[1] = '\0';
 }
 
-/* Series of one participant in y, filtered with CFC 60 as the reported maxima are; what cannot be
- * filtered (slices too long) is shown as it is. */
-static void series(const struct cr_result *result, int body, enum cr_quantity quantity, int n,
-                   double *y) {
+void cr_render_series(const struct cr_result *result, int body, enum cr_quantity quantity, int n,
+                      double *y) {
     const struct cr_solution *sol = result->solution;
     for (int i = 0; i < n; i++) {
         y[i] = value(sol, i, body, quantity);
@@ -104,7 +96,7 @@ enum cr_err cr_render_pulse(struct cr_cells *cells, struct cr_rect at, const str
     char name[CR_BODY_MAX][2];
     struct cr_arena arena = {0};
     enum cr_err code = CR_ERR_OK;
-    int n = last_sample(sol), curves = 0;
+    int n = cr_render_samples(sol), curves = 0;
     double *t = cr_arena_take(&arena, (size_t)n + 1, sizeof *t);
     if (t == NULL) {
         code = no_memory(err);
@@ -122,7 +114,7 @@ enum cr_err cr_render_pulse(struct cr_cells *cells, struct cr_rect at, const str
             code = no_memory(err);
             goto out;
         }
-        series(result, b, quantity, n, y);
+        cr_render_series(result, b, quantity, n, y);
         set_name(name[b], result, b);
         curve[curves++] = (struct cr_curve_line){.x = t,
                                                  .y = y,
@@ -167,7 +159,7 @@ enum cr_err cr_render_energy(struct cr_cells *cells, struct cr_rect at, const st
     char name[CR_BODY_MAX][2];
     struct cr_arena arena = {0};
     enum cr_err code = CR_ERR_OK;
-    int n = last_sample(sol), curves = 0;
+    int n = cr_render_samples(sol), curves = 0;
     double *t = cr_arena_take(&arena, (size_t)n + 1, sizeof *t);
     double *y = cr_arena_take(&arena, ((size_t)n + 1) * (size_t)(sol->bodies + 1), sizeof *y);
     if (t == NULL || y == NULL) {

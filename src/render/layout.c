@@ -1,0 +1,151 @@
+#include "render/layout.h"
+
+#include <string.h>
+
+enum {
+    PROMPT_W = 40,
+    PROMPT_H = 12, /* below: prompt and log only */
+    ONE_W = 80,
+    ONE_H = 24, /* from here the results pane */
+    TWO_W = 120,
+    TWO_H = 36,
+    ALL_W = 160,
+    ALL_H = 44,
+    RESULTS_W = 30,
+    SIDE_W = 76 /* right-hand column with table, sweep and log */
+};
+
+static const char *const TITLES[CR_PANES] = {
+#define X(name, title, word) title,
+    CR_PANE_LIST(X)
+#undef X
+};
+static const char *const WORDS[CR_PANES] = {
+#define X(name, title, word) word,
+    CR_PANE_LIST(X)
+#undef X
+};
+
+const char *cr_pane_title(enum cr_pane pane) {
+    return TITLES[pane];
+}
+
+const char *cr_pane_word(enum cr_pane pane) {
+    return WORDS[pane];
+}
+
+int cr_pane_find(const char *word) {
+    for (int i = 0; i < CR_PANES; i++) {
+        if (strcmp(WORDS[i], word) == 0) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+/* n rows off the top, or off the bottom, of what is left */
+static struct cr_rect top(struct cr_rect *rest, int n) {
+    n = n > rest->h ? rest->h : n;
+    struct cr_rect r = {rest->x, rest->y, rest->w, n};
+    rest->y += n;
+    rest->h -= n;
+    return r;
+}
+
+static struct cr_rect bottom(struct cr_rect *rest, int n) {
+    n = n > rest->h ? rest->h : n;
+    rest->h -= n;
+    return (struct cr_rect){rest->x, rest->y + rest->h, rest->w, n};
+}
+
+static struct cr_rect left(struct cr_rect *rest, int n) {
+    n = n > rest->w ? rest->w : n;
+    struct cr_rect r = {rest->x, rest->y, n, rest->h};
+    rest->x += n;
+    rest->w -= n;
+    return r;
+}
+
+static struct cr_rect right(struct cr_rect *rest, int n) {
+    n = n > rest->w ? rest->w : n;
+    rest->w -= n;
+    return (struct cr_rect){rest->x + rest->w, rest->y, n, rest->h};
+}
+
+static void prompt_only(struct cr_layout *l, struct cr_rect rest) {
+    l->prompt = bottom(&rest, 1);
+    if (rest.h > 1) {
+        l->notice = top(&rest, 1);
+    }
+    l->pane[CR_PANE_LOG] = rest;
+}
+
+static void narrow(struct cr_layout *l, struct cr_rect rest, enum cr_pane view) {
+    if (rest.h >= 16) {
+        l->keys = bottom(&rest, 1);
+    }
+    l->prompt = bottom(&rest, 1);
+    l->dialogue = bottom(&rest, 2);
+    l->pane[view] = rest;
+}
+
+static void one(struct cr_layout *l, struct cr_rect rest, enum cr_pane view) {
+    l->keys = bottom(&rest, 1);
+    if (rest.h >= 30) {
+        l->hint = bottom(&rest, 1);
+    }
+    l->prompt = bottom(&rest, 1);
+    l->dialogue = bottom(&rest, rest.h >= 32 ? 4 : 2);
+    l->spark = bottom(&rest, 2);
+    l->results = right(&rest, RESULTS_W);
+    l->pane[view] = rest;
+}
+
+/* the scene and results above, the chosen view (or the pulse) below */
+static void two(struct cr_layout *l, struct cr_rect rest, enum cr_pane view) {
+    l->keys = bottom(&rest, 1);
+    l->hint = bottom(&rest, 1);
+    l->prompt = bottom(&rest, 1);
+    l->dialogue = bottom(&rest, 3);
+    l->pane[view == CR_PANE_SCENE ? CR_PANE_PULSE : view] = bottom(&rest, rest.h * 2 / 5);
+    l->results = right(&rest, RESULTS_W);
+    l->pane[CR_PANE_SCENE] = rest;
+}
+
+static void all(struct cr_layout *l, struct cr_rect rest) {
+    l->keys = bottom(&rest, 1);
+    l->hint = bottom(&rest, 1);
+    l->prompt = bottom(&rest, 1);
+    struct cr_rect side = right(&rest, rest.w >= 200 ? SIDE_W : 66);
+    struct cr_rect plots = bottom(&rest, rest.h * 2 / 5);
+    l->pane[CR_PANE_SCENE] = rest;
+    l->pane[CR_PANE_PULSE] = left(&plots, (plots.w + 1) / 2);
+    l->pane[CR_PANE_ENERGY] = plots;
+    l->pane[CR_PANE_TABLE] = top(&side, side.h * 46 / 100);
+    l->pane[CR_PANE_SWEEP] = top(&side, side.h * 45 / 100);
+    l->pane[CR_PANE_LOG] = side;
+}
+
+struct cr_layout cr_layout_of(int w, int h, enum cr_pane view, bool zoomed) {
+    struct cr_layout l = {.kind = CR_LAYOUT_PROMPT};
+    struct cr_rect rest = {0, 0, w < 1 ? 1 : w, h < 1 ? 1 : h};
+    if (w < PROMPT_W || h < PROMPT_H) {
+        prompt_only(&l, rest);
+        return l;
+    }
+    l.title = top(&rest, 1);
+    if (zoomed || w < ONE_W || h < ONE_H) {
+        l.kind = CR_LAYOUT_NARROW;
+        narrow(&l, rest, view);
+    } else if (w >= ALL_W && h >= ALL_H) {
+        l.kind = CR_LAYOUT_ALL;
+        all(&l, rest);
+    } else if (w >= TWO_W && h >= TWO_H) {
+        l.kind = CR_LAYOUT_TWO;
+        two(&l, rest, view);
+    } else {
+        l.kind = CR_LAYOUT_ONE;
+        one(&l, rest, view);
+    }
+    return l;
+}

@@ -1,0 +1,54 @@
+/* The layout of the full screen: one pure function from the size of the terminal to rectangles
+ * (screen.md, "How it adapts"). */
+#ifndef CR_RENDER_LAYOUT_H
+#define CR_RENDER_LAYOUT_H
+
+#include "render/render.h"
+
+/* X(NAME, title of the tab, word of the command `view`) */
+#define CR_PANE_LIST(X)                                                                            \
+    X(SCENE, "Scene", "scene")                                                                     \
+    X(PULSE, "Pulse", "pulse")                                                                     \
+    X(ENERGY, "Energy", "energy")                                                                  \
+    X(TABLE, "Table", "table")                                                                     \
+    X(SWEEP, "Sweep", "sweep")                                                                     \
+    X(LOG, "Log", "log")
+
+enum cr_pane {
+#define X(name, title, word) CR_PANE_##name,
+    CR_PANE_LIST(X)
+#undef X
+        CR_PANES
+};
+
+enum cr_layout_kind {
+    CR_LAYOUT_PROMPT, /* below 40x12: prompt and log only */
+    CR_LAYOUT_NARROW, /* below 80x24: one view, no results pane */
+    CR_LAYOUT_ONE,    /* one view with results beside it, pulses as lines below */
+    CR_LAYOUT_TWO,    /* from 120x36: scene and another view */
+    CR_LAYOUT_ALL     /* from 160x44: all panes */
+};
+
+/* Rectangles that tile the screen: no overlap, no gap. w = 0: not shown. Panes and results come
+ * with their frame; the results pane has no left border, that of its neighbour is its own. */
+struct cr_layout {
+    enum cr_layout_kind kind;
+    struct cr_rect title, notice; /* notice: what a larger terminal would show */
+    struct cr_rect pane[CR_PANES], results;
+    struct cr_rect spark;    /* pulses as lines */
+    struct cr_rect dialogue; /* the last commands and answers */
+    struct cr_rect prompt;
+    struct cr_rect hint; /* help for the command being typed */
+    struct cr_rect keys;
+};
+
+/* Layout of a terminal of w x h cells (at least 1 x 1) showing this view; zoomed: the view alone.
+ */
+struct cr_layout cr_layout_of(int w, int h, enum cr_pane view, bool zoomed);
+
+/* "Scene", and the word of the command; -1 for a word that is none. */
+const char *cr_pane_title(enum cr_pane pane);
+const char *cr_pane_word(enum cr_pane pane);
+int cr_pane_find(const char *word);
+
+#endif

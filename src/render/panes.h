@@ -1,0 +1,84 @@
+/* Panes of the full screen, drawn into cells: frames, title bar, results, sparklines, sweep table,
+ * log, key bar. They know nothing of curses and of commands: what they show is passed in. */
+#ifndef CR_RENDER_PANES_H
+#define CR_RENDER_PANES_H
+
+#include "render/layout.h"
+
+/* Frame of a pane with its title; with tabs (view 0.. as in the layout, all six named) instead when
+ * title is NULL. joined: no left border, the neighbour's right one is shared. Returns the inside.
+ */
+struct cr_rect cr_render_frame(struct cr_cells *cells, struct cr_rect at,
+                               const struct cr_look *look, const char *title, enum cr_pane view,
+                               bool active, bool joined);
+
+enum cr_state {
+    CR_STATE_EMPTY,
+    CR_STATE_EDITED,
+    CR_STATE_SOLVING,
+    CR_STATE_SOLVED,
+    CR_STATE_STALE,
+    CR_STATE_FAILED,
+    CR_STATES
+};
+/* "SOLVED" and the like. */
+const char *cr_state_word(enum cr_state state);
+
+struct cr_title {
+    const char *file; /* NULL: none yet */
+    bool unsaved;
+    enum cr_state state;
+    double progress; /* 0..1 while solving */
+    int vehicles, objects, undo;
+    double time, t_end; /* s after first contact, NaN: none */
+    int frame, frames;  /* time slices */
+    double dt;          /* s */
+    const char *field, *theme;
+};
+void cr_render_title(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
+                     const struct cr_title *title);
+
+/* The quantities that matter most, in 26 columns and more; stale dims them. time NaN: final. */
+void cr_render_results(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
+                       const struct cr_result *result, double time, bool stale);
+
+/* |a| of the first moving participants, a row each, with its peak; cursor: time of the scene. */
+CR_MUST_CHECK enum cr_err cr_render_sparks(struct cr_cells *cells, struct cr_rect at,
+                                           const struct cr_look *look,
+                                           const struct cr_result *result, double cursor,
+                                           struct cr_error *err);
+/* Time of the scene (s) that a column of a spark line stands for; NaN outside of it. */
+double cr_render_spark_time(struct cr_rect at, const struct cr_result *result, int column);
+
+/* A table of texts: a heading per column, rows, and one row chosen (-1: none). */
+struct cr_sheet {
+    int columns, rows;
+    const char *const *head; /* [columns] */
+    const char *const *cell; /* [rows * columns], NULL: empty */
+    int chosen;
+    const char *note; /* last row, NULL: none */
+    double progress;  /* 0..1: a bar above the note, NaN: none */
+};
+void cr_render_sheet(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
+                     const struct cr_sheet *sheet);
+
+enum cr_line { CR_LINE_ANSWER, CR_LINE_COMMAND, CR_LINE_WARNING, CR_LINE_ERROR, CR_LINE_COMMENT };
+struct cr_log_line {
+    enum cr_line kind;
+    const char *text;
+};
+/* The last lines that fit, `back` lines further up; each cut with ~, never wrapped. */
+void cr_render_log(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
+                   const struct cr_log_line *line, int n, int back);
+
+struct cr_key {
+    const char *key, *label;
+};
+/* Keys in order of weight; those that do not fit are left out. */
+void cr_render_keys(struct cr_cells *cells, struct cr_rect at, const struct cr_key *key, int n);
+
+/* Box over other panes with a title, for help and the palette; returns the inside. */
+struct cr_rect cr_render_overlay(struct cr_cells *cells, const struct cr_look *look, int w, int h,
+                                 const char *title);
+
+#endif

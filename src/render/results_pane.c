@@ -1,0 +1,226 @@
+/* The narrow pane beside the scene, and the pulses as lines of text. */
+#include "render/panes.h"
+#include "render/picture.h"
+#include "render/table.h"
+
+#include "base/vec.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LABEL = 10, UNIT = 5, COLUMN = 7 };
+
+struct source {
+    const struct cr_result *result;
+    int body;
+    struct cr_sample now;
+    bool final;
+};
+
+#define OF(name, expression)                                                                       \
+    static double name(const struct source *s) {                                                   \
+        return expression;                                                                         \
+    }
+OF(mass, s->result->compiled.cs.body[s->body].mass)
+OF(v0, cr_kmh(cr_vec2_len(s->result->solution->body[s->body].before.vel)))
+OF(v_now, cr_kmh(cr_vec2_len(s->now.vel)))
+OF(ees_now, cr_kmh(sqrt(2 * fmax(s->now.energy, 0) / mass(s))))
+OF(ees, s->final ? cr_kmh(s->result->of[s->body].ees) : ees_now(s))
+OF(dv_now,
+   cr_kmh(cr_vec2_len(cr_vec2_sub(s->now.vel, s->result->solution->body[s->body].before.vel))))
+OF(dv, s->final ? cr_kmh(s->result->of[s->body].delta_v) : dv_now(s))
+OF(pdof, cr_deg(s->result->of[s->body].pdof))
+OF(depth, s->result->of[s->body].deformation_max)
+OF(energy, (s->final ? s->result->of[s->body].energy : s->now.energy) * 1e-3)
+OF(a_max, s->result->of[s->body].acceleration_max / CR_G)
+OF(a_now, cr_vec2_len(s->now.acc) / CR_G)
+OF(force, cr_vec2_len(s->now.force) * 1e-3)
+OF(yaw, cr_deg(s->now.yaw_rate))
+OF(turned, cr_deg(s->now.heading - s->result->solution->body[s->body].before.heading))
+#undef OF
+
+enum { ALWAYS, AT_END, AT_INSTANT };
+static const struct {
+    const char *label, *unit;
+    int decimals, when;
+    bool grid_only;
+    double (*get)(const struct source *s);
+} ROWS[] = {
+    {"mass", "kg", 0, ALWAYS, false, mass},       {"v0", "km/h", 1, ALWAYS, false, v0},
+    {"v", "km/h", 1, ALWAYS, false, v_now},       {"EES", "km/h", 1, ALWAYS, true, ees},
+    {"delta-v", "km/h", 1, ALWAYS, false, dv},    {"PDOF", "deg", 0, AT_END, true, pdof},
+    {"depth", "m", 2, AT_END, true, depth},       {"E deform", "kJ", 1, ALWAYS, true, energy},
+    {"a max", "g", 1, AT_END, false, a_max},      {"a", "g", 1, AT_INSTANT, false, a_now},
+    {"force", "kN", 0, AT_INSTANT, false, force}, {"yaw rate", "deg/s", 0, ALWAYS, false, yaw},
+    {"turned", "deg", 1, ALWAYS, false, turned},
+};
+
+struct spot {
+    struct cr_cells *cells;
+    struct cr_rect at;
+    int y, n;
+    const int *body;
+};
+
+static int column_end(const struct spot *p, int k) {
+    return p->at.x + p->at.w - UNIT - 1 - (p->n - 1 - k) * COLUMN;
+}
+
+static void write_rows(struct spot *p, const struct cr_result *result, double time) {
+    bool final = isnan(time) || time >= cr_render_t_after(result->solution);
+    for (size_t i = 0; i < sizeof ROWS / sizeof ROWS[0] && p->y < p->at.y + p->at.h; i++) {
+        if (ROWS[i].when != ALWAYS && (ROWS[i].when == AT_END) != final) {
+            continue;
+        }
+        cr_cells_print(p->cells, p->at.x, p->y, LABEL, CR_ROLE_TEXT, ROWS[i].label);
+        for (int k = 0; k < p->n; k++) {
+            int b = p->body[k];
+            char text[32] = "-";
+            struct source s = {result, b, cr_render_state(&result->compiled, result, b, time),
+                               final};
+            if (!ROWS[i].grid_only || result->compiled.cs.body[b].grid.nx > 0) {
+                cr_render_number(ROWS[i].get(&s), ROWS[i].decimals, text, sizeof text);
+            }
+            cr_cells_print_right(p->cells, column_end(p, k), p->y, COLUMN - 1, CR_ROLE_TEXT, text);
+        }
+        cr_cells_print(p->cells, p->at.x + p->at.w - UNIT, p->y++, UNIT, CR_ROLE_DIM, ROWS[i].unit);
+    }
+}
+
+static void write_foot(struct spot *p, const struct cr_result *result) {
+    const struct cr_solution *sol = result->solution;
+    char text[80];
+    int left = p->at.y + p->at.h - p->y, lines = 3 + (sol->contacts > 0 ? 2 : 0);
+    if (left < lines) {
+        return;
+    }
+    p->y = p->at.y + p->at.h - lines + 1;
+    snprintf(text, sizeof text, "sum E deform %8.1f kJ", sol->balance.plastic * 1e-3);
+    cr_cells_print(p->cells, p->at.x, p->y++, p->at.w, CR_ROLE_TEXT, text);
+    snprintf(text, sizeof text, "energy error  %.1e", sol->balance.energy_residual);
+    cr_cells_print(p->cells, p->at.x, p->y++, p->at.w, CR_ROLE_DIM, text);
+    if (sol->contacts > 0) {
+        const struct cr_contact *c = &sol->contact[0];
+        snprintf(text, sizeof text, "plastic %.0f, elastic %.0f+%.0f ms",
+                 (c->t_plastic_end - c->t_begin) * 1e3, (c->t_elastic_end - c->t_plastic_end) * 1e3,
+                 (c->t_end - c->t_elastic_end) * 1e3);
+        cr_cells_print(p->cells, p->at.x, p->y++, p->at.w, CR_ROLE_TEXT, text);
+        snprintf(text, sizeof text, "stop: %s", cr_stop_word(c->stop));
+        cr_cells_print(p->cells, p->at.x, p->y++, p->at.w, CR_ROLE_TEXT, text);
+    }
+}
+
+void cr_render_results(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
+                       const struct cr_result *result, double time, bool stale) {
+    int body[CR_BODY_MAX] = {0};
+    (void)look;
+    if (result == NULL || result->solution->samples == 0) {
+        cr_cells_print(cells, at.x, at.y, at.w, CR_ROLE_DIM, "not solved yet: F5");
+        return;
+    }
+    int n = cr_table_bodies(result, body), most = (at.w - LABEL - UNIT) / COLUMN;
+    most = most < 1 ? 1 : most;
+    struct spot p = {cells, at, at.y, n < most ? n : most, body};
+    if (n > most) {
+        char more[24];
+        snprintf(more, sizeof more, "+%d more", n - most);
+        cr_cells_print(cells, at.x, at.y, LABEL, CR_ROLE_DIM, more);
+    }
+    for (int k = 0; k < p.n; k++) {
+        cr_cells_print_right(cells, column_end(&p, k), p.y, COLUMN - 1, cr_render_role_of(body[k]),
+                             result->resolved.part[body[k]].id);
+    }
+    p.y++;
+    write_rows(&p, result, time);
+    write_foot(&p, result);
+    for (int y = at.y; stale && y < at.y + at.h; y++) {
+        cr_cells_flag(cells, at.x, y, at.w, CR_CELL_DIM);
+    }
+}
+
+/* ---- pulses as lines ---- */
+
+enum { SPARK_HEAD = 7, SPARK_TAIL = 24 };
+
+static int spark_columns(struct cr_rect at) {
+    int n = at.w - SPARK_HEAD - SPARK_TAIL;
+    return n < 0 ? 0 : n;
+}
+
+double cr_render_spark_time(struct cr_rect at, const struct cr_result *result, int column) {
+    const struct cr_solution *sol = result->solution;
+    int n = spark_columns(at), samples = cr_render_samples(sol);
+    int i = column - at.x - SPARK_HEAD;
+    if (i < 0 || i >= n || samples < 1) {
+        return NAN;
+    }
+    double u = n > 1 ? (double)i / (n - 1) : 0;
+    return sol->t_contact + u * (sol->t[samples - 1] - sol->t_contact);
+}
+
+static void draw_spark(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
+                       const struct cr_result *result, int body, const double *y, int n,
+                       double scale) {
+    const struct cr_solution *sol = result->solution;
+    int columns = spark_columns(at), peak = 0;
+    char text[64];
+    snprintf(text, sizeof text, "%.1s |a|", result->resolved.part[body].id);
+    cr_cells_print(cells, at.x, at.y, SPARK_HEAD, cr_render_role_of(body), text);
+    for (int i = 0; i < n; i++) {
+        peak = y[i] > y[peak] ? i : peak;
+    }
+    for (int c = 0; c < columns; c++) {
+        int i0 = (int)((double)c * n / columns), i1 = (int)((double)(c + 1) * n / columns);
+        double v = y[i0];
+        for (int i = i0; i < i1; i++) {
+            v = fmax(v, y[i]);
+        }
+        int level = (int)ceil(cr_clamp(v / scale, 0, 1) * 8 - 1e-9);
+        uint32_t ch = look->ascii ? (uint8_t) "_.-=+*%#"[level > 0 ? level - 1 : 0]
+                                  : 0x2580u + (uint32_t)(level > 0 ? level : 1);
+        cr_cells_put(cells, at.x + SPARK_HEAD + c, at.y, cr_render_role_of(body), ch);
+    }
+    snprintf(text, sizeof text, "  peak %.1f g  %.0f ms", y[peak],
+             (sol->t[peak] - sol->t_contact) * 1e3);
+    cr_cells_print(cells, at.x + SPARK_HEAD + columns, at.y, SPARK_TAIL, CR_ROLE_TEXT, text);
+}
+
+enum cr_err cr_render_sparks(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
+                             const struct cr_result *result, double cursor, struct cr_error *err) {
+    const struct cr_solution *sol = result->solution;
+    int n = cr_render_samples(sol), columns = spark_columns(at), rows = 0;
+    int body[CR_BODY_MAX];
+    for (int b = 0; b < sol->bodies && rows < at.h; b++) {
+        if (cr_render_moves(result, b)) {
+            body[rows++] = b;
+        }
+    }
+    if (n < 2 || rows == 0 || columns < 4) {
+        return CR_ERR_OK;
+    }
+    double *y = malloc((size_t)n * (size_t)rows * sizeof *y), most = 0;
+    if (y == NULL) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for the pulse lines");
+    }
+    for (int k = 0; k < rows; k++) {
+        cr_render_series(result, body[k], CR_QUANTITIES, n, y + k * n);
+        for (int i = 0; i < n; i++) {
+            most = fmax(most, y[k * n + i]);
+        }
+    }
+    for (int k = 0; k < rows; k++) {
+        draw_spark(cells, (struct cr_rect){at.x, at.y + k, at.w, 1}, look, result, body[k],
+                   y + k * n, n, most > 0 ? most : 1);
+    }
+    double span = sol->t[n - 1] - sol->t_contact;
+    if (cursor >= sol->t_contact && cursor <= sol->t[n - 1] && span > 0) {
+        int x = at.x + SPARK_HEAD + (int)lround((cursor - sol->t_contact) / span * (columns - 1));
+        for (int k = 0; k < rows; k++) {
+            cr_cells_flag(cells, x, at.y + k, 1, CR_CELL_REVERSE);
+        }
+    }
+    free(y);
+    return CR_ERR_OK;
+}
