@@ -238,12 +238,16 @@ enum cr_err cr_render_scene(struct cr_cells *cells, struct cr_rect at, const str
                        " no vehicles yet: try  vehicle A type=suv");
         return CR_ERR_OK;
     }
-    cr_pic_init(&pic, compiled, scene, result, view);
+    enum cr_err code = cr_pic_init(&pic, compiled, scene, result, view, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
     cr_pic_fit(&pic, result, view, at);
     draw_field(&pic, cells, look);
-    enum cr_err code = draw_outlines(&pic, cells, look, err);
+    code = draw_outlines(&pic, cells, look, err);
     if (code == CR_ERR_OK) {
         cr_pic_marks(&pic, cells, look, view);
     }
+    cr_pic_fini(&pic);
     return code;
 }

@@ -119,7 +119,8 @@ uint32_t cr_glyph_arrow(double angle, bool ascii) {
 }
 
 uint32_t cr_glyph_head(double angle, bool ascii) {
-    static const uint32_t heads[] = {0x25BA, 0x25B2, 0x25C4, 0x25BC};
-    int i = (int)lround(cr_angle_wrap(angle) / (CR_PI / 2)) & 3;
+    static const uint32_t heads[] = {0x25BA, 0x2197, 0x25B2, 0x2196,
+                                     0x25C4, 0x2199, 0x25BC, 0x2198};
+    int i = (int)lround(cr_angle_wrap(angle) / (CR_PI / 4)) & 7;
     return ascii ? (uint32_t)cr_glyph_ascii(heads[i]) : heads[i];
 }

@@ -6,6 +6,7 @@ librender_a_SOURCES = \
 	src/render/cells.c \
 	src/render/dots.c \
 	src/render/draw.c \
+	src/render/field.c \
 	src/render/glyph.c \
 	src/render/layout.c src/render/layout.h \
 	src/render/marks.c \

@@ -208,22 +208,6 @@ static void draw_axes(const struct ink *ink) {
 
 /* ---- the last row: scale and legend ---- */
 
-const char *cr_pic_field_label(enum cr_field field, bool ascii) {
-    switch (field) {
-    case CR_FIELD_EES:
-        return ascii ? "EES density kJ/m2" : "EES density kJ/m\u00b2";
-    case CR_FIELD_ENERGY:
-        return ascii ? "absorbed kJ/m2" : "absorbed kJ/m\u00b2";
-    case CR_FIELD_CRUSH:
-        return "crushed %";
-    case CR_FIELD_DEPTH:
-        return "depth m";
-    case CR_FIELD_NONE:
-        break;
-    }
-    return "";
-}
-
 struct pen {
     const struct ink *ink;
     int x, y, end;
@@ -269,9 +253,10 @@ static void write_ramp(struct pen *pen) {
     if (pic->field == CR_FIELD_NONE || !room(pen, 36)) {
         return;
     }
-    char top[32];
-    snprintf(top, sizeof top, " %g", pic->field_max);
-    write_text(pen, CR_ROLE_TEXT, cr_pic_field_label(pic->field, look->ascii));
+    char top[48];
+    snprintf(top, sizeof top, " %g%s %s", pic->field_max, pic->field == CR_FIELD_EES ? "+" : "",
+             cr_pic_field_unit(pic->field, look->ascii));
+    write_text(pen, CR_ROLE_TEXT, cr_pic_field_label(pic->field));
     write_text(pen, CR_ROLE_TEXT, " 0 ");
     bool blocks = look->color == CR_COLOR_256 && !look->ascii;
     int n = blocks ? CR_STEPS : look->ascii ? 9 : 4;

@@ -60,40 +60,6 @@ static void init_body(struct cr_pic_body *b, int i, const struct cr_compiled *co
     set_box(b);
 }
 
-/* ---- fields ---- */
-
-static double depth_at(const struct cr_pic_body *b, int ix, int iy) {
-    const struct cr_grid *g = b->grid;
-    static const int step[CR_FACES][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
-    const int *d = step[b->face < CR_FACES ? b->face : CR_FACE_FRONT];
-    int n = 0;
-    for (int x = ix, y = iy; x >= 0 && y >= 0 && x < g->nx && y < g->ny; x += d[0], y += d[1]) {
-        n += g->fill[y * g->nx + x] > 0.5;
-    }
-    return n * g->h;
-}
-
-static double field_value(const struct cr_pic_body *b, enum cr_field field, int ix, int iy,
-                          double left) {
-    const struct cr_grid *g = b->grid;
-    int i = iy * g->nx + ix;
-    double damage = g->fill[i] > 0 ? 1 - left / g->fill[i] : 0;
-    double density = g->energy[i] / (g->h * g->h) * 1e-3;
-    switch (field) {
-    case CR_FIELD_EES:
-        return density;
-    case CR_FIELD_ENERGY:
-        return damage * density;
-    case CR_FIELD_CRUSH:
-        return damage * 100;
-    case CR_FIELD_DEPTH:
-        return damage > 0.5 ? depth_at(b, ix, iy) : 0;
-    case CR_FIELD_NONE:
-        break;
-    }
-    return 0;
-}
-
 static double left_at(const struct cr_pic *pic, const struct cr_pic_body *b, int i) {
     double fill = b->grid->fill[i];
     bool whole = b->left == NULL || isnan(pic->time) || !pic->moved;
@@ -101,43 +67,6 @@ static double left_at(const struct cr_pic *pic, const struct cr_pic_body *b, int
         return fill;
     }
     return b->left[i];
-}
-
-/* Upper end of the scale: the value that 98 % of the voxels stay below (single hard voxels would
- * darken all others), rounded up to two digits. */
-static double scale_top(const struct cr_pic *pic) {
-    enum { BINS = 512 };
-    if (pic->field == CR_FIELD_CRUSH) {
-        return 100;
-    }
-    double most = 0;
-    long bin[BINS] = {0}, n = 0;
-    for (int pass = 0; pass < 2; pass++) {
-        for (int k = 0; k < pic->n; k++) {
-            const struct cr_pic_body *b = &pic->body[k];
-            for (int i = 0; i < b->grid->nx * b->grid->ny; i++) {
-                double v = field_value(
-                    b, pic->field, i % b->grid->nx, i / b->grid->nx,
-                    b->left != NULL && pic->field != CR_FIELD_EES ? b->left[i] : b->grid->fill[i]);
-                if (pass == 0) {
-                    most = fmax(most, v);
-                } else if (v > 0) {
-                    bin[(int)fmin(v / most * BINS, BINS - 1)]++;
-                    n++;
-                }
-            }
-        }
-        if (!(most > 0)) {
-            return 1;
-        }
-    }
-    long sum = 0;
-    int top = 0;
-    while (top < BINS && sum < 0.98 * (double)n) {
-        sum += bin[top++];
-    }
-    double x = most * top / BINS, unit = pow(10, floor(log10(x)) - 1);
-    return ceil(x / unit - 1e-9) * unit;
 }
 
 static bool inside_outline(const struct cr_pic_body *b, struct cr_vec2 p) {
@@ -174,7 +103,7 @@ bool cr_pic_look(const struct cr_pic *pic, const struct cr_pic_body *b, struct c
     hit->left = left_at(pic, b, i);
     hit->crushed = hit->left < 0.5 * fill;
     hit->induced = hit->crushed && b->how != NULL && (b->how[i] & CR_CRUSH_CONTACT) == 0;
-    hit->value = field_value(b, pic->field, ix, iy, hit->left);
+    hit->value = cr_pic_field_value(b, pic->field, ix, iy, hit->left);
     return true;
 }
 
@@ -288,22 +217,41 @@ void cr_pic_fit(struct cr_pic *pic, const struct cr_result *result,
     }
 }
 
-int cr_pic_frame(const struct cr_result *result, struct cr_scene_view *view, int width, int most) {
+enum cr_err cr_pic_frame(const struct cr_result *result, struct cr_scene_view *view, int width,
+                         int most, int *rows, struct cr_error *err) {
     struct cr_pic pic;
     struct cr_vec2 box[2];
-    cr_pic_init(&pic, &result->compiled, &result->resolved, result, view);
+    enum cr_err code = cr_pic_init(&pic, &result->compiled, &result->resolved, result, view, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
     world_box(&pic, result, box);
     int room = most - ROWS_ABOVE - ROWS_BELOW;
     view->m_per_col = fit_scale(box, width - 2 * COLS_SIDE, room);
     view->centre = cr_vec2_scale(cr_vec2_add(box[0], box[1]), 0.5);
-    int rows = (int)ceil((box[1].y - box[0].y) / (2 * view->m_per_col) - 1e-9);
-    rows = rows < 3 ? 3 : rows > room ? room : rows;
-    return rows + ROWS_ABOVE + ROWS_BELOW;
+    int n = (int)ceil((box[1].y - box[0].y) / (2 * view->m_per_col) - 1e-9);
+    *rows = (n < 3 ? 3 : n > room ? room : n) + ROWS_ABOVE + ROWS_BELOW;
+    cr_pic_fini(&pic);
+    return CR_ERR_OK;
 }
 
-void cr_pic_init(struct cr_pic *pic, const struct cr_compiled *compiled,
-                 const struct cr_scene *scene, const struct cr_result *result,
-                 const struct cr_scene_view *view) {
+/* greatest force of the trace and of this instant; after the crash there is none */
+static void set_forces(struct cr_pic *pic, const struct cr_solution *sol) {
+    for (int i = 0; i < pic->n; i++) {
+        struct cr_sample *now = &pic->body[i].now;
+        if (pic->done || !isfinite(now->coe.x) || !isfinite(now->coe.y)) {
+            now->force = cr_vec2(0, 0);
+        }
+        pic->force_now = fmax(pic->force_now, cr_vec2_len(now->force));
+    }
+    for (int i = 0; i < sol->samples * sol->bodies; i++) {
+        pic->force_max = fmax(pic->force_max, cr_vec2_len(sol->trace[i].force));
+    }
+}
+
+enum cr_err cr_pic_init(struct cr_pic *pic, const struct cr_compiled *compiled,
+                        const struct cr_scene *scene, const struct cr_result *result,
+                        const struct cr_scene_view *view, struct cr_error *err) {
     memset(pic, 0, sizeof *pic);
     bool solved = result != NULL && result->solution->samples > 0;
     pic->n = scene->n < CR_BODY_MAX ? scene->n : CR_BODY_MAX;
@@ -317,11 +265,17 @@ void cr_pic_init(struct cr_pic *pic, const struct cr_compiled *compiled,
     }
     for (int i = 0; i < pic->n; i++) {
         init_body(&pic->body[i], i, compiled, scene, result, pic->time);
-        double f = cr_vec2_len(pic->body[i].now.force);
-        pic->force_now = fmax(pic->force_now, f);
     }
-    for (int i = 0; solved && i < result->solution->samples * result->solution->bodies; i++) {
-        pic->force_max = fmax(pic->force_max, cr_vec2_len(result->solution->trace[i].force));
+    if (solved) {
+        set_forces(pic, result->solution);
     }
-    pic->field_max = scale_top(pic);
+    enum cr_err code = cr_pic_field_init(pic, err);
+    if (code != CR_ERR_OK) {
+        cr_pic_fini(pic);
+    }
+    return code;
+}
+
+void cr_pic_fini(struct cr_pic *pic) {
+    cr_arena_free(&pic->arena);
 }

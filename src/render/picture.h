@@ -17,6 +17,7 @@ struct cr_pic_body {
     double speed_before, speed_now; /* m/s, < 0: backwards */
     double turned;                  /* change of heading since the first contact, rad */
     const struct cr_grid *grid;     /* nx = 0: rigid, with outline */
+    const double *ees;              /* [ny * nx] km/h, NULL unless that is the field */
     const double *left;
     const float *t_crushed;
     const uint8_t *how;
@@ -27,6 +28,7 @@ struct cr_pic_body {
 };
 
 struct cr_pic {
+    struct cr_arena arena; /* owns the fields of the bodies */
     int n;
     struct cr_pic_body body[CR_BODY_MAX];
     double time; /* s; NaN: no result */
@@ -51,14 +53,16 @@ struct cr_pic_hit {
 
 /* Bodies at the time of the view; scale and centre fitted to the rectangle where the view leaves
  * them open. */
-void cr_pic_init(struct cr_pic *pic, const struct cr_compiled *compiled,
-                 const struct cr_scene *scene, const struct cr_result *result,
-                 const struct cr_scene_view *view);
+CR_MUST_CHECK enum cr_err cr_pic_init(struct cr_pic *pic, const struct cr_compiled *compiled,
+                                      const struct cr_scene *scene, const struct cr_result *result,
+                                      const struct cr_scene_view *view, struct cr_error *err);
+void cr_pic_fini(struct cr_pic *pic);
 void cr_pic_fit(struct cr_pic *pic, const struct cr_result *result,
                 const struct cr_scene_view *view, struct cr_rect at);
 /* Set scale and middle of a view so that it shows all from its time to the end of the crash, and
- * return the rows this takes at that width, at most `most`. */
-int cr_pic_frame(const struct cr_result *result, struct cr_scene_view *view, int width, int most);
+ * tell the rows this takes at that width, at most `most`. */
+CR_MUST_CHECK enum cr_err cr_pic_frame(const struct cr_result *result, struct cr_scene_view *view,
+                                       int width, int most, int *rows, struct cr_error *err);
 
 bool cr_pic_look(const struct cr_pic *pic, const struct cr_pic_body *body, struct cr_vec2 world,
                  struct cr_pic_hit *hit);
@@ -69,8 +73,14 @@ struct cr_vec2 cr_pic_to_world(const struct cr_pic *pic, double col, double row)
 /* Rectangle of cells that a body can touch, cut at the picture. */
 struct cr_rect cr_pic_cells_of(const struct cr_pic *pic, const struct cr_pic_body *body);
 
-/* Unit and name of a field for the legend. */
-const char *cr_pic_field_label(enum cr_field field, bool ascii);
+/* Field values of bodies (field.c): per voxel, and the upper end of the scale. */
+CR_MUST_CHECK enum cr_err cr_pic_field_init(struct cr_pic *pic, struct cr_error *err);
+double cr_pic_field_value(const struct cr_pic_body *b, enum cr_field field, int ix, int iy,
+                          double left);
+
+/* Name of a field for the legend, and the unit. */
+const char *cr_pic_field_unit(enum cr_field field, bool ascii);
+const char *cr_pic_field_label(enum cr_field field);
 
 /* Arrows, letters, labels, scale bar, legend. */
 void cr_pic_marks(struct cr_pic *pic, struct cr_cells *cells, const struct cr_look *look,

@@ -128,6 +128,16 @@ static void draw_y_axis(const struct frame *f) {
     }
 }
 
+/* a tick just above the highest point is worth having */
+static void round_up(struct frame *f) {
+    double step;
+    y_ticks(f, &step);
+    double next = ceil(f->y_hi / step - 1e-9) * step;
+    if (next - f->y_hi < 0.06 * (f->y_hi - f->y_lo)) {
+        f->y_hi = next;
+    }
+}
+
 static int y_label_width(const struct frame *f) {
     double step;
     int n = y_ticks(f, &step), width = 1;
@@ -280,6 +290,7 @@ enum cr_err cr_render_plot(struct cr_cells *cells, struct cr_rect at, const stru
         return CR_ERR_OK;
     }
     data_range(plot, &f);
+    round_up(&f);
     int label = y_label_width(&f);
     f.area.x = at.x + label + 1;
     f.area.w = at.w - label - 1;

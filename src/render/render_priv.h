@@ -55,7 +55,7 @@ void cr_tick_text(double value, double step, char *buf, int size);
 
 /* Arrow of eight directions for an angle (rad, counter-clockwise from right). */
 uint32_t cr_glyph_arrow(double angle, bool ascii);
-/* Triangle of four directions. */
+/* Head of an arrow: triangles, slanting arrows between them. */
 uint32_t cr_glyph_head(double angle, bool ascii);
 
 #endif

@@ -85,6 +85,27 @@ static enum cr_err paragraph(const struct page *page, int indent, enum cr_role r
 
 /* ---- sections ---- */
 
+/* the answer first: EES and delta-v of each */
+static enum cr_err summary(const struct page *page, struct cr_error *err) {
+    const struct cr_result *r = page->result;
+    struct cr_str text = {0};
+    int body[CR_BODY_MAX] = {0};
+    int n = cr_table_bodies(r, body);
+    for (int i = 0; i < n; i++) {
+        const struct cr_severity *of = &r->of[body[i]];
+        cr_str_addf(&text, "%s%s", i > 0 ? "   " : "", r->resolved.part[body[i]].id);
+        if (r->compiled.cs.body[body[i]].grid.nx > 0) {
+            cr_str_addf(&text, "  EES %.1f km/h", cr_kmh(of->ees));
+        }
+        if (cr_render_moves(r, body[i])) {
+            cr_str_addf(&text, "  delta-v %.1f km/h", cr_kmh(of->delta_v));
+        }
+    }
+    enum cr_err code = paragraph(page, 0, CR_ROLE_TITLE, cr_str_get(&text), err);
+    cr_str_fini(&text);
+    return code;
+}
+
 static enum cr_err title(const struct page *page, struct cr_error *err) {
     const struct cr_settings *set = &page->result->resolved.set;
     char note[160];
@@ -98,7 +119,8 @@ static enum cr_err title(const struct page *page, struct cr_error *err) {
     }
     cr_cells_print(&c, 1, 0, page->width - 50, CR_ROLE_TITLE, page->result->resolved.name);
     cr_cells_print_right(&c, page->width - 1, 0, 48, CR_ROLE_DIM, note);
-    return emit(page, &c, err);
+    code = emit(page, &c, err);
+    return code == CR_ERR_OK ? summary(page, err) : code;
 }
 
 static enum cr_err picture(const struct page *page, const char *name, const char *note,
@@ -131,11 +153,15 @@ static enum cr_err pictures(const struct page *page, struct cr_error *err) {
                                  .centre = {NAN, NAN},
                                  .vectors = true,
                                  .selected = -1};
-    int rows = cr_pic_frame(page->result, &view, page->width, page->width / 4 + 6);
+    int rows = 0;
+    enum cr_err code =
+        cr_pic_frame(page->result, &view, page->width, page->width / 4 + 6, &rows, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
     char note[80];
     snprintf(note, sizeof note, "%.0f ms before the first touch", lead * 1e3);
-    enum cr_err code =
-        picture(page, "Before", lead > 0 ? note : "at the first touch", &view, rows, err);
+    code = picture(page, "Before", lead > 0 ? note : "at the first touch", &view, rows, err);
     if (code != CR_ERR_OK) {
         return code;
     }
