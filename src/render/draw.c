@@ -64,8 +64,12 @@ static double level(const struct cr_pic *pic, const struct pixel *px) {
     return px->solid > 0 ? px->value / px->solid / pic->field_max : 0;
 }
 
-/* Crushed voxels: x; those that only the string pulled in: ~. Behind them, with colours, what
- * stands there now. */
+/* what is harder than the EES scale reaches is plain material */
+static uint8_t field_step(const struct cr_pic *pic, double v) {
+    return pic->field == CR_FIELD_EES && v >= 1 ? CR_STEPS + 1 : cr_shade_step(v);
+}
+
+/* Crushed voxels: x; those that only the string pulled in: ~. */
 static bool draw_crushed(struct cr_pic *pic, struct cr_cell *cell, const struct pixel *px,
                          const struct cr_look *look) {
     int hurt = px->crushed + px->induced;
@@ -87,7 +91,7 @@ static void draw_half_blocks(const struct cr_pic *pic, struct cr_cell *cell,
                              const struct pixel half[2]) {
     uint8_t step[2];
     for (int i = 0; i < 2; i++) {
-        step[i] = most(half[i].solid, &half[i]) ? cr_shade_step(level(pic, &half[i])) : 0;
+        step[i] = most(half[i].solid, &half[i]) ? field_step(pic, level(pic, &half[i])) : 0;
     }
     if (step[0] == 0 && step[1] == 0) {
         return;
@@ -114,7 +118,7 @@ static void draw_shade(const struct cr_pic *pic, struct cr_cell *cell, const str
         cell->ch = look->ascii ? '.' : 0xB7; /* material without any of it */
         cell->role = CR_ROLE_DIM;
     } else if (look->color != CR_COLOR_NONE) {
-        cell->fg = cr_shade_step(v);
+        cell->fg = field_step(pic, v);
     }
 }
 
@@ -130,9 +134,6 @@ static void draw_cell(struct cr_pic *pic, struct cr_cells *cells, const struct c
     }
     bool blocks = look->color == CR_COLOR_256 && !look->ascii;
     if (draw_crushed(pic, cell, &px, look)) {
-        if (blocks && most(px.solid, &px)) {
-            cell->bg = cr_shade_step(level(pic, &px));
-        }
         return;
     }
     if (most(px.rigid, &px)) {

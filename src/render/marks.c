@@ -254,8 +254,11 @@ static void write_ramp(struct pen *pen) {
         return;
     }
     char top[48];
-    snprintf(top, sizeof top, " %g%s %s", pic->field_max, pic->field == CR_FIELD_EES ? "+" : "",
-             cr_pic_field_unit(pic->field, look->ascii));
+    bool more = pic->field == CR_FIELD_EES;
+    snprintf(top, sizeof top, " %g%s %s%s", pic->field_max,
+             more && look->color == CR_COLOR_NONE ? "+" : "",
+             cr_pic_field_unit(pic->field, look->ascii),
+             more && look->color != CR_COLOR_NONE ? "  " : "");
     write_text(pen, CR_ROLE_TEXT, cr_pic_field_label(pic->field));
     write_text(pen, CR_ROLE_TEXT, " 0 ");
     bool blocks = look->color == CR_COLOR_256 && !look->ascii;
@@ -270,6 +273,12 @@ static void write_ramp(struct pen *pen) {
         pen->x++;
     }
     write_text(pen, CR_ROLE_TEXT, top);
+    if (more && look->color != CR_COLOR_NONE) {
+        cr_cells_put(pen->ink->cells, pen->x, pen->y, CR_ROLE_FIELD,
+                     cr_glyph_shade(1, look->ascii));
+        cr_cells_at(pen->ink->cells, pen->x++, pen->y)->fg = CR_STEPS + 1;
+        write_text(pen, CR_ROLE_TEXT, " more");
+    }
     pen->x += 3;
 }
 

@@ -311,7 +311,7 @@ static enum cr_err balance(const struct page *page, struct cr_error *err) {
     } rows[] = {
         {"kinetic energy before", b->kinetic_before, CR_ROLE_REFERENCE},
         {"  kinetic energy after", b->kinetic_after, CR_ROLE_REFERENCE},
-        {"  deformation", b->plastic, CR_ROLE_CRUSHED},
+        {"  deformation", b->plastic, CR_ROLE_BAD},
         {"  friction between bodies", b->friction, CR_ROLE_WARN},
         {"  tyres", b->tyre, CR_ROLE_DIM},
     };

@@ -1,4 +1,5 @@
 #include "render/theme.h"
+#include "render/render_priv.h"
 
 #include <string.h>
 
@@ -19,8 +20,8 @@ static const struct cr_theme THEMES[] = {
          [CR_ROLE_B] = INK(215, 11, CR_CELL_BOLD),
          [CR_ROLE_C] = INK(177, 13, CR_CELL_BOLD),
          [CR_ROLE_OBJECT] = INK(250, 7, 0),
-         [CR_ROLE_CRUSHED] = INK(203, 9, CR_CELL_BOLD),
-         [CR_ROLE_INDUCED] = INK(213, 13, 0),
+         [CR_ROLE_CRUSHED] = {210, 52, 9, -1, CR_CELL_BOLD},
+         [CR_ROLE_INDUCED] = {229, 58, 13, -1, 0},
          [CR_ROLE_FORCE] = INK(196, 9, CR_CELL_BOLD),
          [CR_ROLE_GOOD] = INK(114, 10, 0),
          [CR_ROLE_WARN] = INK(221, 11, 0),
@@ -29,7 +30,9 @@ static const struct cr_theme THEMES[] = {
          [CR_ROLE_CURSOR] = INK(231, 15, 0),
          [CR_ROLE_KEY] = INK(117, 14, CR_CELL_BOLD),
          [CR_ROLE_FIELD] = INK(-1, -1, 0),
-     }},
+     },
+     239,
+     8},
     {"light",
      "for a light background",
      {
@@ -41,8 +44,8 @@ static const struct cr_theme THEMES[] = {
          [CR_ROLE_B] = INK(130, 3, CR_CELL_BOLD),
          [CR_ROLE_C] = INK(90, 5, CR_CELL_BOLD),
          [CR_ROLE_OBJECT] = INK(238, 8, 0),
-         [CR_ROLE_CRUSHED] = INK(160, 1, CR_CELL_BOLD),
-         [CR_ROLE_INDUCED] = INK(127, 5, 0),
+         [CR_ROLE_CRUSHED] = {160, 224, 1, -1, CR_CELL_BOLD},
+         [CR_ROLE_INDUCED] = {127, 225, 5, -1, 0},
          [CR_ROLE_FORCE] = INK(160, 1, CR_CELL_BOLD),
          [CR_ROLE_GOOD] = INK(28, 2, 0),
          [CR_ROLE_WARN] = INK(130, 3, 0),
@@ -51,7 +54,9 @@ static const struct cr_theme THEMES[] = {
          [CR_ROLE_CURSOR] = INK(16, 0, 0),
          [CR_ROLE_KEY] = INK(25, 4, CR_CELL_BOLD),
          [CR_ROLE_FIELD] = INK(-1, -1, 0),
-     }},
+     },
+     250,
+     7},
     {"contrast",
      "few, strong colours on black",
      {
@@ -73,7 +78,9 @@ static const struct cr_theme THEMES[] = {
          [CR_ROLE_CURSOR] = {226, 16, 11, 0, CR_CELL_BOLD},
          [CR_ROLE_KEY] = {51, 16, 14, 0, CR_CELL_BOLD},
          [CR_ROLE_FIELD] = {231, 16, 15, 0, 0},
-     }},
+     },
+     244,
+     7},
     {"mono",
      "no colours: bold, dim and reverse only (NO_COLOR)",
      {
@@ -95,7 +102,9 @@ static const struct cr_theme THEMES[] = {
          [CR_ROLE_CURSOR] = MONO(CR_CELL_BOLD),
          [CR_ROLE_KEY] = MONO(CR_CELL_BOLD),
          [CR_ROLE_FIELD] = MONO(0),
-     }},
+     },
+     -1,
+     -1},
 };
 enum { THEMES_N = sizeof THEMES / sizeof THEMES[0] };
 
@@ -134,17 +143,23 @@ int cr_theme_ramp(enum cr_colormap map, enum cr_color color, int step) {
     return color == CR_COLOR_16 ? RAMP_16[map][i] : RAMP_256[map][i];
 }
 
+static int16_t ramp(enum cr_colormap map, enum cr_color color, int step) {
+    return (int16_t)cr_theme_ramp(map, color, step);
+}
+
 struct cr_style cr_theme_style(const struct cr_look *look, const struct cr_cell *cell) {
     const struct cr_theme *theme = look->theme != NULL ? look->theme : &THEMES[0];
     struct cr_style style = theme->role[cell->role < CR_ROLES ? cell->role : CR_ROLE_TEXT];
     style.flags |= cell->flags;
     if (cell->fg > 0) {
-        style.fg256 = (int16_t)cr_theme_ramp(look->map, CR_COLOR_256, cell->fg);
-        style.fg16 = (int8_t)cr_theme_ramp(look->map, CR_COLOR_16, cell->fg);
+        bool beyond = cell->fg > CR_STEPS;
+        style.fg256 = beyond ? theme->beyond256 : ramp(look->map, CR_COLOR_256, cell->fg);
+        style.fg16 = (int8_t)(beyond ? theme->beyond16 : ramp(look->map, CR_COLOR_16, cell->fg));
     }
     if (cell->bg > 0) {
-        style.bg256 = (int16_t)cr_theme_ramp(look->map, CR_COLOR_256, cell->bg);
-        style.bg16 = (int8_t)cr_theme_ramp(look->map, CR_COLOR_16, cell->bg);
+        bool beyond = cell->bg > CR_STEPS;
+        style.bg256 = beyond ? theme->beyond256 : ramp(look->map, CR_COLOR_256, cell->bg);
+        style.bg16 = (int8_t)(beyond ? theme->beyond16 : ramp(look->map, CR_COLOR_16, cell->bg));
     }
     return style;
 }

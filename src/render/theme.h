@@ -15,6 +15,8 @@ struct cr_style {
 struct cr_theme {
     const char *name, *help;
     struct cr_style role[CR_ROLES];
+    int16_t beyond256; /* of a field value beyond its scale: material, neither good nor bad */
+    int8_t beyond16;
 };
 
 /* Number of themes, the theme of a number (the first is the default), and the one of a name or
@@ -29,7 +31,8 @@ struct cr_style cr_theme_style(const struct cr_look *look, const struct cr_cell 
 /* Escape sequence that sets the style of a cell (resets first). */
 void cr_theme_sgr(const struct cr_look *look, const struct cr_cell *cell, struct cr_str *out);
 
-/* Palette index of step 1..8 of a colour map, for 256 or for 16 colours. */
+/* Palette index of step 1..8 of a colour map, for 256 or for 16 colours; step 9 of a cell is the
+ * theme's beyond256 or beyond16. */
 int cr_theme_ramp(enum cr_colormap map, enum cr_color color, int step);
 
 #endif
