@@ -1,5 +1,5 @@
 # fuzz targets: make check replays the corpus, make fuzz mutates it with libFuzzer (clang)
-fuzz_targets = fuzz_scene
+fuzz_targets = fuzz_model fuzz_scene
 fuzz_ldadd = libscene.a libsolver.a libmodel.a libbase.a $(CJSON_LIBS) $(NETTLE_LIBS)
 EXTRA_PROGRAMS += fuzz_scene fuzz_model
 fuzz_scene_SOURCES = tests/fuzz/fuzz_scene.c tests/fuzz/fuzz.h
