@@ -29,6 +29,7 @@ struct cr_settings {
     double dt;            /* s */
     double voxel;         /* m */
     double elastic;       /* s */
+    bool elastic_auto;    /* as long as the force at the end of the plastic phase asks for */
     enum cr_end end;
     /* what the profiles switch, each settable alone; -1: as the method says */
     int induced, heights, residual_curve;

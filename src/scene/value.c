@@ -445,12 +445,12 @@ bool cr_scene_value_known(const struct cr_key *key, const void *base) {
 void cr_scene_value_reset(const struct cr_key *key, void *base, int method) {
     double x = cr_unit_to_si(cr_scene_key_unit(key), key->def[method]);
     int on = -1;
-    bool no = false;
+    bool by_itself = key->aux != 0 && isnan(x); /* a default of NaN stands for auto */
     switch (key->type) {
     case CR_KEY_NUMBER:
         memcpy(field(key, base), &x, sizeof x);
         if (key->aux != 0) {
-            memcpy((char *)base + key->aux, &no, sizeof no);
+            memcpy((char *)base + key->aux, &by_itself, sizeof by_itself);
         }
         break;
     case CR_KEY_SWITCH:

@@ -68,7 +68,8 @@ struct cr_opts {
     double road_friction;  /* of the tyres */
     double restitution;    /* 0..1, see restitution_auto */
     bool restitution_auto; /* from closing speed and kind of partner instead (literature.md 6) */
-    double elastic_s;      /* length of the elastic compression, and of the restitution, s */
+    double elastic_s;      /* length of the elastic compression, and of the restitution, s; 0: from
+                              the force at the end of the plastic phase, which goes on smoothly */
     bool induced;          /* plastic string on the struck face (method.md 5) */
     enum cr_end end;
     double max_time;       /* s before the first contact after which there is none */

@@ -1,5 +1,7 @@
 /* Step 6 of the paper: elastic compression and elastic restitution with equal momentum, spread
- * over 5 ms each, along the last force direction at the last COE.
+ * over 5 ms each, along the last force direction at the last COE. With elastic_s = 0 the phases
+ * take as long as the force needs to go on from where the plastic phase left it: compression at
+ * that force, restitution with it falling to zero, as a linear unloading does.
  *
  * What the compression stores of the motion along the normal the restitution gives back to the
  * last joule; where the contact slides, the tangential part is friction as before. */
@@ -28,6 +30,30 @@ static void finish(struct cr_solver *s, struct cr_touch *t, struct cr_contact *c
     t->record = -1;
 }
 
+/* limits of the elastic phases where the force decides, s */
+static const double elastic_least = 1e-3, elastic_most = 0.03;
+
+/* length of a phase in whole slices, from its impulse */
+static void begin_phase(const struct cr_solver *s, struct cr_touch *t, enum cr_phase phase) {
+    double time = s->cs->opts.elastic_s, dt = s->cs->opts.dt;
+    if (!(time > 0)) {
+        double shape = phase == CR_PHASE_COMPRESSION ? 1 : 2; /* constant, or falling to zero */
+        time = cr_clamp(shape * t->elastic_plan / fmax(t->force, 1), elastic_least, elastic_most);
+        time = ceil(time / dt) * dt;
+    }
+    t->elastic_time = t->elastic_left = time;
+    t->elastic_done = 0;
+}
+
+/* impulse of the slice by the course of the force over the phase */
+static double planned_impulse(const struct cr_solver *s, const struct cr_touch *t,
+                              enum cr_phase phase) {
+    double from = t->elastic_left / t->elastic_time;
+    double to = (t->elastic_left - s->dt) / t->elastic_time;
+    bool falling = phase == CR_PHASE_RESTITUTION && !(s->cs->opts.elastic_s > 0);
+    return t->elastic_plan * (falling ? from * from - to * to : from - to);
+}
+
 void cr_elastic_begin(struct cr_solver *s, int pair, int a, int b) {
     struct cr_touch *t = &s->touch[pair];
     struct cr_contact *c = &s->contact[t->record];
@@ -41,9 +67,8 @@ void cr_elastic_begin(struct cr_solver *s, int pair, int a, int b) {
         return;
     }
     c->phase = CR_PHASE_COMPRESSION;
-    t->elastic_left = s->cs->opts.elastic_s;
-    t->elastic_rate = v / give / s->cs->opts.elastic_s;
-    t->elastic_done = 0;
+    t->elastic_plan = v / give;
+    begin_phase(s, t, c->phase);
 }
 
 /* impulse that ends the phase exactly: approach zero, or all stored energy given back */
@@ -64,7 +89,8 @@ void cr_elastic_slice(struct cr_solver *s, int pair, int a, int b) {
     double v = cr_vec2_dot(rel, axis), give = cr_vec2_dot(yield, axis);
     double along = cr_vec2_dot(f, axis);
     bool last = t->elastic_left - s->dt <= 1e-12;
-    double j = last && give > 0 ? last_impulse(c, v, give, along) : t->elastic_rate * s->dt;
+    double j = last && give > 0 ? last_impulse(c, v, give, along)
+                               : planned_impulse(s, t, c->phase);
     double stored = along * j * (v - 0.5 * give * j);
     double work = j * (cr_vec2_dot(rel, f) - 0.5 * cr_vec2_dot(yield, f) * j);
     cr_impulse_apply(s, a, b, t->coe, cr_vec2_scale(f, j));
@@ -91,9 +117,8 @@ void cr_elastic_slice(struct cr_solver *s, int pair, int a, int b) {
         c->elastic_impulse = t->elastic_done * along;
         c->t_elastic_end = s->t;
         c->phase = CR_PHASE_RESTITUTION;
-        t->elastic_left = s->cs->opts.elastic_s;
-        t->elastic_rate = t->elastic_done / s->cs->opts.elastic_s;
-        t->elastic_done = 0;
+        t->elastic_plan = t->elastic_done;
+        begin_phase(s, t, c->phase);
     } else {
         s->friction += c->stored; /* what rounding has left */
         c->stored = 0;

@@ -40,6 +40,9 @@ void cr_impulse_apply(struct cr_solver *s, int a, int b, struct cr_vec2 p,
     push(s, &s->m[b], p, impulse);
 }
 
+/* time over which the force at the end of the plastic phase is averaged, s */
+static const double force_memory = 2e-3;
+
 /* Largest impulse along f before the remaining momentum of approach along the normal falls to
  * e/(1-e) of the plastic impulse so far: the plastic phase ends there (step 5), not up to a slice
  * later by chance of where the grid lies. */
@@ -85,6 +88,10 @@ void cr_kinetics_slice(struct cr_solver *s, int pair, int a, int b, const struct
     t->normal = f->normal;
     t->direction = f->direction;
     t->sliding = f->sliding;
+    /* the last slice of the phase, cut short, says nothing about the force */
+    if (lambda >= 1 || t->force <= 0) {
+        t->force += (j / s->dt - t->force) * (t->force > 0 ? fmin(s->dt / force_memory, 1) : 1);
+    }
     t->moment_coe = cr_vec2_axpy(t->moment_coe, j, f->coe);
     t->moment_weight += j;
     t->normal_sum = cr_vec2_axpy(t->normal_sum, lambda * f->energy, f->normal);

@@ -88,9 +88,11 @@ struct cr_touch {
     struct cr_vec2 coe;   /* carried along with the bodies between slices */
     struct cr_vec2 normal, direction;
     bool sliding;         /* force on the edge of the friction cone */
-    double elastic_left;  /* time left of the elastic phase, s */
-    double elastic_rate;  /* impulse per second of the elastic phase, N */
-    double elastic_done;  /* impulse given in the phase so far, N s */
+    double force;         /* along direction, mean of the last plastic slices, N */
+    double elastic_time;  /* length of the elastic phase, s */
+    double elastic_left;  /* what is left of it, s */
+    double elastic_plan;  /* impulse the phase is to give, N s */
+    double elastic_done;  /* impulse it has given so far, N s */
     struct cr_vec2 moment_coe; /* sum of impulse x COE */
     double moment_weight;
     struct cr_vec2 normal_sum; /* energy-weighted, J */
