@@ -35,7 +35,7 @@ on() {
 on "bare root" build
 same "without apt-get the status is 2" "$status" 2
 has "and all that is missing is named" "$out" \
-    'gcc .*make .*pkg-config .*libncurses-dev .*libreadline-dev .*libcjson-dev .*nettle-dev .*autoconf'
+    'gcc .*make .*pkg-config .*libncurses-dev .*readline-dev .*cjson-dev .*nettle-dev .*autoconf'
 has "and why it stops" "$out" 'there is no apt-get'
 same "a build does not need what only the tests need" "$(echo "$out" | grep -c cmocka)" 0
 on "bare root" check
@@ -47,7 +47,8 @@ has "and the command to run as root" "$out" 'as root run: apt-get install .*gcc'
 same "and nothing was tried" "$log" ""
 
 on "bare root apt" demo
-has "root installs without sudo" "$log" '^apt-get noninteractive .*install --no-install-recommends .*gcc'
+has "root installs without sudo" "$log" \
+    '^apt-get noninteractive .*install --no-install-recommends .*gcc'
 same "and sudo is not asked" "$(echo "$log" | grep -c sudo)" 0
 has "it says what it installs" "$out" 'installing with apt-get: .*gcc.* libcjson-dev'
 on "bare user apt sudo" build

@@ -19,8 +19,9 @@ empty "everything in models/ and share/ is installed" "$missing"
 
 cd / || exit 99
 want=$("$crumple" run "$demo" | cksum)
+scene=$prefix/share/crumple/share/scenes/q7-fiat500.json
 same "the installed program gives the same result" \
-    "$("$prefix/bin/crumple" run "$prefix/share/crumple/share/scenes/q7-fiat500.json" | cksum)" "$want"
+    "$("$prefix/bin/crumple" run "$scene" | cksum)" "$want"
 mv "$prefix/share/crumple/models" "$prefix/share/crumple/gone"
 crumple=$prefix/bin/crumple
 if [ -d /opt/crumple/share/crumple ]; then
