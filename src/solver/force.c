@@ -8,6 +8,9 @@ static const double cosine_min = 0.15;
 /* Spread of the patch, in voxels, over which its axis takes over from the relative velocity. */
 static const double patch_from = 1.0, patch_to = 4.0;
 
+/* Time over which the normal between two deforming bodies is averaged, s. */
+const double cr_normal_memory = 4e-3;
+
 static double smoothstep(double x) {
     x = cr_clamp(x, 0, 1);
     return x * x * (3 - 2 * x);
@@ -174,7 +177,17 @@ void cr_force_update(struct cr_solver *s, int a, int b, struct cr_force *force) 
     *force = whole;
 }
 
-bool cr_force_find(struct cr_solver *s, int a, int b, struct cr_force *force) {
+/* Mean of the normals of the last slices, weighted by energy: the deformed voxels of one slice are
+ * too few to give a steady direction. */
+static struct cr_vec2 steady(const struct cr_solver *s, int pair, const struct cr_force *force) {
+    struct cr_vec2 sum = cr_vec2_scale(force->normal, force->energy);
+    if (s->touch[pair].record >= 0) {
+        sum = cr_vec2_axpy(sum, exp(-s->dt / cr_normal_memory), s->touch[pair].normal_recent);
+    }
+    return cr_vec2_unit(sum, force->normal);
+}
+
+bool cr_force_find(struct cr_solver *s, int pair, int a, int b, struct cr_force *force) {
     *force = (struct cr_force){0};
     force->energy = energy_and_coe(s, a, b, &force->coe);
     if (!(force->energy > 0)) {
@@ -198,7 +211,7 @@ bool cr_force_find(struct cr_solver *s, int a, int b, struct cr_force *force) {
         return false; /* leaving */
     }
     if (ma->body->grid.nx > 0 && mb->body->grid.nx > 0) {
-        force->normal = tilt(force->normal, v);
+        force->normal = tilt(steady(s, pair, force), v);
     }
     within_cone(force, v, cr_force_friction(s, a, b));
     return true;

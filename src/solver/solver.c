@@ -331,7 +331,7 @@ static bool work_pair(struct cr_solver *s, int pair, int a, int b) {
         return false;
     }
     struct cr_force f;
-    bool deformed = s->losses[0].n + s->losses[1].n > 0 && cr_force_find(s, a, b, &f);
+    bool deformed = s->losses[0].n + s->losses[1].n > 0 && cr_force_find(s, pair, a, b, &f);
     if (deformed && !crush(s, pair, a, b, &f)) {
         return false;
     }

@@ -95,7 +95,8 @@ struct cr_touch {
     double elastic_done;  /* impulse it has given so far, N s */
     struct cr_vec2 moment_coe; /* sum of impulse x COE */
     double moment_weight;
-    struct cr_vec2 normal_sum; /* energy-weighted, J */
+    struct cr_vec2 normal_sum;    /* energy-weighted, J */
+    struct cr_vec2 normal_recent; /* the same with older slices fading, J */
 };
 
 struct cr_solver {
@@ -172,6 +173,7 @@ bool cr_string_pull(struct cr_solver *s, struct cr_moving *m, int partner, struc
                     struct cr_losses *losses);
 
 /* step 2, force.c */
+extern const double cr_normal_memory;
 struct cr_force {
     struct cr_vec2 coe;       /* Eq. (3) */
     struct cr_vec2 normal;    /* from a to b */
@@ -180,7 +182,7 @@ struct cr_force {
     double energy;            /* Eq. (1), J */
     bool sliding;
 };
-bool cr_force_find(struct cr_solver *s, int a, int b, struct cr_force *force);
+bool cr_force_find(struct cr_solver *s, int pair, int a, int b, struct cr_force *force);
 /* energy and COE again once the string has added its losses */
 void cr_force_update(struct cr_solver *s, int a, int b, struct cr_force *force);
 double cr_force_friction(const struct cr_solver *s, int a, int b);
