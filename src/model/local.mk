@@ -5,6 +5,7 @@ libmodel_a_SOURCES = \
 	src/model/grid.h \
 	src/model/json.c src/model/json.h \
 	src/model/library.c \
+	src/model/mix.c \
 	src/model/model.h src/model/model_priv.h \
 	src/model/own.c src/model/own_check.c src/model/own_csv.c src/model/own_json.c \
 	src/model/recipe.c \

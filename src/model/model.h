@@ -74,8 +74,8 @@ struct cr_model_query {
 /* Clock sector 1..12 of a PDOF in rad. */
 int cr_pdof_clock(double pdof);
 
-/* The 2D substitute model of a vehicle: arrays in the arena. Energy of the whole face crushed to
- * depth d is 1/2 m EES(d)^2 (all layers). Errors: RANGE for dimensions that cannot be, MEMORY. */
+/* The 2D substitute model of a vehicle: arrays in the arena. Energy of the whole loaded face (an
+ * end at 11 to 1 and 5 to 7 o'clock, else a flank) crushed to depth d is 1/2 m EES(d)^2 (all layers). Errors: RANGE for dimensions that cannot be, MEMORY. */
 CR_MUST_CHECK enum cr_err cr_model_substitute(const struct cr_model_lib *lib,
                                               const struct cr_model_query *query,
                                               struct cr_arena *arena, struct cr_grid *out,
@@ -132,8 +132,8 @@ CR_MUST_CHECK enum cr_err cr_model_flat(const struct cr_model_lib *lib,
                                         struct cr_error *err);
 
 /* EES value of each voxel, m/s, into out[nz * ny * nx]: sqrt(2 E / m) with E the energy of the
- * face crushed down to the middle of the voxel, faces mixed as cos^2 and sin^2 of the PDOF; 0
- * where there is no material. */
+ * loaded face (an end at 11 to 1 and 5 to 7 o'clock, else a flank) crushed down to the middle of
+ * the voxel; 0 where there is no material. */
 CR_MUST_CHECK enum cr_err cr_voxels_ees(const struct cr_voxels *voxels, double *out,
                                         struct cr_error *err);
 

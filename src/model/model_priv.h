@@ -111,9 +111,29 @@ CR_MUST_CHECK enum cr_err cr_model_stretch_make(const struct cr_model_recipe *r,
 CR_MUST_CHECK enum cr_err cr_model_query_check(const struct cr_model_query *q,
                                                struct cr_error *err);
 
-/* Shares of the longitudinal and the lateral field at a PDOF: cos^2 and sin^2 of the sector, or
- * of the two neighbouring sectors mixed. */
-void cr_model_mix(double pdof, bool blend, double share[2]);
+/* One of the twelve sectors in a model: its direction, and the face it loads. */
+struct cr_model_sector {
+    double share[2]; /* cos^2 and sin^2 of its middle: longitudinal, lateral */
+    int clock;       /* 0 to 12 */
+    bool side;       /* loads a flank (2 to 4, 8 to 10 o'clock), else an end */
+    double part;     /* of this sector in the model; all parts together 1 */
+};
+
+/* The sector of a PDOF, or the two neighbouring ones; returns how many. */
+int cr_model_sectors(double pdof, bool blend, struct cr_model_sector out[2]);
+
+/* Both fields of a plan, [half][nx] from the centre line outward, k from the front end. */
+struct cr_model_fields {
+    int nx, half;
+    const double *energy[2]; /* longitudinal, lateral, all layers, J */
+    const double *ranged[2]; /* share of it in the layers asked for; NULL: all of it */
+    const double *layer_x;   /* [nx] J of both halves together */
+    const double *layer_y;   /* [half] J of one half */
+};
+
+/* The fields mixed for the sectors of a model into out[half * nx]. sum: [max(nx, half)] scratch. */
+void cr_model_mix(const struct cr_model_fields *f, const struct cr_model_sector *sector, int n,
+                  double *mixed, double *sum, double *out);
 
 /* The 2D substitute from its parts; faces may differ from the recipe's. */
 CR_MUST_CHECK enum cr_err cr_model_resample(const struct cr_model_recipe *r,

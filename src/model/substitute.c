@@ -15,6 +15,14 @@
 /* strips per voxel in which the outline is followed */
 enum { STRIPS = 8 };
 
+/* Arrays over the half grid. */
+struct half_grid {
+    double *fill;      /* in the height range */
+    double *energy[2]; /* longitudinal, lateral, J, all layers */
+    double *ranged[2]; /* share of it in the height range; NULL: all */
+    double *mixed, *out;
+};
+
 /* The half grid y >= 0 while it is made: rows of voxels at the same y, k counted from the front. */
 struct work {
     const struct cr_model_recipe *r;
@@ -25,6 +33,8 @@ struct work {
     double h, length, width;
     double *row_budget; /* [nx] J of a layer at depth k, both halves */
     double *row_weight; /* [nx] */
+    double *col_budget; /* [half] J of a layer at y, one half */
+    double *sum;        /* scratch of the mix */
     double *slab[5];    /* [ny of the plan][nx]: plan weights resampled along x */
     double *line[5];    /* [nx]: the same across y, of one row */
     double *fill;       /* [nx] of one row, before the height range */
@@ -128,21 +138,29 @@ static void fill_row(struct work *w, int j) {
     }
 }
 
-/* One row: fill, lateral energy and the weight of the longitudinal one (into energy, lateral). */
-static void make_row(struct work *w, int j, double lateral_share, double *fill, double *energy,
-                     double *lateral) {
+static double share_of(double part, double whole) {
+    return whole > 0 ? part / whole : 0;
+}
+
+/* One row: fill, lateral energy, and the weight of the longitudinal one. */
+static void make_row(struct work *w, int j, const struct half_grid *g) {
     const double *const *l = (const double *const *)w->line;
+    size_t at = (size_t)j * (size_t)w->nx;
     double lo = j * w->h, hi = lo + w->h < w->width / 2 ? lo + w->h : w->width / 2, sum = 0;
     for (int k = 0; k < w->nx; k++) {
         w->row_weight[k] += 2 * w->fill[k] * l[2][k];
         sum += w->fill[k] * l[3][k];
     }
-    double budget = w->q->mass_kg * (inward(w, lo) - inward(w, hi)) * lateral_share;
-    double scale = sum > 0 ? budget / sum : 0;
+    w->col_budget[j] = w->q->mass_kg * (inward(w, lo) - inward(w, hi));
+    double scale = sum > 0 ? w->col_budget[j] / sum : 0;
     for (int k = 0; k < w->nx; k++) {
-        energy[k] = w->fill[k] * l[0][k];
-        lateral[k] = w->fill[k] * l[1][k] * scale;
-        fill[k] = w->fill[k] * l[4][k];
+        g->energy[0][at + (size_t)k] = w->fill[k] * l[2][k];
+        g->energy[1][at + (size_t)k] = w->fill[k] * l[3][k] * scale;
+        g->fill[at + (size_t)k] = w->fill[k] * l[4][k];
+    }
+    for (int k = 0; k < w->nx && g->ranged[0] != NULL; k++) {
+        g->ranged[0][at + (size_t)k] = share_of(l[0][k], l[2][k]);
+        g->ranged[1][at + (size_t)k] = share_of(l[1][k], l[3][k]);
     }
 }
 
@@ -159,7 +177,10 @@ static bool take_work(struct work *w, int plan_ny, bool ranged, struct cr_arena 
     w->row_budget = cr_arena_take(scratch, nx, 8);
     w->row_weight = cr_arena_take(scratch, nx, 8);
     w->fill = cr_arena_take(scratch, nx, 8);
-    return w->row_budget != NULL && w->row_weight != NULL && w->fill != NULL;
+    w->col_budget = cr_arena_take(scratch, (size_t)w->half, 8);
+    w->sum = cr_arena_take(scratch, nx + (size_t)w->half, 8);
+    return w->row_budget != NULL && w->row_weight != NULL && w->fill != NULL &&
+           w->col_budget != NULL && w->sum != NULL;
 }
 
 /* Turn rows counted from the front into rows along x, and mirror them to the right half. */
@@ -186,39 +207,63 @@ static void set_faces(const struct work *w, struct cr_grid *g) {
     }
 }
 
-static enum cr_err run(struct work *w, const struct cr_model_plan *p, struct cr_arena *scratch,
-                       struct cr_arena *arena, struct cr_grid *g, struct cr_error *err) {
-    size_t nx = (size_t)w->nx, n = nx * (size_t)w->half;
-    bool ranged = p->weight[0] != p->full[0];
-    double *fill = cr_arena_take(scratch, n, 8), *energy = cr_arena_take(scratch, n, 8);
-    double *lateral = cr_arena_take(scratch, n, 8);
-    double *fill_out = cr_arena_take(arena, 2 * n, 8), *energy_out = cr_arena_take(arena, 2 * n, 8);
-    if (fill == NULL || energy == NULL || lateral == NULL || fill_out == NULL ||
-        energy_out == NULL || !take_work(w, p->ny, ranged, scratch)) {
-        return cr_err_set(err, CR_ERR_MEMORY, "no memory for a model of %zu voxels", 2 * n);
+static bool take_half(struct half_grid *g, size_t n, bool ranged, struct cr_arena *scratch) {
+    double **const array[] = {&g->fill, &g->energy[0], &g->energy[1], &g->mixed,
+                              &g->out,  &g->ranged[0], &g->ranged[1]};
+    *g = (struct half_grid){.fill = NULL};
+    for (int i = 0; i < (ranged ? 7 : 5); i++) {
+        *array[i] = cr_arena_take(scratch, n, 8);
+        if (*array[i] == NULL) {
+            return false;
+        }
     }
+    return true;
+}
+
+/* All rows, both fields, and their mix. */
+static void make_half(struct work *w, const struct cr_model_plan *p, const struct half_grid *g) {
+    bool ranged = g->ranged[0] != NULL;
     const double *from[5] = {p->weight[0], p->weight[1], ranged ? p->full[0] : NULL,
                              ranged ? p->full[1] : NULL, p->present};
-    double share[2];
-    cr_model_mix(w->q->pdof, w->q->blend, share);
+    size_t nx = (size_t)w->nx;
     resample_x(w, p, from);
     for (int j = 0; j < w->half; j++) {
-        size_t at = (size_t)j * nx;
         double hi = (j + 1) * w->h < w->width / 2 ? (j + 1) * w->h : w->width / 2;
         resample_y(w, p, from, j * w->h, hi);
         fill_row(w, j);
-        make_row(w, j, share[1], fill + at, energy + at, lateral + at);
+        make_row(w, j, g);
     }
     for (size_t k = 0; k < nx; k++) {
-        w->row_budget[k] *= w->row_weight[k] > 0 ? share[0] / w->row_weight[k] : 0;
+        w->row_weight[k] = share_of(w->row_budget[k], w->row_weight[k]);
     }
-    for (size_t i = 0; i < n; i++) {
-        energy[i] = energy[i] * w->row_budget[i % nx] + lateral[i];
+    for (int j = 0; j < w->half; j++) {
+        for (size_t k = 0; k < nx; k++) {
+            g->energy[0][(size_t)j * nx + k] *= w->row_weight[k];
+        }
     }
-    mirror(w, fill, fill_out);
-    mirror(w, energy, energy_out);
-    g->fill = fill_out;
-    g->energy = energy_out;
+    const struct cr_model_fields fields = {
+        w->nx,         w->half,      {g->energy[0], g->energy[1]}, {g->ranged[0], g->ranged[1]},
+        w->row_budget, w->col_budget};
+    struct cr_model_sector sector[2];
+    int n = cr_model_sectors(w->q->pdof, w->q->blend, sector);
+    cr_model_mix(&fields, sector, n, g->mixed, w->sum, g->out);
+}
+
+static enum cr_err run(struct work *w, const struct cr_model_plan *p, struct cr_arena *scratch,
+                       struct cr_arena *arena, struct cr_grid *g, struct cr_error *err) {
+    size_t n = (size_t)w->nx * (size_t)w->half;
+    bool ranged = p->weight[0] != p->full[0];
+    struct half_grid half;
+    double *fill = cr_arena_take(arena, 2 * n, 8), *energy = cr_arena_take(arena, 2 * n, 8);
+    if (fill == NULL || energy == NULL || !take_half(&half, n, ranged, scratch) ||
+        !take_work(w, p->ny, ranged, scratch)) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for a model of %zu voxels", 2 * n);
+    }
+    make_half(w, p, &half);
+    mirror(w, half.fill, fill);
+    mirror(w, half.out, energy);
+    g->fill = fill;
+    g->energy = energy;
     return CR_ERR_OK;
 }
 

@@ -32,23 +32,21 @@ int cr_pdof_clock(double pdof) {
     return sector == 0 ? 12 : sector;
 }
 
-/* cos^2 and sin^2 of the middle of a sector, exact where they are 0 and 1 */
-static void sector_share(int sector, double share[2]) {
+static struct cr_model_sector sector_of(int clock, double part) {
+    /* exact where they are 0 and 1 */
     static const double cos2[6] = {1, 0.75, 0.25, 0, 0.25, 0.75};
-    share[0] = cos2[sector % 6];
-    share[1] = 1 - share[0];
+    double c2 = cos2[clock % 6];
+    return (struct cr_model_sector){{c2, 1 - c2}, clock, c2 < 0.5, part};
 }
 
-void cr_model_mix(double pdof, bool blend, double share[2]) {
+int cr_model_sectors(double pdof, bool blend, struct cr_model_sector out[2]) {
     if (!blend) {
-        sector_share(cr_pdof_clock(pdof), share);
-        return;
+        out[0] = sector_of(cr_pdof_clock(pdof), 1);
+        return 1;
     }
     double turn = pdof / (2 * CR_PI);
     double at = (turn - floor(turn)) * 12, lo = floor(at), u = at - lo;
-    double a[2], b[2];
-    sector_share((int)lo, a);
-    sector_share((int)lo + 1, b);
-    share[0] = (1 - u) * a[0] + u * b[0];
-    share[1] = 1 - share[0];
+    out[0] = sector_of((int)lo, 1 - u);
+    out[1] = sector_of((int)lo + 1, u);
+    return u > 0 ? 2 : 1;
 }

@@ -48,9 +48,10 @@ static void cells_of(const struct cr_model_map *map, const struct cr_model_body 
 struct volume {
     const struct cr_model_body *body;
     struct cr_model_stretch stretch;
-    struct cr_grid part[2]; /* 2D energies of the longitudinal and of the lateral field alone */
-    double share[2];
-    double *column[3]; /* longitudinal, lateral, fill */
+    int sectors;
+    struct cr_model_sector sector[2];
+    struct cr_grid plan[2]; /* 2D model of each sector */
+    double *column[3];      /* longitudinal, lateral, fill */
     double *fill, *energy;
 };
 
@@ -78,13 +79,17 @@ static void raise_column(const struct volume *w, struct cr_voxels *v, int ix, in
             z[1] = b->nz;
         }
         size_t at = (size_t)iz * (size_t)v->nx * (size_t)v->ny + plan;
-        double energy = 0;
+        double energy = 0, rise[2];
         for (int f = 0; f < 2; f++) {
-            energy += w->share[f] * w->part[f].energy[plan] *
-                      (sum_between(w->column[f], b->nz, z[0], z[1]) / whole[f]);
+            rise[f] = sum_between(w->column[f], b->nz, z[0], z[1]) / whole[f];
+        }
+        for (int k_s = 0; k_s < w->sectors; k_s++) {
+            const struct cr_model_sector *c = &w->sector[k_s];
+            energy += c->part * w->plan[k_s].energy[plan] *
+                      (c->share[0] * rise[0] + c->share[1] * rise[1]);
         }
         double material = sum_between(w->column[2], b->nz, z[0], z[1]) * stretch / v->edge;
-        w->fill[at] = w->part[0].fill[plan] * cr_clamp(material, 0, 1);
+        w->fill[at] = w->plan[0].fill[plan] * cr_clamp(material, 0, 1);
         w->energy[at] = energy;
     }
 }
@@ -146,7 +151,7 @@ enum cr_err cr_model_voxels(const struct cr_model_lib *lib, const struct cr_mode
     part.z_lo = 0;
     part.z_hi = INFINITY;
     part.blend = false;
-    cr_model_mix(q->pdof, q->blend, w.share);
+    w.sectors = cr_model_sectors(q->pdof, q->blend, w.sector);
     enum cr_err rc = cr_model_query_check(q, err);
     if (!rc) {
         rc = check_count(ceil(q->dims.length / q->voxel), ceil(q->dims.width / q->voxel),
@@ -158,12 +163,12 @@ enum cr_err cr_model_voxels(const struct cr_model_lib *lib, const struct cr_mode
     if (!rc) {
         rc = cr_model_stretch_make(r, &q->dims, &w.stretch, err);
     }
-    for (int f = 0; f < 2 && !rc; f++) {
-        part.pdof = f == 0 ? 0 : CR_PI / 2;
-        rc = cr_model_substitute(lib, &part, &scratch, &w.part[f], err);
+    for (int i = 0; i < w.sectors && !rc; i++) {
+        part.pdof = w.sector[i].clock * (CR_PI / 6);
+        rc = cr_model_substitute(lib, &part, &scratch, &w.plan[i], err);
     }
     if (!rc) {
-        describe(q, &w.part[0], out);
+        describe(q, &w.plan[0], out);
         out->nz = (int)ceil(q->dims.height / q->voxel - 1e-9);
         rc = raise_all(&w, out, arena, &scratch, err);
     }
@@ -215,13 +220,16 @@ enum cr_err cr_voxels_ees(const struct cr_voxels *v, double *out, struct cr_erro
     }
     crushed_to(x, v->nx);
     crushed_to(y, v->ny);
-    double share[2];
-    cr_model_mix(v->pdof, true, share);
+    struct cr_model_sector sector[2];
+    double side = 0; /* share of the flanks in what is loaded */
+    for (int k = cr_model_sectors(v->pdof, true, sector) - 1; k >= 0; k--) {
+        side += sector[k].side ? sector[k].part : 0;
+    }
     i = 0;
     for (int iz = 0; iz < v->nz; iz++) {
         for (int iy = 0; iy < v->ny; iy++) {
             for (int ix = 0; ix < v->nx; ix++, i++) {
-                double e = (share[0] * x[ix] + share[1] * y[iy]) / v->mass_kg;
+                double e = ((1 - side) * x[ix] + side * y[iy]) / v->mass_kg;
                 out[i] = v->fill[i] > 0 ? sqrt(2 * e) : 0;
             }
         }
