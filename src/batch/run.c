@@ -20,9 +20,8 @@ static const char about[] =
     "output. Exit status: 0 solved; 2 usage or file system; 3 the scene is invalid; 4 the\n"
     "solver failed, for example because the participants never meet; 130 interrupted.\n";
 
-/* --set KEY=VALUE in the order given, so that a later one wins */
-static enum cr_err override(struct cr_scene *scene, const struct cr_option_values *set,
-                            struct cr_error *err) {
+enum cr_err cr_batch_override(struct cr_scene *scene, const struct cr_option_values *set,
+                              struct cr_error *err) {
     for (int i = 0; i < set->n; i++) {
         const char *equals = strchr(set->value[i], '=');
         char key[CR_NAME_MAX + 64];
@@ -76,7 +75,7 @@ static enum cr_err run(const char *path, const struct run_options *opt, struct c
         cr_err_place(err, name, err->line, err->col);
     }
     if (code == CR_ERR_OK) {
-        code = override(&scene, &opt->set, err);
+        code = cr_batch_override(&scene, &opt->set, err);
     }
     if (code == CR_ERR_OK) {
         code = cr_batch_open(&shared, err);

@@ -45,17 +45,25 @@ static void put_assumed(const struct cr_result *r, cJSON *json) {
     }
 }
 
-static bool put_input(const struct cr_result *r, const struct cr_result_opts *opts, cJSON *json) {
-    cJSON *input = cJSON_AddObjectToObject(json, "input");
-    cJSON *scene = cr_scene_to_json(&r->scene, false);
-    char *text = scene ? cJSON_PrintUnformatted(scene) : NULL;
-    cJSON_Delete(scene);
+enum cr_err cr_result_scene_hash(const struct cr_scene *scene, char hex[CR_HASH_SIZE],
+                                 struct cr_error *err) {
+    cJSON *json = cr_scene_to_json(scene, false);
+    char *text = json ? cJSON_PrintUnformatted(json) : NULL;
+    cJSON_Delete(json);
     if (!text) {
-        return false;
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory to hash a scene");
     }
-    char hex[CR_HASH_SIZE];
     cr_hash_hex(text, strlen(text), hex);
     cJSON_free(text);
+    return CR_ERR_OK;
+}
+
+static bool put_input(const struct cr_result *r, const struct cr_result_opts *opts, cJSON *json) {
+    cJSON *input = cJSON_AddObjectToObject(json, "input");
+    char hex[CR_HASH_SIZE];
+    if (cr_result_scene_hash(&r->scene, hex, NULL)) {
+        return false;
+    }
     cJSON_AddStringToObject(input, "scene_sha256", hex);
     cJSON *models = cJSON_AddObjectToObject(input, "models");
     for (int i = 0; i < r->resolved.n; i++) {

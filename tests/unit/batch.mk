@@ -4,3 +4,5 @@ TESTS += test_options
 test_options_SOURCES = tests/unit/test_options.c
 test_options_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 test_options_LDADD = libbatch.a libbase.a $(CMOCKA_LIBS) $(NETTLE_LIBS)
+TESTS += tests/cli/stack.sh
+EXTRA_DIST += tests/cli/stack.sh

@@ -1,0 +1,131 @@
+#!/bin/sh
+# crumple stack: forms of input, order, faulty scenes, shards, resuming, pairs, threads.
+. "$SRC/tests/cli/cli.sh"
+
+# small N SPEED [EXTRA]: one scene on one line
+small() {
+    printf '{"crumple":1,"name":"s%s",%s"settings":{"voxel_mm":100,"dt_ms":2},"participants":[' "$1" "$3"
+    printf '{"id":"A","kind":"vehicle","type":"compact","mass_kg":1400,"position_m":[0,0],'
+    printf '"heading_deg":0,"speed_kmh":%s},{"id":"wall","kind":"object","shape":"wall",' "$2"
+    printf '"position_m":[4,0],"heading_deg":180}]}\n'
+}
+names() {
+    printf '%s\n' "$out" | sed 's/.*"scene":"\([^"]*\)".*/\1/' | tr '\n' ' '
+}
+for i in 1 2 3 4 5 6 7 8 9 10 11 12; do small $i $((30 + i)); done >"$tmp/twelve.jsonl"
+
+run stack "$tmp/twelve.jsonl"
+same "JSON Lines are solved" "$status:$errs" "0:"
+same "in input order" "$(names)" "s1 s2 s3 s4 s5 s6 s7 s8 s9 s10 s11 s12 "
+cp "$tmp/out" "$tmp/one"
+for jobs in 1 3 8; do
+    run stack --jobs $jobs "$tmp/twelve.jsonl"
+    same "the same bytes with $jobs threads" "$(cksum <"$tmp/out")" "$(cksum <"$tmp/one")"
+done
+{ printf '[\n'; sed '$!s/$/,/' "$tmp/twelve.jsonl"; printf ']\n'; } >"$tmp/array.json"
+run stack "$tmp/array.json"
+same "a JSON array gives the same" "$(cksum <"$tmp/out")" "$(cksum <"$tmp/one")"
+"$crumple" stack - <"$tmp/twelve.jsonl" >"$tmp/out" 2>&1
+same "standard input gives the same" "$(cksum <"$tmp/out")" "$(cksum <"$tmp/one")"
+"$crumple" stack - <"$tmp/array.json" >"$tmp/out" 2>&1
+same "an array on standard input too" "$(cksum <"$tmp/out")" "$(cksum <"$tmp/one")"
+
+mkdir "$tmp/folder"
+wall_scene >"$tmp/folder/b.json"
+small 7 40 >"$tmp/folder/c.json"
+small 1 41 >"$tmp/folder/a.ndjson"
+echo no >"$tmp/folder/readme.txt"
+run stack "$tmp/folder" "$tmp/twelve.jsonl"
+same "folders by name, then files" "$(names)" "s1 small s7 s1 s2 s3 s4 s5 s6 s7 s8 s9 s10 s11 s12 "
+run stack "$demo"
+same "a printed scene is one scene" "$(names)" "q7-fiat500 "
+has "one line has the fields of a result" "$out" '^\{"crumple_result":1,.*"balance":\{.*\}\}$'
+same "no resolved scene unless asked" "$(printf '%s' "$out" | grep -c '"resolved"')" 0
+run stack --resolved --trace "$demo"
+has "--resolved and --trace add them" "$out" '"resolved":\{.*"trace":\{'
+run stack --set restitution=0 --set A.speed_kmh=20 "$tmp/twelve.jsonl"
+same "--set works in every scene" "$(printf '%s\n' "$out" | grep -c '"restitution":0,')" 12
+
+# faulty scenes
+{
+    small 1 40
+    echo '{"crumple":1, broken'
+    small 3 0
+    small 4 40 '"pairs":"p",'
+    small 5 40
+} >"$tmp/bad.jsonl"
+run stack "$tmp/bad.jsonl" "$tmp/missing.json"
+same "a bad scene gives status 1" "$status" 1
+same "and the stack goes on" "$(names)" "s1  s3 s4 s5  "
+has "line of a syntax error" "$(sed -n 2p "$tmp/out")" '"code":"syntax".*bad.jsonl:2:[0-9]+:'
+has "scenes that never meet" "$(sed -n 3p "$tmp/out")" '"code":"no-contact"'
+has "line and nearest key of a misspelt one" "$(sed -n 4p "$tmp/out")" \
+    '"code":"unknown-key".*pair.*bad.jsonl:4:'
+has "a file that is not there" "$(sed -n 6p "$tmp/out")" '"code":"io".*missing.json'
+printf '[\n' >"$tmp/open.json"
+small 1 40 >>"$tmp/open.json"
+run stack "$tmp/open.json"
+has "an array without end is told" "$status$(sed -n 2p "$tmp/out")" '^1.*has no end'
+{ cat "$tmp/array.json"; echo x; } >"$tmp/more.json"
+run stack "$tmp/more.json"
+has "text after an array is told" "$(sed -n 13p "$tmp/out")" 'after the end.*more.json:15:'
+: >"$tmp/empty.json"
+run stack "$tmp/empty.json"
+has "an empty file is told" "$status:$out" '^1:.*no scene'
+mkdir "$tmp/nothing"
+run stack "$tmp/nothing"
+has "an empty folder is told" "$status:$out" '^1:.*no scenes.*jsonl'
+"$crumple" stack --jobs 2 "$tmp/twelve.jsonl" >/dev/full 2>"$tmp/errs"
+same "a full disk is status 2" "$?" 2
+has "and is told" "$(cat "$tmp/errs")" 'standard output: error: cannot write'
+refused "no input" 2 'INPUT' stack
+refused "a shard that is none" 2 'I/N' stack --shard 3/2 "$demo"
+
+# shards
+for i in 1 2 3; do "$crumple" stack --shard $i/3 "$tmp/twelve.jsonl"; done >"$tmp/shards"
+same "shards make up the whole" "$(sort "$tmp/shards" | cksum)" "$(sort "$tmp/one" | cksum)"
+run stack --shard 2/3 "$tmp/twelve.jsonl"
+same "a shard has every third scene" "$(names)" "s2 s5 s8 s11 "
+
+# output file, resuming
+run stack -o "$tmp/result.jsonl" "$tmp/twelve.jsonl"
+same "-o writes the same" "$(cksum <"$tmp/result.jsonl")" "$(cksum <"$tmp/one")"
+same "and leaves nothing beside it" "$(ls "$tmp" | grep -c part)" 0
+{ sed -n 1,7p "$tmp/one"; sed -n 8p "$tmp/one" | cut -c 1-500 | tr -d '\n'; } >"$tmp/cut"
+# a mark that only a line taken over can carry
+sed 's/"crumple_result":1,/&"x":"taken over",/' "$tmp/cut" >"$tmp/marked"
+run stack --resume "$tmp/marked" "$tmp/twelve.jsonl"
+same "whole lines are taken over" "$(grep -c 'taken over' "$tmp/out")" 7
+same "and nothing else differs" "$(sed 's/"x":"taken over",//' "$tmp/out" | cksum)" \
+    "$(cksum <"$tmp/one")"
+run stack --resume "$tmp/marked" --set friction=0.4 "$tmp/twelve.jsonl"
+same "changed scenes are solved anew" "$(grep -c 'taken over' "$tmp/out")" 0
+sed 's/"version":"[^"]*"/"version":"0.0.0"/' "$tmp/marked" >"$tmp/old"
+run stack --resume "$tmp/old" "$tmp/twelve.jsonl"
+same "results of another version are not used" "$(grep -c 'taken over' "$tmp/out")" 0
+run stack --resume "$tmp/marked" --trace "$tmp/twelve.jsonl"
+same "nor results without the trace" "$(grep -c 'taken over' "$tmp/out")" 0
+refused "a file to resume that is not there" 2 'nowhere' stack --resume "$tmp/nowhere" "$demo"
+cp "$tmp/cut" "$tmp/r.part"
+refused "the unfinished output is not written over" 2 'one file' \
+    stack -o "$tmp/r" --resume "$tmp/r.part" "$demo"
+
+# pairs
+{
+    small 1 50 '"pair":"p",'
+    small 2 45
+    small 3 40 '"pair":"p",'
+    small 4 40 '"pair":"lonely",'
+} >"$tmp/pairs.jsonl"
+run stack "$tmp/pairs.jsonl"
+same "a pair without its second is status 1" "$status" 1
+has "the difference comes last" "$(sed -n 5p "$tmp/out")" \
+    '"pair":"p","scenes":\["s1","s3"\],"difference":\[\{"id":"A","ees_kmh":-[0-9.]+,'
+has "with injury probabilities" "$(sed -n 5p "$tmp/out")" '"probability":-'
+has "the lonely one is told" "$(sed -n 6p "$tmp/out")" '"scene":"lonely".*1 scenes'
+run stack --shard 1/2 "$tmp/pairs.jsonl"
+same "shards keep pairs together" "$(names | cut -c 1-6)" "s1 s3 "
+
+"$crumple" stack --progress --jobs 2 "$tmp/twelve.jsonl" >"$tmp/out" 2>"$tmp/errs"
+has "--progress tells the count" "$(cat "$tmp/errs")" '^12 scenes, 0 failed'
+finish
