@@ -26,9 +26,8 @@ CR_MUST_CHECK enum cr_err cr_batch_data(const char *name, char *buf, int size,
 
 /* Apply --set KEY=VALUE in the order given, so that a later one wins. Errors: USAGE, and those of
  * cr_scene_set. */
-CR_MUST_CHECK enum cr_err cr_batch_override(struct cr_scene *scene,
-                                            const struct cr_option_values *set,
-                                            struct cr_error *err);
+CR_MUST_CHECK enum cr_err
+cr_batch_override(struct cr_scene *scene, const struct cr_option_values *set, struct cr_error *err);
 
 /* The immutable data that every solve shares, and the polling of ^C. */
 struct cr_batch_shared {

@@ -348,40 +348,40 @@ static enum cr_err stack(char **input, int inputs, const struct options *opt, lo
     return rc;
 }
 
-int cr_batch_stack(int argc, char **argv) {
-    struct options opt = {0};
+/* options and operands; -1, or the exit status if that is all there is to do */
+static int read_options(int argc, char **argv, struct options *opt, int *operands) {
     const struct cr_option table[] = {
         {.name = "jobs",
          .letter = 'j',
          .arg = "N",
-         .number = &opt.jobs,
+         .number = &opt->jobs,
          .lo = 0,
          .hi = CR_POOL_JOBS_MAX,
          .help = "threads (0, the default: one per processor); the output is the same"},
         {.name = "output",
          .letter = 'o',
          .arg = "FILE",
-         .text = &opt.out,
+         .text = &opt->out,
          .help = "write to FILE, by way of FILE.part"},
         {.name = "shard",
          .arg = "I/N",
-         .text = &opt.shard,
+         .text = &opt->shard,
          .help = "only every N-th scene, beginning with the I-th; pairs stay together"},
         {.name = "resume",
          .arg = "FILE",
-         .values = &opt.resume,
+         .values = &opt->resume,
          .help = "take results of unchanged scenes from FILE instead of solving them"},
         {.name = "progress",
          .letter = 'p',
-         .flag = &opt.progress,
+         .flag = &opt->progress,
          .help = "tell on standard error how far it is"},
         {.name = "set",
          .letter = 's',
          .arg = "KEY=VALUE",
-         .values = &opt.set,
+         .values = &opt->set,
          .help = "override a setting or value in every scene"},
-        {.name = "trace", .letter = 't', .flag = &opt.trace, .help = "with the time series"},
-        {.name = "resolved", .flag = &opt.resolved, .help = "with the resolved scenes"},
+        {.name = "trace", .letter = 't', .flag = &opt->trace, .help = "with the time series"},
+        {.name = "resolved", .flag = &opt->resolved, .help = "with the resolved scenes"},
     };
     const struct cr_usage usage = {.word = "stack",
                                    .operands = "INPUT ...",
@@ -391,14 +391,21 @@ int cr_batch_stack(int argc, char **argv) {
                                    .least = 1,
                                    .most = -1};
     struct cr_error err = {0};
-    int operands;
     bool help;
-    long failed;
-    if (cr_options_parse(&usage, argc, argv, &operands, &help, &err) != CR_ERR_OK) {
+    if (cr_options_parse(&usage, argc, argv, operands, &help, &err) != CR_ERR_OK) {
         return cr_batch_fail(&err);
     }
-    if (help) {
-        return cr_batch_help(&usage);
+    return help ? cr_batch_help(&usage) : -1;
+}
+
+int cr_batch_stack(int argc, char **argv) {
+    struct options opt = {0};
+    struct cr_error err = {0};
+    int operands;
+    long failed;
+    int status = read_options(argc, argv, &opt, &operands);
+    if (status >= 0) {
+        return status;
     }
     if (stack(argv + 1, operands, &opt, &failed, &err) != CR_ERR_OK) {
         return cr_batch_fail(&err);

@@ -4,7 +4,8 @@
 
 # small N SPEED [EXTRA]: one scene on one line
 small() {
-    printf '{"crumple":1,"name":"s%s",%s"settings":{"voxel_mm":100,"dt_ms":2},"participants":[' "$1" "$3"
+    printf '{"crumple":1,"name":"s%s",%s' "$1" "$3"
+    printf '"settings":{"voxel_mm":100,"dt_ms":2},"participants":['
     printf '{"id":"A","kind":"vehicle","type":"compact","mass_kg":1400,"position_m":[0,0],'
     printf '"heading_deg":0,"speed_kmh":%s},{"id":"wall","kind":"object","shape":"wall",' "$2"
     printf '"position_m":[4,0],"heading_deg":180}]}\n'
