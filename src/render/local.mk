@@ -16,6 +16,7 @@ librender_a_SOURCES = \
 	src/render/pulse.c \
 	src/render/report.c \
 	src/render/results_pane.c \
+	src/render/screen.c src/render/screen.h \
 	src/render/state.c \
 	src/render/table.c src/render/table.h \
 	src/render/theme.c src/render/theme.h

@@ -225,9 +225,10 @@ static void write_scale(struct pen *pen) {
     static const double lengths[] = {0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 1000};
     bool ascii = pen->ink->look->ascii;
     double m = pen->ink->pic->m_per_col, length = 1000;
+    double most = pen->end - pen->x < 60 ? 6.5 : 12.5;
     for (int i = 10; i >= 0; i--) {
         double columns = lengths[i] / m;
-        if (columns >= 3 && columns <= 12.5) {
+        if (columns >= 3 && columns <= most) {
             length = lengths[i];
             break;
         }
@@ -244,42 +245,43 @@ static void write_scale(struct pen *pen) {
     cr_cells_put(cells, pen->x + n - 1, pen->y, CR_ROLE_TEXT, ascii ? '|' : 0x2524);
     pen->x += n;
     write_text(pen, CR_ROLE_TEXT, text);
-    pen->x += 3;
+    pen->x += most < 10 ? 2 : 3;
 }
 
 static void write_ramp(struct pen *pen) {
     const struct cr_pic *pic = pen->ink->pic;
     const struct cr_look *look = pen->ink->look;
-    if (pic->field == CR_FIELD_NONE || !room(pen, 36)) {
+    bool beyond = pic->field == CR_FIELD_EES, colour = look->color != CR_COLOR_NONE;
+    bool blocks = look->color == CR_COLOR_256 && !look->ascii, narrow = pen->end - pen->x < 50;
+    const char *label = cr_pic_field_label(pic->field);
+    int n = blocks ? CR_STEPS : look->ascii ? 9 : 4;
+    char top[48];
+    snprintf(top, sizeof top, " %g%s %s", pic->field_max, beyond && !colour ? "+" : "",
+             cr_pic_field_unit(pic->field, look->ascii));
+    if (pic->field == CR_FIELD_NONE ||
+        !room(pen, cr_glyph_width(label) + 3 + n + cr_glyph_width(top))) {
         return;
     }
-    char top[48];
-    bool more = pic->field == CR_FIELD_EES;
-    snprintf(top, sizeof top, " %g%s %s%s", pic->field_max,
-             more && look->color == CR_COLOR_NONE ? "+" : "",
-             cr_pic_field_unit(pic->field, look->ascii),
-             more && look->color != CR_COLOR_NONE ? "  " : "");
-    write_text(pen, CR_ROLE_TEXT, cr_pic_field_label(pic->field));
+    write_text(pen, CR_ROLE_TEXT, label);
     write_text(pen, CR_ROLE_TEXT, " 0 ");
-    bool blocks = look->color == CR_COLOR_256 && !look->ascii;
-    int n = blocks ? CR_STEPS : look->ascii ? 9 : 4;
     for (int i = 0; i < n; i++) {
         double u = (i + 0.5) / n;
         cr_cells_put(pen->ink->cells, pen->x, pen->y, CR_ROLE_FIELD,
                      blocks ? 0x2588 : cr_glyph_shade(u, look->ascii));
-        if (look->color != CR_COLOR_NONE) {
+        if (colour) {
             cr_cells_at(pen->ink->cells, pen->x, pen->y)->fg = cr_shade_step(u);
         }
         pen->x++;
     }
     write_text(pen, CR_ROLE_TEXT, top);
-    if (more && look->color != CR_COLOR_NONE) {
+    if (beyond && colour && room(pen, 8)) {
+        pen->x += 2;
         cr_cells_put(pen->ink->cells, pen->x, pen->y, CR_ROLE_FIELD,
                      cr_glyph_shade(1, look->ascii));
         cr_cells_at(pen->ink->cells, pen->x++, pen->y)->fg = CR_STEPS + 1;
         write_text(pen, CR_ROLE_TEXT, " more");
     }
-    pen->x += 3;
+    pen->x += narrow ? 2 : 3;
 }
 
 static void write_entry(struct pen *pen, bool shown, enum cr_role role, const char *sign,

@@ -106,7 +106,9 @@ static void draw_x_axis(const struct frame *f, const char *unit) {
 
 static int y_ticks(const struct frame *f, double *step) {
     int most = f->area.h / 3;
-    *step = cr_tick_step(f->y_hi - f->y_lo, most < 1 ? 1 : most > 8 ? 8 : most);
+    /* steps of 1, 2, 5 can leave half of what is asked for: three give at least one beside zero */
+    most = most < 3 ? (f->area.h >= 5 ? 3 : 1) : most > 8 ? 8 : most;
+    *step = cr_tick_step(f->y_hi - f->y_lo, most);
     return (int)(f->y_hi / *step + 1e-9) - (int)ceil(f->y_lo / *step - 1e-9) + 1;
 }
 

@@ -68,9 +68,13 @@ static int column_end(const struct spot *p, int k) {
     return p->at.x + p->at.w - UNIT - 1 - (p->n - 1 - k) * COLUMN;
 }
 
+enum { FOOT = 4 };
+
 static void write_rows(struct spot *p, const struct cr_result *result, double time) {
+    /* the last rows are the least important: they give way to the foot */
+    int end = p->at.y + p->at.h - (p->at.h >= 14 ? FOOT : 0);
     bool final = isnan(time) || time >= cr_render_t_after(result->solution);
-    for (size_t i = 0; i < sizeof ROWS / sizeof ROWS[0] && p->y < p->at.y + p->at.h; i++) {
+    for (size_t i = 0; i < sizeof ROWS / sizeof ROWS[0] && p->y < end; i++) {
         if (ROWS[i].when != ALWAYS && (ROWS[i].when == AT_END) != final) {
             continue;
         }
@@ -92,23 +96,22 @@ static void write_rows(struct spot *p, const struct cr_result *result, double ti
 static void write_foot(struct spot *p, const struct cr_result *result) {
     const struct cr_solution *sol = result->solution;
     char text[80];
-    int left = p->at.y + p->at.h - p->y, lines = 3 + (sol->contacts > 0 ? 2 : 0);
-    if (left < lines) {
+    if (p->at.h < 14) {
         return;
     }
-    p->y = p->at.y + p->at.h - lines + 1;
+    int y = p->at.y + p->at.h - FOOT;
     snprintf(text, sizeof text, "sum E deform %8.1f kJ", sol->balance.plastic * 1e-3);
-    cr_cells_print(p->cells, p->at.x, p->y++, p->at.w, CR_ROLE_TEXT, text);
+    cr_cells_print(p->cells, p->at.x, y++, p->at.w, CR_ROLE_TEXT, text);
     snprintf(text, sizeof text, "energy error  %.1e", sol->balance.energy_residual);
-    cr_cells_print(p->cells, p->at.x, p->y++, p->at.w, CR_ROLE_DIM, text);
+    cr_cells_print(p->cells, p->at.x, y++, p->at.w, CR_ROLE_DIM, text);
     if (sol->contacts > 0) {
         const struct cr_contact *c = &sol->contact[0];
         snprintf(text, sizeof text, "plastic %.0f, elastic %.0f+%.0f ms",
                  (c->t_plastic_end - c->t_begin) * 1e3, (c->t_elastic_end - c->t_plastic_end) * 1e3,
                  (c->t_end - c->t_elastic_end) * 1e3);
-        cr_cells_print(p->cells, p->at.x, p->y++, p->at.w, CR_ROLE_TEXT, text);
+        cr_cells_print(p->cells, p->at.x, y++, p->at.w, CR_ROLE_TEXT, text);
         snprintf(text, sizeof text, "stop: %s", cr_stop_word(c->stop));
-        cr_cells_print(p->cells, p->at.x, p->y++, p->at.w, CR_ROLE_TEXT, text);
+        cr_cells_print(p->cells, p->at.x, y++, p->at.w, CR_ROLE_TEXT, text);
     }
 }
 

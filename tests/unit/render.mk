@@ -1,1 +1,42 @@
 # unit tests of src/render
+render_tests = test_render_cells test_render_layout test_render_picture \
+	test_render_golden
+render_test_libs = librender.a libresult.a libscene.a libsolver.a libmodel.a libbase.a \
+	$(CMOCKA_LIBS) $(CJSON_LIBS) $(NETTLE_LIBS)
+check_PROGRAMS += $(render_tests)
+TESTS += $(render_tests)
+test_render_cells_SOURCES = tests/unit/test_render_cells.c
+test_render_cells_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
+test_render_cells_LDADD = $(render_test_libs)
+test_render_layout_SOURCES = tests/unit/test_render_layout.c
+test_render_layout_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
+test_render_layout_LDADD = $(render_test_libs)
+test_render_picture_SOURCES = tests/unit/test_render_picture.c tests/unit/render_double.c \
+	tests/unit/render_double.h
+test_render_picture_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
+test_render_picture_LDADD = $(render_test_libs)
+test_render_golden_SOURCES = tests/unit/test_render_golden.c tests/unit/render_double.c \
+	tests/unit/render_double.h
+test_render_golden_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
+test_render_golden_LDADD = $(render_test_libs)
+EXTRA_DIST += tests/golden/render/report-80.txt \
+	tests/golden/render/report-80-ascii.txt \
+	tests/golden/render/report-120.txt \
+	tests/golden/render/report-wall-80.txt \
+	tests/golden/render/scene-ees.txt \
+	tests/golden/render/scene-256.txt \
+	tests/golden/render/scene-16-ascii.txt \
+	tests/golden/render/scene-energy.txt \
+	tests/golden/render/scene-depth.txt \
+	tests/golden/render/scene-crush-ascii.txt \
+	tests/golden/render/scene-none.txt \
+	tests/golden/render/scene-start.txt \
+	tests/golden/render/energy.txt \
+	tests/golden/render/force-ascii.txt \
+	tests/golden/render/table-instant.txt \
+	tests/golden/render/screen-30x8.txt \
+	tests/golden/render/screen-60x20.txt \
+	tests/golden/render/screen-80x24.txt \
+	tests/golden/render/screen-80x24-ascii.txt \
+	tests/golden/render/screen-120x36.txt \
+	tests/golden/render/screen-200x50.txt

@@ -1,0 +1,150 @@
+#include "render/screen.h"
+
+#include <math.h>
+#include <string.h>
+
+struct stage {
+    struct cr_cells *cells;
+    const struct cr_look *look;
+    const struct cr_screen *screen;
+    struct cr_error *err;
+};
+
+static bool solved(const struct cr_screen *s) {
+    return s->result != NULL && s->result->solution->samples > 0;
+}
+
+static void say(const struct stage *st, struct cr_rect in, const char *text) {
+    cr_cells_print(st->cells, in.x + 1, in.y + in.h / 2, in.w - 1, CR_ROLE_DIM, text);
+}
+
+static enum cr_err draw_scene(const struct stage *st, struct cr_rect in) {
+    const struct cr_screen *s = st->screen;
+    return cr_render_scene(st->cells, in, st->look, s->compiled, s->scene, s->result,
+                           &s->scene_view, st->err);
+}
+
+static enum cr_err draw_pulse(const struct stage *st, struct cr_rect in) {
+    const struct cr_screen *s = st->screen;
+    if (!solved(s)) {
+        say(st, in, "no pulse before  solve  (F5)");
+        return CR_ERR_OK;
+    }
+    return cr_render_pulse(st->cells, in, st->look, s->result, s->quantity, s->scene_view.time,
+                           st->err);
+}
+
+static enum cr_err draw_energy(const struct stage *st, struct cr_rect in) {
+    const struct cr_screen *s = st->screen;
+    if (!solved(s)) {
+        say(st, in, "no energies before  solve  (F5)");
+        return CR_ERR_OK;
+    }
+    return cr_render_energy(st->cells, in, st->look, s->result, s->scene_view.time, st->err);
+}
+
+static enum cr_err draw_table(const struct stage *st, struct cr_rect in) {
+    const struct cr_screen *s = st->screen;
+    if (!solved(s)) {
+        say(st, in, "no results before  solve  (F5)");
+        return CR_ERR_OK;
+    }
+    struct cr_cells whole;
+    int rows = cr_render_table_rows(s->result);
+    enum cr_err code = cr_cells_new(in.w - 1, rows > in.h ? rows : in.h, &whole, st->err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    code = cr_render_table(&whole, (struct cr_rect){0, 0, whole.w, whole.h}, st->look, s->result,
+                           s->scene_view.time, st->err);
+    int down = s->table_down > rows - in.h ? rows - in.h : s->table_down;
+    down = down < 0 ? 0 : down;
+    for (int y = 0; y < in.h && code == CR_ERR_OK; y++) {
+        /* the head stays when the rows below it are scrolled */
+        int from = y == 0 ? 0 : y + down;
+        memcpy(&st->cells->cell[(in.y + y) * st->cells->w + in.x + 1], &whole.cell[from * whole.w],
+               (size_t)whole.w * sizeof *whole.cell);
+    }
+    cr_cells_fini(&whole);
+    return code;
+}
+
+static enum cr_err draw_sweep(const struct stage *st, struct cr_rect in) {
+    if (st->screen->sweep == NULL) {
+        say(st, in, "no sweep yet, for example  sweep A.speed 30:80:10km/h");
+        return CR_ERR_OK;
+    }
+    cr_render_sheet(st->cells, in, st->look, st->screen->sweep);
+    return CR_ERR_OK;
+}
+
+static enum cr_err draw_log(const struct stage *st, struct cr_rect in) {
+    const struct cr_screen *s = st->screen;
+    cr_render_log(st->cells, (struct cr_rect){in.x + 1, in.y, in.w - 1, in.h}, st->look, s->log,
+                  s->log_n, s->log_back);
+    return CR_ERR_OK;
+}
+
+static enum cr_err (*const PANES[CR_PANES])(const struct stage *, struct cr_rect) = {
+    [CR_PANE_SCENE] = draw_scene, [CR_PANE_PULSE] = draw_pulse, [CR_PANE_ENERGY] = draw_energy,
+    [CR_PANE_TABLE] = draw_table, [CR_PANE_SWEEP] = draw_sweep, [CR_PANE_LOG] = draw_log,
+};
+
+static enum cr_err draw_panes(const struct stage *st, const struct cr_layout *l) {
+    enum cr_err code = CR_ERR_OK;
+    for (int i = 0; i < CR_PANES && code == CR_ERR_OK; i++) {
+        struct cr_rect at = l->pane[i];
+        if (at.w == 0 || at.h == 0) {
+            continue;
+        }
+        bool tabs = l->kind == CR_LAYOUT_NARROW || l->kind == CR_LAYOUT_ONE ||
+                    (l->kind == CR_LAYOUT_TWO && i == CR_PANE_SCENE);
+        struct cr_rect in = at;
+        if (l->kind != CR_LAYOUT_PROMPT) {
+            in = cr_render_frame(st->cells, at, st->look, tabs ? NULL : cr_pane_title(i),
+                                 st->screen->view, st->screen->active == (enum cr_pane)i, false);
+        }
+        code = PANES[i](st, in);
+    }
+    return code;
+}
+
+static void draw_results(const struct stage *st, const struct cr_layout *l) {
+    const struct cr_screen *s = st->screen;
+    if (l->results.w > 0) {
+        struct cr_rect in =
+            cr_render_frame(st->cells, l->results, st->look, "Results", CR_PANE_SCENE, false, true);
+        cr_render_results(st->cells, in, st->look, solved(s) ? s->result : NULL, s->scene_view.time,
+                          s->stale);
+    }
+}
+
+enum cr_err cr_render_screen(struct cr_cells *cells, const struct cr_look *look,
+                             const struct cr_screen *screen, struct cr_layout *layout,
+                             struct cr_error *err) {
+    const struct stage st = {cells, look, screen, err};
+    *layout = cr_layout_of(cells->w, cells->h, screen->view, screen->zoomed);
+    const struct cr_layout *l = layout;
+    cr_cells_clear(cells);
+    if (l->title.w > 0) {
+        cr_render_title(cells, l->title, look, &screen->title);
+    }
+    if (l->notice.w > 0) {
+        cr_cells_print(cells, l->notice.x, l->notice.y, l->notice.w, CR_ROLE_WARN,
+                       "80x24 shows the scene");
+    }
+    enum cr_err code = draw_panes(&st, l);
+    draw_results(&st, l);
+    if (code == CR_ERR_OK && l->spark.h > 0 && solved(screen)) {
+        code =
+            cr_render_sparks(cells, l->spark, look, screen->result, screen->scene_view.time, err);
+    }
+    cr_render_log(cells, l->dialogue, look, screen->log, screen->log_n, 0);
+    if (l->hint.w > 0 && screen->hint != NULL) {
+        cr_cells_print(cells, l->hint.x, l->hint.y, l->hint.w, CR_ROLE_DIM, screen->hint);
+    }
+    if (l->keys.w > 0) {
+        cr_render_keys(cells, l->keys, screen->key, screen->keys);
+    }
+    return code;
+}

@@ -1,0 +1,32 @@
+/* The whole screen but the prompt line, from data to cells: what src/tui copies to the terminal. */
+#ifndef CR_RENDER_SCREEN_H
+#define CR_RENDER_SCREEN_H
+
+#include "render/panes.h"
+
+struct cr_screen {
+    struct cr_title title;
+    enum cr_pane view, active; /* active: the pane with the focus; CR_PANES: the prompt has it */
+    bool zoomed;
+    const struct cr_scene *scene;       /* resolved as far as possible; NULL: none */
+    const struct cr_compiled *compiled; /* NULL: not compiled yet */
+    const struct cr_result *result;     /* NULL: not solved yet */
+    bool stale;                         /* the scene has changed since */
+    struct cr_scene_view scene_view;    /* its time is that of all panes */
+    enum cr_quantity quantity;          /* of the pulse pane, CR_QUANTITIES: |a| */
+    const struct cr_sheet *sweep;       /* NULL: none yet */
+    const struct cr_log_line *log;
+    int log_n, log_back; /* lines, and how many of them further up */
+    int table_down;      /* rows the table is scrolled down */
+    const char *hint;    /* help for the command being typed, NULL: none */
+    const struct cr_key *key;
+    int keys;
+};
+
+/* Draw everything into cells of the terminal's size; *layout receives the rectangles, for the
+ * mouse and the prompt. Errors: MEMORY. */
+CR_MUST_CHECK enum cr_err cr_render_screen(struct cr_cells *cells, const struct cr_look *look,
+                                           const struct cr_screen *screen, struct cr_layout *layout,
+                                           struct cr_error *err);
+
+#endif

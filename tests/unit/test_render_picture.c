@@ -1,0 +1,335 @@
+/* Pictures, plots and tables of a crash made by hand: what must be where. */
+#include "test.h"
+
+#include "base/vec.h"
+#include "render/picture.h"
+#include "render_double.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const struct cr_look PLAIN = {.color = CR_COLOR_NONE};
+static const double DV_A = 2 * 200 * 0.080 / CR_PI; /* of the half-sine pulse, m/s */
+
+static struct cr_scene_view view_at(double time) {
+    return (struct cr_scene_view){
+        .field = CR_FIELD_EES, .time = time, .centre = {0, 0}, .m_per_col = 0.1, .selected = -1};
+}
+
+static struct cr_cells picture(const struct render_double *d, const struct cr_scene_view *view,
+                               const struct cr_look *look) {
+    struct cr_cells c;
+    struct cr_error err;
+    assert_int_equal(cr_cells_new(120, 30, &c, &err), CR_ERR_OK);
+    assert_int_equal(cr_render_scene(&c, (struct cr_rect){0, 0, 120, 30}, look, &d->result.compiled,
+                                     &d->result.resolved, &d->result, view, &err),
+                     CR_ERR_OK);
+    return c;
+}
+
+static int count(const struct cr_cells *c, uint32_t ch) {
+    int n = 0;
+    for (int i = 0; i < c->w * (c->h - 1); i++) { /* without the legend */
+        n += c->cell[i].ch == ch;
+    }
+    return n;
+}
+
+static bool is_shade(uint32_t ch) {
+    return ch >= 0x2588 && ch <= 0x2593;
+}
+
+/* columns of the first and last shade in a row; first > last: none */
+static void extent(const struct cr_cells *c, int y, int *first, int *last) {
+    *first = c->w;
+    *last = -1;
+    for (int x = 0; x < c->w; x++) {
+        if (is_shade(c->cell[y * c->w + x].ch)) {
+            *first = x < *first ? x : *first;
+            *last = x;
+        }
+    }
+}
+
+static void test_motion_between(void **state) {
+    (void)state;
+    struct render_double d;
+    render_double_init(&d);
+    const struct cr_compiled *k = &d.result.compiled;
+    double v = 56 / 3.6;
+    /* half way to the first contact, which is 100 ms after the start */
+    struct cr_sample s = cr_render_state(k, &d.result, 0, 0.05);
+    check_near(s.pos.x, -2.5 - 0.05 * v, 1e-9);
+    check_near(s.vel.x, v, 1e-9);
+    s = cr_render_state(k, &d.result, 0, 0.1);
+    check_near(s.pos.x, -2.5, 1e-9);
+    check_near(cr_vec2_len(s.force), 0, 0);
+    /* half way through the pulse half the delta-v is there and the force is at its peak */
+    s = cr_render_state(k, &d.result, 0, 0.14);
+    check_near(s.vel.x, v - DV_A / 2, 1e-6);
+    check_near(s.force.x, -200 * 2400, 1);
+    s = cr_render_state(k, &d.result, 0, NAN);
+    check_near(s.vel.x, v - DV_A, 1e-6);
+    /* without a result: the start */
+    s = cr_render_state(k, NULL, 0, NAN);
+    check_near(s.pos.x, -2.5 - 0.1 * v, 1e-9);
+    render_double_fini(&d);
+}
+
+static void test_size_on_the_screen(void **state) {
+    (void)state;
+    struct render_double d;
+    render_double_init(&d);
+    struct cr_scene_view view = view_at(0.08);
+    struct cr_cells c = picture(&d, &view, &PLAIN);
+    int rows = 0, widest = 0;
+    for (int y = 0; y < c.h - 1; y++) {
+        int first, last;
+        extent(&c, y, &first, &last);
+        if (first < 60 && last >= 0) { /* A is left of the middle */
+            int a_last = first;
+            while (is_shade(c.cell[y * c.w + a_last + 1].ch) && a_last < 60) {
+                a_last++;
+            }
+            rows++;
+            widest = a_last - first + 1 > widest ? a_last - first + 1 : widest;
+        }
+    }
+    /* 5.0 m at 0.1 m per column and 2.0 m at 0.2 m per row */
+    assert_in_range(widest, 49, 51);
+    assert_in_range(rows, 9, 11);
+    assert_int_equal(count(&c, 0xD7), 0);
+    cr_cells_fini(&c);
+    render_double_fini(&d);
+}
+
+static void test_crushed_only_when_it_happened(void **state) {
+    (void)state;
+    struct render_double d;
+    render_double_init(&d);
+    int before = 0, middle, after;
+    struct cr_scene_view view = view_at(0.05);
+    for (int i = 0; i < 2; i++) { /* on the way and at the first contact */
+        struct cr_cells c = picture(&d, &view, &PLAIN);
+        before += count(&c, 0xD7) + count(&c, '~');
+        cr_cells_fini(&c);
+        view.time = 0.1;
+    }
+    view.time = 0.125;
+    struct cr_cells c = picture(&d, &view, &PLAIN);
+    middle = count(&c, 0xD7);
+    cr_cells_fini(&c);
+    view.time = NAN;
+    c = picture(&d, &view, &PLAIN);
+    after = count(&c, 0xD7);
+    assert_int_equal(before, 0);
+    assert_true(middle > 5);
+    assert_true(after > middle);
+    assert_true(count(&c, '~') > 0);
+    cr_cells_fini(&c);
+    render_double_fini(&d);
+}
+
+static void test_forces_end_with_the_crash(void **state) {
+    (void)state;
+    struct render_double d;
+    render_double_init(&d);
+    struct cr_scene_view view = view_at(0.14);
+    view.vectors = true;
+    struct cr_cells c = picture(&d, &view, &PLAIN);
+    int force = 0;
+    for (int i = 0; i < c.w * (c.h - 1); i++) {
+        force += c.cell[i].role == CR_ROLE_FORCE;
+    }
+    assert_true(force > 10);
+    cr_cells_fini(&c);
+    view.time = NAN;
+    c = picture(&d, &view, &PLAIN);
+    for (int i = 0; i < c.w * c.h; i++) {
+        assert_int_not_equal(c.cell[i].role, CR_ROLE_FORCE);
+    }
+    cr_cells_fini(&c);
+    render_double_fini(&d);
+}
+
+static void test_ascii_everywhere(void **state) {
+    (void)state;
+    struct render_double d;
+    render_double_init(&d);
+    for (int color = CR_COLOR_NONE; color <= CR_COLOR_256; color++) {
+        struct cr_look look = {.ascii = true, .color = (enum cr_color)color};
+        struct cr_str s = {0};
+        struct cr_error err;
+        assert_int_equal(cr_render_report(&d.result, &look, 80, &s, &err), CR_ERR_OK);
+        for (const char *p = cr_str_get(&s); *p != '\0'; p++) {
+            assert_true(*p == '\n' || *p == '\033' || (*p >= 32 && *p < 127));
+        }
+        assert_null(strchr(cr_str_get(&s), '?')); /* a stand-in for every sign that is used */
+        cr_str_fini(&s);
+    }
+    render_double_fini(&d);
+}
+
+static void test_report_fits_its_width(void **state) {
+    (void)state;
+    struct render_double d;
+    render_double_init(&d);
+    for (int width = 60; width <= 220; width += 7) {
+        struct cr_str s = {0};
+        struct cr_error err;
+        assert_int_equal(cr_render_report(&d.result, &PLAIN, width, &s, &err), CR_ERR_OK);
+        char *line = s.s;
+        while (*line != '\0') {
+            char *end = strchr(line, '\n');
+            *end = '\0';
+            if (cr_glyph_width(line) > width) {
+                fail_msg("width %d: %s", width, line);
+            }
+            line = end + 1;
+        }
+        cr_str_fini(&s);
+    }
+    render_double_fini(&d);
+}
+
+static void test_table_values(void **state) {
+    (void)state;
+    struct render_double d;
+    render_double_init(&d);
+    struct cr_cells c;
+    struct cr_error err;
+    int rows = cr_render_table_rows(&d.result);
+    assert_int_equal(cr_cells_new(78, rows, &c, &err), CR_ERR_OK);
+    assert_int_equal(
+        cr_render_table(&c, (struct cr_rect){0, 0, 78, rows}, &PLAIN, &d.result, NAN, &err),
+        CR_ERR_OK);
+    struct cr_str s = {0};
+    cr_cells_text(&c, &PLAIN, &s);
+    /* delta-v 10.186 m/s = 36.7 km/h for A, twice that for B; EES sqrt(120) m/s = 39.4 km/h;
+     * 200 m/s2 = 20.4 g; 60 kg-1 J x 2400 kg = 144 kJ */
+    static const char *const want[][4] = {
+        {"delta-v", "36.7", "73.3", "km/h"},
+        {"EES", "39.4", "39.4", "km/h"},
+        {"maximum, CFC 60", "20.4", "40.8", "g"},
+        {"energy", "144.0", "72.0", "kJ"},
+        {"greatest depth, residual", "0.30", "0.40", "m"},
+        {"MAIS3+ frontal", "12.5", "12.5", "%"},
+        {"mass", "2400", "1200", "kg"},
+    };
+    for (size_t i = 0; i < sizeof want / sizeof want[0]; i++) {
+        char *row = strstr(s.s, want[i][0]);
+        assert_non_null(row);
+        char line[200];
+        size_t n = strcspn(row, "\n");
+        assert_true(n < sizeof line);
+        memcpy(line, row, n);
+        line[n] = '\0';
+        const char *at = line;
+        for (int k = 1; k < 4; k++) {
+            at = strstr(at, want[i][k]);
+            if (at == NULL) {
+                fail_msg("no %s in: %s", want[i][k], line);
+            }
+            at += strlen(want[i][k]);
+        }
+    }
+    cr_str_fini(&s);
+    cr_cells_fini(&c);
+    render_double_fini(&d);
+}
+
+static void test_plot_peak(void **state) {
+    (void)state;
+    double x[101], y[101];
+    for (int i = 0; i <= 100; i++) {
+        x[i] = i;
+        y[i] = i <= 50 ? i : 100 - i;
+    }
+    struct cr_curve_line curve = {x, y, 101, 'A', "triangle", CR_ROLE_A, false};
+    struct cr_plot plot = {"y", "ms", "m", 1, &curve, 25};
+    struct cr_cells c;
+    struct cr_error err;
+    assert_int_equal(cr_cells_new(60, 15, &c, &err), CR_ERR_OK);
+    assert_int_equal(cr_render_plot(&c, (struct cr_rect){0, 0, 60, 15}, &PLAIN, &plot, &err),
+                     CR_ERR_OK);
+    int top_x = 0, top_n = 0, cursor = 0;
+    for (int i = 0; i < 60; i++) {
+        uint32_t ch = c.cell[60 + i].ch; /* first row of the curve's area */
+        if (ch > 0x2800 && ch < 0x2900) {
+            top_x += i;
+            top_n++;
+        }
+        cursor = c.cell[5 * 60 + i].ch == 0x2506 ? i : cursor;
+    }
+    /* the area begins after the labels (2 columns) and the axis; the peak is in its middle */
+    assert_true(top_n > 0);
+    check_near((double)top_x / top_n, 3 + 57 / 2.0, 1.5);
+    check_near(cursor, 3 + 57 / 4.0, 1);
+    cr_cells_fini(&c);
+}
+
+static void test_plot_of_nothing(void **state) {
+    (void)state;
+    struct cr_plot plot = {"y", "ms", "m", 0, NULL, NAN};
+    double x[2] = {0, 1}, y[2] = {NAN, INFINITY};
+    struct cr_curve_line curve = {x, y, 2, 'A', "none", CR_ROLE_A, false};
+    struct cr_cells c;
+    struct cr_error err;
+    assert_int_equal(cr_cells_new(40, 10, &c, &err), CR_ERR_OK);
+    for (int i = 0; i < 2; i++) {
+        assert_int_equal(cr_render_plot(&c, (struct cr_rect){0, 0, 40, 10}, &PLAIN, &plot, &err),
+                         CR_ERR_OK);
+        assert_int_equal(cr_render_plot(&c, (struct cr_rect){0, 0, 5, 2}, &PLAIN, &plot, &err),
+                         CR_ERR_OK);
+        plot.curves = 1;
+        plot.curve = &curve;
+    }
+    for (int i = 0; i < 400; i++) {
+        assert_false(c.cell[i].ch > 0x2800 && c.cell[i].ch < 0x2900);
+    }
+    cr_cells_fini(&c);
+}
+
+/* any rectangle, however small, is drawn in without touching what is outside of it */
+static void test_small_rectangles(void **state) {
+    (void)state;
+    struct render_double d;
+    render_double_init(&d);
+    struct cr_scene_view view = view_at(0.13);
+    view.m_per_col = 0;
+    view.vectors = true;
+    for (int w = 1; w <= 40; w += 3) {
+        for (int h = 1; h <= 12; h++) {
+            struct cr_cells c;
+            struct cr_error err;
+            struct cr_rect at = {2, 1, w, h};
+            assert_int_equal(cr_cells_new(w + 4, h + 2, &c, &err), CR_ERR_OK);
+            assert_int_equal(cr_render_scene(&c, at, &PLAIN, NULL, NULL, &d.result, &view, &err),
+                             CR_ERR_OK);
+            for (int i = 0; i < c.w * c.h; i++) {
+                int x = i % c.w, y = i / c.w;
+                if (x < 2 || x >= 2 + w || y < 1 || y >= 1 + h) {
+                    assert_int_equal(c.cell[i].ch, ' ');
+                }
+            }
+            cr_cells_fini(&c);
+        }
+    }
+    render_double_fini(&d);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_motion_between),
+        cmocka_unit_test(test_size_on_the_screen),
+        cmocka_unit_test(test_crushed_only_when_it_happened),
+        cmocka_unit_test(test_forces_end_with_the_crash),
+        cmocka_unit_test(test_ascii_everywhere),
+        cmocka_unit_test(test_report_fits_its_width),
+        cmocka_unit_test(test_table_values),
+        cmocka_unit_test(test_plot_peak),
+        cmocka_unit_test(test_plot_of_nothing),
+        cmocka_unit_test(test_small_rectangles),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
