@@ -86,7 +86,7 @@ char cr_glyph_ascii(uint32_t ch) {
         return '*';
     }
     if (ch >= 0x2581 && ch <= 0x2588) {
-        return "_.-=+*%#"[ch - 0x2581];
+        return "_.:-=+*#"[ch - 0x2581];
     }
     for (size_t i = 0; i < sizeof ASCII / sizeof ASCII[0]; i++) {
         if (ASCII[i].ch == ch) {

@@ -181,7 +181,7 @@ static void draw_spark(struct cr_cells *cells, struct cr_rect at, const struct c
             v = fmax(v, y[i]);
         }
         int level = (int)ceil(cr_clamp(v / scale, 0, 1) * 8 - 1e-9);
-        uint32_t ch = look->ascii ? (uint8_t) "_.-=+*%#"[level > 0 ? level - 1 : 0]
+        uint32_t ch = look->ascii ? (uint8_t) "_.:-=+*#"[level > 0 ? level - 1 : 0]
                                   : 0x2580u + (uint32_t)(level > 0 ? level : 1);
         cr_cells_put(cells, at.x + SPARK_HEAD + c, at.y, cr_render_role_of(body), ch);
     }
