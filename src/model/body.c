@@ -17,62 +17,65 @@ static double overlap(double a, double b, double lo, double hi) {
     return to > from ? (to - from) / (b - a) : 0;
 }
 
-/* Is the point in the empty part of a wheel house (1), in a wheel (2) or neither (0)? */
-static int in_wheel(const struct cr_model_recipe *r, double x, double y, double z) {
-    double outer = r->dims.width / 2 - 0.02, inner = outer - r->wheel_width;
-    if (y < inner || z > r->wheel_radius + r->house_radius) {
-        return 0;
+/* Is the point in the empty part of a wheel house (1), in a wheel (2) or neither (0)? dx2: squared
+ * distance from the nearer axle. */
+static int in_wheel(const struct cr_model_recipe *r, double dx2, double y, double z) {
+    double outer = r->dims.width / 2 - 0.02, dz = z - r->wheel_radius, d2 = dx2 + dz * dz;
+    if (y <= outer && d2 < r->wheel_radius * r->wheel_radius) {
+        return 2;
     }
-    for (int axle = 0; axle < 2; axle++) {
-        double dx = x - r->dims.front_overhang - axle * r->dims.wheelbase;
-        double dz = z - r->wheel_radius;
-        double d2 = dx * dx + dz * dz;
-        if (y <= outer && d2 < r->wheel_radius * r->wheel_radius) {
-            return 2;
-        }
-        if (d2 < r->house_radius * r->house_radius) {
-            return 1;
-        }
-    }
-    return 0;
+    return d2 < r->house_radius * r->house_radius ? 1 : 0;
 }
 
-/* Share of a cell that is material in height, at its middle in x and y. */
-static double cell_fill(const struct cr_model_recipe *r, double x, double y, double z_lo,
-                        double bottom, double top) {
-    double z = z_lo + body_edge / 2;
-    int wheel = in_wheel(r, x, y, z);
-    if (wheel != 0) {
-        return wheel == 2 ? 1 : 0;
+/* Cells of one column: share that is material; returns their sum. */
+static double fill_column(const struct cr_model_recipe *r, const struct cr_model_body *b,
+                          const double *half, const double *tall, double dx2, double y,
+                          double *fill) {
+    double sum = 0, inner = r->dims.width / 2 - 0.02 - r->wheel_width;
+    bool wheels = y >= inner && dx2 < r->house_radius * r->house_radius;
+    for (int iz = 0; iz < b->nz; iz++) {
+        /* the cabin is narrower than the flanks */
+        double wide = (half[iz] - y) / b->edge + 0.5;
+        fill[iz] = tall[iz] * (wide < 0 ? 0 : wide > 1 ? 1 : wide);
+        int wheel = wheels ? in_wheel(r, dx2, y, (iz + 0.5) * b->edge) : 0;
+        if (wheel != 0) {
+            fill[iz] = wheel == 2;
+        }
+        sum += fill[iz];
     }
-    /* the cabin is narrower than the flanks */
-    double half = r->dims.width / 2 * cr_model_knots_at(&r->side, z);
-    double wide = cr_clamp((half - y) / body_edge + 0.5, 0, 1);
-    return wide * overlap(z_lo, z_lo + body_edge, bottom, top);
+    return sum;
+}
+
+/* Squared distance from the nearer axle. */
+static double from_axle(const struct cr_dims *d, double x) {
+    double front = x - d->front_overhang, rear = front - d->wheelbase;
+    return fmin(front * front, rear * rear);
 }
 
 static void fill_columns(const struct cr_model_recipe *r, struct cr_model_body *b, double *fill,
-                         double *weight[2]) {
+                         double *weight[2], double *half, double *tall) {
+    for (int iz = 0; iz < b->nz; iz++) {
+        half[iz] = r->dims.width / 2 * cr_model_knots_at(&r->side, (iz + 0.5) * b->edge);
+    }
     for (int ix = 0; ix < b->nx; ix++) {
-        double x = (ix + 0.5) * b->edge;
+        double x = (ix + 0.5) * b->edge, dx2 = from_axle(&r->dims, x);
         double top = cr_model_knots_at(&r->top, x), bottom = cr_model_knots_at(&r->bottom, x);
+        for (int iz = 0; iz < b->nz; iz++) {
+            tall[iz] = overlap(iz * b->edge, (iz + 1) * b->edge, bottom, top);
+        }
         for (int iy = 0; iy < b->ny; iy++) {
             size_t at = ((size_t)ix * (size_t)b->ny + (size_t)iy) * (size_t)b->nz;
-            double sum = 0;
-            for (int iz = 0; iz < b->nz; iz++) {
-                double f = cell_fill(r, x, (iy + 0.5) * b->edge, iz * b->edge, bottom, top);
-                fill[at + (size_t)iz] = f;
-                sum += f;
-            }
+            double y = (iy + 0.5) * b->edge;
+            double sum = fill_column(r, b, half, tall, dx2, y, fill + at);
             if (sum <= 0) { /* every column of the plan has something to crush */
-                int iz = (int)cr_clamp((bottom + top) / 2 / b->edge, 0, b->nz - 1);
-                sum = fill[at + (size_t)iz] = 1;
+                size_t iz = (size_t)cr_clamp((bottom + top) / 2 / b->edge, 0, b->nz - 1);
+                sum = fill[at + iz] = 1;
             }
             /* the body's weight is per column, however tall the column is */
-            for (int iz = 0; iz < b->nz; iz++) {
-                double share = fill[at + (size_t)iz] / sum;
-                weight[0][at + (size_t)iz] = r->body_weight[0] * share;
-                weight[1][at + (size_t)iz] = r->body_weight[1] * share;
+            double w0 = r->body_weight[0] / sum, w1 = r->body_weight[1] / sum;
+            for (size_t i = at; i < at + (size_t)b->nz; i++) {
+                weight[0][i] = w0 * fill[i];
+                weight[1][i] = w1 * fill[i];
             }
         }
     }
@@ -86,23 +89,26 @@ static void span(double lo, double hi, double edge, int n, int out[2]) {
 
 /* A structure is material wherever it is, and gives the columns it covers its weight. */
 static void paint_box(const struct cr_model_box *box, struct cr_model_body *b, double *fill,
-                      double *weight[2]) {
+                      double *weight[2], double *fz) {
     int xs[2], ys[2], zs[2];
     span(box->x[0], box->x[1], b->edge, b->nx, xs);
     span(box->y[0], box->y[1], b->edge, b->ny, ys);
     span(box->z[0], box->z[1], b->edge, b->nz, zs);
+    double per_cell = b->edge / (box->z[1] - box->z[0]);
+    for (int iz = zs[0]; iz < zs[1]; iz++) {
+        fz[iz] = overlap(iz * b->edge, (iz + 1) * b->edge, box->z[0], box->z[1]);
+    }
     for (int ix = xs[0]; ix < xs[1]; ix++) {
         double fx = overlap(ix * b->edge, (ix + 1) * b->edge, box->x[0], box->x[1]);
         for (int iy = ys[0]; iy < ys[1]; iy++) {
             double fy = overlap(iy * b->edge, (iy + 1) * b->edge, box->y[0], box->y[1]);
             size_t at = ((size_t)ix * (size_t)b->ny + (size_t)iy) * (size_t)b->nz;
             for (int iz = zs[0]; iz < zs[1]; iz++) {
-                double fz = overlap(iz * b->edge, (iz + 1) * b->edge, box->z[0], box->z[1]);
-                double share = fx * fy * fz * b->edge / (box->z[1] - box->z[0]);
+                double share = fx * fy * fz[iz];
                 size_t i = at + (size_t)iz;
-                weight[0][i] += box->weight[0] * share;
-                weight[1][i] += box->weight[1] * share;
-                fill[i] = fill[i] > fx * fy * fz ? fill[i] : fx * fy * fz;
+                weight[0][i] += box->weight[0] * per_cell * share;
+                weight[1][i] += box->weight[1] * per_cell * share;
+                fill[i] = fill[i] > share ? fill[i] : share;
             }
         }
     }
@@ -118,12 +124,13 @@ enum cr_err cr_model_body_build(const struct cr_model_recipe *r, struct cr_arena
     double *fill = cr_arena_take(arena, n, sizeof *fill);
     double *weight[2] = {cr_arena_take(arena, n, sizeof **weight),
                          cr_arena_take(arena, n, sizeof **weight)};
-    if (fill == NULL || weight[0] == NULL || weight[1] == NULL) {
+    double *scratch = cr_arena_take(arena, 2 * (size_t)b.nz, sizeof *scratch);
+    if (fill == NULL || weight[0] == NULL || weight[1] == NULL || scratch == NULL) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for the body of a model");
     }
-    fill_columns(r, &b, fill, weight);
+    fill_columns(r, &b, fill, weight, scratch, scratch + b.nz);
     for (int i = 0; i < r->boxes; i++) {
-        paint_box(&r->box[i], &b, fill, weight);
+        paint_box(&r->box[i], &b, fill, weight, scratch);
     }
     b.fill = fill;
     b.weight[0] = weight[0];
@@ -133,13 +140,16 @@ enum cr_err cr_model_body_build(const struct cr_model_recipe *r, struct cr_arena
 }
 
 /* Sum of a column between two heights in cells; part cells count by their share. */
-static double column_sum(const double *v, int nz, double lo, double hi) {
-    int from = (int)lo, to = (int)ceil(hi);
-    double sum = 0;
-    for (int iz = from; iz < to && iz < nz; iz++) {
-        sum += v[iz] * overlap(iz, iz + 1, lo, hi);
+static double column_sum(const double *v, double lo, double hi) {
+    int from = (int)lo, to = (int)hi;
+    if (from == to) {
+        return v[from] * (hi - lo);
     }
-    return sum;
+    double sum = v[from] * (from + 1 - lo);
+    for (int iz = from + 1; iz < to; iz++) {
+        sum += v[iz];
+    }
+    return hi > to ? sum + v[to] * (hi - to) : sum;
 }
 
 enum cr_err cr_model_plan_build(const struct cr_model_body *b, double z_lo, double z_hi,
@@ -154,14 +164,15 @@ enum cr_err cr_model_plan_build(const struct cr_model_body *b, double z_lo, doub
         }
     }
     double lo = cr_clamp(z_lo / b->edge, 0, b->nz), hi = cr_clamp(z_hi / b->edge, 0, b->nz);
+    bool empty = !(hi > lo);
     for (size_t i = 0; i < n; i++) {
         size_t at = i * (size_t)b->nz;
         for (int k = 0; k < 2; k++) {
-            v[k][i] = column_sum(b->weight[k] + at, b->nz, lo, hi);
-            v[2 + k][i] = column_sum(b->weight[k] + at, b->nz, 0, b->nz);
+            v[k][i] = empty ? 0 : column_sum(b->weight[k] + at, lo, hi);
+            v[2 + k][i] = column_sum(b->weight[k] + at, 0, b->nz);
         }
         /* a tenth of a cell is enough to be there, less fades out */
-        v[4][i] = cr_clamp(10 * column_sum(b->fill + at, b->nz, lo, hi), 0, 1);
+        v[4][i] = empty ? 0 : cr_clamp(10 * column_sum(b->fill + at, lo, hi), 0, 1);
     }
     *out = (struct cr_model_plan){.nx = b->nx,
                                   .ny = b->ny,

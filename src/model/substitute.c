@@ -37,6 +37,7 @@ struct work {
     double *sum;        /* scratch of the mix */
     double *slab[5];    /* [ny of the plan][nx]: plan weights resampled along x */
     double *line[5];    /* [nx]: the same across y, of one row */
+    double *mean;       /* [ny of the plan] scratch */
     double *fill;       /* [nx] of one row, before the height range */
 };
 
@@ -65,17 +66,6 @@ static double inward(const struct work *w, double y) {
     return cr_model_face_energy(side, w->q->curve, side->own_metres ? own : ref);
 }
 
-/* Mean of v (a value per cell of the plan, `step` apart, n cells) over [lo, hi] in cells. */
-static double mean_over(const double *v, size_t step, int n, double lo, double hi) {
-    int from = (int)lo;
-    double sum = 0;
-    for (int i = from; i < n && i < hi; i++) {
-        double a = i > lo ? i : lo, b = i + 1 < hi ? i + 1 : hi;
-        sum += v[(size_t)i * step] * (b - a);
-    }
-    return sum / (hi - lo);
-}
-
 /* Interval of the vehicle in cells of the plan. */
 static void to_cells(const struct cr_model_map *map, double edge, int n, double lo, double hi,
                      double out[2]) {
@@ -83,17 +73,38 @@ static void to_cells(const struct cr_model_map *map, double edge, int n, double 
     out[1] = cr_clamp(cr_model_map_ref(map, hi) / edge, out[0] + 1e-6, n);
 }
 
+/* Mean of the plan's columns over [lo, hi] in cells along x, one value per row, into mean. */
+static void mean_rows(const double *v, int nx, int ny, const double cells[2], double *mean) {
+    for (int j = 0; j < ny; j++) {
+        mean[j] = 0;
+    }
+    for (int i = (int)cells[0]; i < nx && i < cells[1]; i++) {
+        double a = i > cells[0] ? i : cells[0], b = i + 1 < cells[1] ? i + 1 : cells[1];
+        double share = (b - a) / (cells[1] - cells[0]);
+        const double *row = v + (size_t)i * (size_t)ny;
+        for (int j = 0; j < ny; j++) {
+            mean[j] += share * row[j];
+        }
+    }
+}
+
 static void resample_x(struct work *w, const struct cr_model_plan *p, const double *const *from) {
+    double before = 0;
     for (int k = 0; k < w->nx; k++) {
         double to = (k + 1) * w->h < w->length ? (k + 1) * w->h : w->length, cells[2];
         to_cells(&w->stretch->x, p->edge, p->nx, k * w->h, to, cells);
         for (int v = 0; v < 5; v++) {
-            for (int j = 0; j < p->ny && from[v] != NULL; j++) {
-                w->slab[v][(size_t)j * (size_t)w->nx + (size_t)k] =
-                    mean_over(from[v] + j, (size_t)p->ny, p->nx, cells[0], cells[1]);
+            if (from[v] == NULL) {
+                continue;
+            }
+            mean_rows(from[v], p->nx, p->ny, cells, w->mean);
+            for (int j = 0; j < p->ny; j++) {
+                w->slab[v][(size_t)j * (size_t)w->nx + (size_t)k] = w->mean[j];
             }
         }
-        w->row_budget[k] = w->q->mass_kg * (along(w, to) - along(w, k * w->h));
+        double energy = along(w, to);
+        w->row_budget[k] = w->q->mass_kg * (energy - before);
+        before = energy;
     }
 }
 
@@ -131,10 +142,15 @@ static void fill_row(struct work *w, int j) {
         double share = cr_clamp((lo + hi) / w->width, 0, 1);
         double a = cr_model_knots_at(&w->r->end[0], share) / w->h;
         double b = (w->length - cr_model_knots_at(&w->r->end[1], share)) / w->h;
-        for (int k = (int)a; k < w->nx && k < b && inside > 0; k++) {
-            double from = k > a ? k : a, to = k + 1 < b ? k + 1 : b;
-            w->fill[k] += inside * (to - from);
+        if (!(inside > 0)) {
+            continue;
         }
+        int first = (int)a, last = (int)b < w->nx ? (int)b : w->nx - 1;
+        for (int k = first; k <= last; k++) {
+            w->fill[k] += inside;
+        }
+        w->fill[first] -= inside * (a - first); /* part cells at both ends */
+        w->fill[last] -= inside * cr_clamp(last + 1 - b, 0, 1);
     }
 }
 
@@ -177,10 +193,11 @@ static bool take_work(struct work *w, int plan_ny, bool ranged, struct cr_arena 
     w->row_budget = cr_arena_take(scratch, nx, 8);
     w->row_weight = cr_arena_take(scratch, nx, 8);
     w->fill = cr_arena_take(scratch, nx, 8);
+    w->mean = cr_arena_take(scratch, (size_t)plan_ny, 8);
     w->col_budget = cr_arena_take(scratch, (size_t)w->half, 8);
     w->sum = cr_arena_take(scratch, nx + (size_t)w->half, 8);
     return w->row_budget != NULL && w->row_weight != NULL && w->fill != NULL &&
-           w->col_budget != NULL && w->sum != NULL;
+           w->col_budget != NULL && w->sum != NULL && w->mean != NULL;
 }
 
 /* Turn rows counted from the front into rows along x, and mirror them to the right half. */
