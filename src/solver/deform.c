@@ -264,15 +264,20 @@ bool cr_deform_collect(struct cr_solver *s, int a, int b) {
     return collect_side(s, a, b, &s->losses[0]) && collect_side(s, b, a, &s->losses[1]);
 }
 
+static void dent(struct cr_moving *m, enum cr_face face, int line, double by) {
+    struct cr_span *span = &m->dented[face];
+    m->depth[face][line] += by / m->share[face][line];
+    span->lo = line < span->lo ? line : span->lo;
+    span->hi = line > span->hi ? line : span->hi;
+}
+
 static void change(struct cr_moving *m, int k, double amount) {
     const struct cr_grid *g = &m->body->grid;
     int iy = k / g->nx, ix = k - iy * g->nx;
     double left = m->left[k] - amount;
     m->left[k] = left > 0 ? left : 0;
-    enum cr_face end = 2 * ix >= g->nx ? CR_FACE_FRONT : CR_FACE_REAR;
-    enum cr_face flank = 2 * iy >= g->ny ? CR_FACE_LEFT : CR_FACE_RIGHT;
-    m->depth[end][iy] += amount * g->h / m->share[end][iy];
-    m->depth[flank][ix] += amount * g->h / m->share[flank][ix];
+    dent(m, 2 * ix >= g->nx ? CR_FACE_FRONT : CR_FACE_REAR, iy, amount * g->h);
+    dent(m, 2 * iy >= g->ny ? CR_FACE_LEFT : CR_FACE_RIGHT, ix, amount * g->h);
 }
 
 void cr_deform_apply(struct cr_moving *m, const struct cr_losses *losses, int from) {

@@ -22,9 +22,11 @@ bool cr_record_contact(struct cr_solver *s, int pair, int a, int b, const struct
         s->contact = p;
     }
     struct cr_touch *t = &s->touch[pair];
-    *t = (struct cr_touch){.record = s->contacts, .coe = f->coe, .normal = f->normal,
-                           .direction = f->direction};
     double closing = cr_vec2_dot(cr_relative_velocity(s, a, b, f->coe), f->normal);
+    bool again = t->before;
+    *t = (struct cr_touch){.record = s->contacts, .coe = f->coe, .normal = f->normal,
+                           .direction = f->direction, .before = true,
+                           .rubbing = again && closing < cr_rubbing_speed};
     bool rigid = s->cs->body[a].grid.nx == 0 || s->cs->body[b].grid.nx == 0;
     const struct cr_opts *o = &s->cs->opts;
     double e = o->restitution_auto ? cr_restitution_auto(closing, rigid) : o->restitution;

@@ -3,6 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Approach at which two bodies that have parted are in the crash again, m/s: slower touches are
+ * rubbing of cars that turn away from each other. */
+const double cr_rubbing_speed = 0.5;
 /* how long the bodies are watched for another touch after the last contact, s */
 static const double linger = 0.02;
 /* plan area that two bodies may share at the start without being called overlapping, m2: the
@@ -84,6 +87,7 @@ static void measure_faces(struct cr_moving *m) {
             m->share[f][i] = most > 0 ? most : 1;
             m->outline[f][i] = before;
         }
+        m->dented[f] = (struct cr_span){lines, -1};
     }
 }
 
@@ -212,6 +216,7 @@ static enum cr_err check_overlap(struct cr_solver *s, struct cr_error *err) {
         for (int f = 0; f < CR_FACES && g->nx > 0; f++) {
             int n = f == CR_FACE_FRONT || f == CR_FACE_REAR ? g->ny : g->nx;
             memset(s->m[i].depth[f], 0, (size_t)n * sizeof(double));
+            s->m[i].dented[f] = (struct cr_span){n, -1};
         }
     }
     s->visits = 0;
@@ -294,6 +299,11 @@ double cr_solver_time(const struct cr_solver *s) {
 static bool crush(struct cr_solver *s, int pair, int a, int b, struct cr_force *f) {
     struct cr_moving *ma = &s->m[a], *mb = &s->m[b];
     if (s->touch[pair].record < 0) {
+        double closing = cr_vec2_dot(cr_relative_velocity(s, a, b, f->coe), f->normal);
+        if (s->touch[pair].before && closing < cr_rubbing_speed &&
+            s->cs->opts.end == CR_END_SEPARATION) {
+            return true; /* parting cars rub: that is no longer the crash */
+        }
         if (!s->touched) {
             s->touched = true;
             s->dt_contact = s->dt;
@@ -482,8 +492,9 @@ enum cr_status cr_solver_step(struct cr_solver *s, struct cr_error *err) {
             if (!work_pair(s, p, a, b)) {
                 return failed(err, CR_ERR_MEMORY, "no memory for the solve");
             }
-            if (before || s->contacts > contacts) {
-                in_contact[a] = in_contact[b] = any = true;
+            any = any || before || s->contacts > contacts;
+            if ((before || s->contacts > contacts) && !s->touch[p].rubbing) {
+                in_contact[a] = in_contact[b] = true;
             }
         }
     }

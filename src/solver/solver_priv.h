@@ -38,6 +38,7 @@ struct cr_moving {
     double *share[CR_FACES];           /* fill of a line's voxels: less than 1 at the edges */
     double membrane[CR_FACES];         /* string energy of a face, J */
     uint8_t *pulled[CR_FACES];         /* lines that the string pulls */
+    struct cr_span dented[CR_FACES];   /* lines that have lost material, both ends included */
     double energy, induced;            /* plastic so far, J */
     double crushed;                    /* plan area so far, m2 */
     struct cr_vec2 slice_impulse;      /* contact impulse in this slice, N s */
@@ -88,6 +89,8 @@ struct cr_touch {
     struct cr_vec2 coe;   /* carried along with the bodies between slices */
     struct cr_vec2 normal, direction;
     bool sliding;         /* force on the edge of the friction cone */
+    bool before;          /* the pair has been in contact before */
+    bool rubbing;         /* this touch is too slight to count as part of the crash */
     double force;         /* along direction, mean of the last plastic slices, N */
     double elastic_time;  /* length of the elastic phase, s */
     double elastic_left;  /* what is left of it, s */
@@ -173,7 +176,7 @@ bool cr_string_pull(struct cr_solver *s, struct cr_moving *m, int partner, struc
                     struct cr_losses *losses);
 
 /* step 2, force.c */
-extern const double cr_normal_memory;
+extern const double cr_normal_memory, cr_rubbing_speed;
 struct cr_force {
     struct cr_vec2 coe;       /* Eq. (3) */
     struct cr_vec2 normal;    /* from a to b */

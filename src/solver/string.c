@@ -47,6 +47,40 @@ static enum cr_face struck_face(const struct cr_moving *m, struct cr_vec2 inward
     return d.y < 0 ? CR_FACE_LEFT : CR_FACE_RIGHT;
 }
 
+/* A segment is taut where the crush has stretched it beyond its undeformed length: a wall that
+ * flattens a rounded end leaves it slack. The ends of a face hang free. */
+static double taut(const double *outline, const double *depth, int i, int n) {
+    if (i == 0 || i == n) {
+        return 0;
+    }
+    double rest = outline[i] - outline[i - 1], moved = depth[i] - depth[i - 1];
+    return fabs(rest + moved) >= fabs(rest);
+}
+
+/* state of line i before the slice's pull */
+static void prepare_line(struct cr_string *st, const struct lines *l, int i, double tension) {
+    const double *depth = l->m->depth[l->face], *outline = l->m->outline[l->face];
+    double h = l->g->h;
+    int step, k = surface(l, i, &step);
+    double q = k < 0 ? 0 : l->unit[voxel_at(l, i, k)] / (h * h);
+    st->r[i] = k < 0 ? (double)INFINITY : h * h * q * l->m->share[l->face][i] / tension;
+    st->w[i] = depth[i];
+    st->taut[i] = taut(outline, depth, i, l->n);
+    st->taut[i + 1] = taut(outline, depth, i + 1, l->n);
+    st->free[i] = st->free[i] && st->taut[i] + st->taut[i + 1] > 0 && k >= 0;
+}
+
+/* the lines that the string may move: those with a dent and one on either side */
+static void prepare(struct cr_string *st, const struct lines *l, double tension) {
+    struct cr_span dented = l->m->dented[l->face];
+    st->free = l->m->pulled[l->face];
+    st->window.lo = dented.lo > 0 ? dented.lo - 1 : 0;
+    st->window.hi = dented.hi + 1 < l->n ? dented.hi + 1 : dented.hi;
+    for (int i = st->window.lo; i <= st->window.hi; i++) {
+        prepare_line(st, l, i, tension);
+    }
+}
+
 /* Free lines obey  tl (w - wl) + tr (w - wr) = -r,  t = 1 where the segment beside them is taut and
  * r = h^2 q / N0; the others stay at their depth. One sweep of the Thomas algorithm. */
 static void sweep(const struct cr_string *st, const double *depth, struct cr_span window) {
@@ -81,11 +115,10 @@ static double pulled_to(const struct cr_string *st, int i, double wl, double wr)
 /* Policy iteration for the obstacle problem w >= depth: solve with the present set of free lines,
  * free those that would be pulled, hold those that would rise; exact after a few rounds because
  * the set of the slice before is nearly right. Returns the range of lines that moved. */
-static struct cr_span relax(const struct cr_string *st, const double *depth, int n) {
+static struct cr_span relax(struct cr_string *st, const struct lines *l, double tension) {
+    const double *depth = l->m->depth[l->face];
     struct cr_span window = st->window;
-    for (int i = window.lo; i <= window.hi; i++) {
-        st->free[i] = st->free[i] && st->taut[i] + st->taut[i + 1] > 0 && isfinite(st->r[i]);
-    }
+    int n = l->n;
     for (int round = 0; round < ROUNDS_MAX; round++) {
         sweep(st, depth, window);
         bool changed = false;
@@ -101,10 +134,17 @@ static struct cr_span relax(const struct cr_string *st, const double *depth, int
         int grow_hi = st->free[window.hi] && window.hi + 1 < n;
         window.lo -= grow_lo;
         window.hi += grow_hi;
+        if (grow_lo) {
+            prepare_line(st, l, window.lo, tension);
+        }
+        if (grow_hi) {
+            prepare_line(st, l, window.hi, tension);
+        }
         if (!changed && !grow_lo && !grow_hi) {
             break;
         }
     }
+    st->window = window;
     struct cr_span moved = {n, -1};
     for (int i = window.lo; i <= window.hi; i++) {
         if (st->w[i] > depth[i]) {
@@ -134,42 +174,14 @@ static bool take(const struct lines *l, int line, double by, struct cr_losses *l
     return true;
 }
 
-static double membrane_energy(const struct cr_string *st, int n, double tension, double h) {
+/* of the segments in the window; those beyond are as they were made */
+static double membrane_energy(const struct cr_string *st, double tension, double h) {
     double sum = 0;
-    for (int i = 1; i < n; i++) {
+    for (int i = st->window.lo + 1; i <= st->window.hi; i++) {
         double d = st->w[i] - st->w[i - 1];
         sum += st->taut[i] * d * d;
     }
     return 0.5 * tension * sum / h;
-}
-
-/* A segment is taut where the crush has stretched it beyond its undeformed length: a wall that
- * flattens a rounded end leaves it slack. The ends of a face hang free. */
-static void find_taut(struct cr_string *st, const double *outline, const double *depth, int n) {
-    st->taut[0] = st->taut[n] = 0;
-    for (int i = 1; i < n; i++) {
-        double rest = outline[i] - outline[i - 1], moved = depth[i] - depth[i - 1];
-        st->taut[i] = fabs(rest + moved) >= fabs(rest);
-    }
-}
-
-/* the string in the state before the slice's pull, and the lines that it may move */
-static void prepare(struct cr_string *st, const struct lines *l, double tension) {
-    const double *depth = l->m->depth[l->face];
-    double h = l->g->h;
-    st->free = l->m->pulled[l->face];
-    st->window = (struct cr_span){l->n, -1};
-    for (int i = 0; i < l->n; i++) {
-        int step, k = surface(l, i, &step);
-        double q = k < 0 ? 0 : l->unit[voxel_at(l, i, k)] / (h * h);
-        st->r[i] = k < 0 ? (double)INFINITY : h * h * q * l->m->share[l->face][i] / tension;
-        st->w[i] = depth[i];
-        if (depth[i] > 0) {
-            st->window.lo = st->window.lo < i ? st->window.lo : i > 0 ? i - 1 : 0;
-            st->window.hi = i + 1 < l->n ? i + 1 : i;
-        }
-    }
-    find_taut(st, l->m->outline[l->face], depth, l->n);
 }
 
 bool cr_string_pull(struct cr_solver *s, struct cr_moving *m, int partner, struct cr_vec2 inward,
@@ -184,18 +196,18 @@ bool cr_string_pull(struct cr_solver *s, struct cr_moving *m, int partner, struc
     struct lines l = {g, m, m->unit[partner], losses->face, row ? g->ny : g->nx};
     const double *depth = m->depth[losses->face];
     struct cr_string *st = &s->string;
-    prepare(st, &l, tension);
-    if (st->window.hi < 0) {
+    if (m->dented[losses->face].hi < 0) {
         return true;
     }
-    struct cr_span moved = relax(st, depth, l.n);
+    prepare(st, &l, tension);
+    struct cr_span moved = relax(st, &l, tension);
     double before = losses->energy;
     for (int i = moved.lo; i <= moved.hi; i++) {
         if (st->w[i] > depth[i] && !take(&l, i, st->w[i] - depth[i], losses)) {
             return false;
         }
     }
-    double stretched = membrane_energy(st, l.n, tension, g->h);
+    double stretched = membrane_energy(st, tension, g->h);
     losses->stretch = fmax(0, stretched - m->membrane[losses->face]);
     losses->induced = losses->energy - before + losses->stretch;
     losses->energy += losses->stretch;
