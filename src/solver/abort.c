@@ -12,12 +12,13 @@ static double mass_along(const struct cr_solver *s, int a, int b, const struct c
     return 1 / cr_vec2_dot(cr_compliance(s, a, b, t->coe, t->normal), t->normal);
 }
 
-/* momentum of approach that is left above the threshold e/(1-e) of the plastic impulse, N s */
+/* Momentum of approach that is left above the threshold e/(1-e) of the plastic impulse, times
+ * (1-e) so that a fully elastic contact has one too, N s. */
 static double momentum_left(const struct cr_solver *s, int a, int b, const struct cr_touch *t,
                             const struct cr_contact *c) {
     double vn = cr_vec2_dot(cr_relative_velocity(s, a, b, t->coe), t->normal);
-    double kappa = c->restitution / (1 - c->restitution);
-    return mass_along(s, a, b, t) * vn - kappa * c->plastic_impulse;
+    double e = c->restitution;
+    return (1 - e) * mass_along(s, a, b, t) * vn - e * c->plastic_impulse;
 }
 
 void cr_abort_check(struct cr_solver *s, int pair, int a, int b, bool deformed) {
@@ -26,12 +27,13 @@ void cr_abort_check(struct cr_solver *s, int pair, int a, int b, bool deformed) 
     struct cr_vec2 rel = cr_relative_velocity(s, a, b, t->coe);
     double vn = cr_vec2_dot(rel, t->normal);
     t->quiet = deformed ? 0 : t->quiet + s->dt;
-    if (vn <= 0) {
+    bool spent = t->quiet == 0 && momentum_left(s, a, b, t, c) <= reached * c->plastic_impulse;
+    /* without restitution the threshold is the end of the approach itself, to rounding */
+    if (vn <= 0 || (spent && c->restitution <= 0)) {
         c->stop = CR_STOP_SEPARATION;
     } else if (t->quiet > gap_time || t->quiet * cr_vec2_len(rel) > gap_path) {
         c->stop = CR_STOP_NO_OVERLAP;
-    } else if (t->quiet == 0 &&
-               momentum_left(s, a, b, t, c) <= reached * c->plastic_impulse) {
+    } else if (spent) {
         c->stop = CR_STOP_MOMENTUM;
     }
     if (c->stop != CR_STOP_NONE) {

@@ -34,8 +34,7 @@ static void push(struct cr_solver *s, struct cr_moving *m, struct cr_vec2 p, str
     m->impulse = cr_vec2_add(m->impulse, j);
 }
 
-void cr_impulse_apply(struct cr_solver *s, int a, int b, struct cr_vec2 p,
-                      struct cr_vec2 impulse) {
+void cr_impulse_apply(struct cr_solver *s, int a, int b, struct cr_vec2 p, struct cr_vec2 impulse) {
     push(s, &s->m[a], p, cr_vec2_scale(impulse, -1));
     push(s, &s->m[b], p, impulse);
 }
@@ -50,9 +49,9 @@ static double impulse_to_end(const struct cr_solver *s, int a, int b, const stru
                              const struct cr_contact *c, double vn) {
     double mass = 1 / cr_vec2_dot(cr_compliance(s, a, b, f->coe, f->normal), f->normal);
     double give = cr_vec2_dot(cr_compliance(s, a, b, f->coe, f->direction), f->normal);
-    double kappa = c->restitution / (1 - c->restitution);
-    double per = mass * give + kappa * f->cosine;
-    double left = mass * vn - kappa * c->plastic_impulse;
+    double e = c->restitution;
+    double per = (1 - e) * mass * give + e * f->cosine;
+    double left = (1 - e) * mass * vn - e * c->plastic_impulse;
     /* an eccentric force can fail to slow the approach along the normal: then no end is near */
     return per > 0 ? fmax(left / per, 0) : (double)INFINITY;
 }
@@ -99,12 +98,20 @@ void cr_kinetics_slice(struct cr_solver *s, int pair, int a, int b, const struct
     t->normal_sum = cr_vec2_axpy(t->normal_sum, lambda * f->energy, f->normal);
     struct cr_slice *sl = cr_record_slice(s, pair);
     if (sl != NULL) {
-        *sl = (struct cr_slice){
-            .sample = s->samples, .contact = t->record, .phase = CR_PHASE_PLASTIC,
-            .deformed = {s->losses[0].n, s->losses[1].n},
-            .energy = {s->losses[0].energy, s->losses[1].energy},
-            .induced = s->losses[0].induced + s->losses[1].induced, .coe = f->coe,
-            .normal = f->normal, .direction = f->direction, .approach = vn, .path = vn * s->dt,
-            .force = j / s->dt, .impulse = j, .mass_eff = mass, .friction = friction};
+        *sl = (struct cr_slice){.sample = s->samples,
+                                .contact = t->record,
+                                .phase = CR_PHASE_PLASTIC,
+                                .deformed = {s->losses[0].n, s->losses[1].n},
+                                .energy = {s->losses[0].energy, s->losses[1].energy},
+                                .induced = s->losses[0].induced + s->losses[1].induced,
+                                .coe = f->coe,
+                                .normal = f->normal,
+                                .direction = f->direction,
+                                .approach = vn,
+                                .path = vn * s->dt,
+                                .force = j / s->dt,
+                                .impulse = j,
+                                .mass_eff = mass,
+                                .friction = friction};
     }
 }

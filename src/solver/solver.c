@@ -11,6 +11,9 @@ static const double linger = 0.02;
 /* plan area that two bodies may share at the start without being called overlapping, m2: the
  * voxels of an outline stand out by up to half an edge */
 static const double overlap_area = 0.01;
+/* Least approach that begins a contact, m/s. What the last slice of a contact gave back still
+ * overlaps, and would be crushed again and again by what rounding leaves of the approach. */
+static const double begin_speed = 1e-3;
 /* slower than this a body is at rest (literature.md 7.5) */
 static const double rest_speed = 0.05, rest_yaw = 0.02;
 
@@ -24,9 +27,15 @@ const char *cr_stop_word(enum cr_stop stop) {
 }
 
 struct cr_opts cr_opts_default(void) {
-    return (struct cr_opts){.dt = 0.5e-3, .friction = 0.5, .road_friction = 0.8,
-                            .restitution = 0.1, .elastic_s = 5e-3, .induced = true,
-                            .end = CR_END_SEPARATION, .max_time = 20, .rest_time = 30};
+    return (struct cr_opts){.dt = 0.5e-3,
+                            .friction = 0.5,
+                            .road_friction = 0.8,
+                            .restitution = 0.1,
+                            .elastic_s = 5e-3,
+                            .induced = true,
+                            .end = CR_END_SEPARATION,
+                            .max_time = 20,
+                            .rest_time = 30};
 }
 
 static bool new_lines(struct cr_solver *s, struct cr_moving *m) {
@@ -159,17 +168,17 @@ static bool new_body(struct cr_solver *s, int i) {
     }
     double x = fmax(fabs(m->lo.x), fabs(m->hi.x)), y = fmax(fabs(m->lo.y), fabs(m->hi.y));
     m->reach = b->shape.kind == CR_SHAPE_WALL ? (double)INFINITY : sqrt(x * x + y * y);
-    float *when = b->grid.nx == 0 ? NULL
-                                  : cr_arena_take(&s->arena,
-                                                  (size_t)b->grid.nx * (size_t)b->grid.ny,
-                                                  sizeof *when);
+    float *when =
+        b->grid.nx == 0
+            ? NULL
+            : cr_arena_take(&s->arena, (size_t)b->grid.nx * (size_t)b->grid.ny, sizeof *when);
     s->out.body[i].t_crushed = when;
     return when != NULL || b->grid.nx == 0;
 }
 
 static enum cr_err check_body(const struct cr_body *b, int i, struct cr_error *err) {
-    double numbers[] = {b->mass, b->inertia, b->pos.x, b->pos.y, b->vel.x,
-                        b->vel.y, b->heading, b->yaw_rate};
+    double numbers[] = {b->mass,  b->inertia, b->pos.x,   b->pos.y,
+                        b->vel.x, b->vel.y,   b->heading, b->yaw_rate};
     for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++) {
         if (!isfinite(numbers[k])) {
             return cr_err_set(err, CR_ERR_RANGE, "body %d has a number that is not finite", i);
@@ -235,12 +244,11 @@ static bool new_scratch(struct cr_solver *s) {
     s->string.r = cr_arena_take(&s->arena, (size_t)longest, sizeof(double));
     s->string.taut = cr_arena_take(&s->arena, (size_t)longest + 1, sizeof(double));
     s->freed = cr_arena_take(&s->arena, 1, sizeof *s->freed);
-    return s->string.w != NULL && s->string.gain != NULL && s->string.r != NULL && s->string.taut != NULL &&
-           s->freed != NULL;
+    return s->string.w != NULL && s->string.gain != NULL && s->string.r != NULL &&
+           s->string.taut != NULL && s->freed != NULL;
 }
 
-enum cr_err cr_solver_new(const struct cr_case *cs, struct cr_solver **out,
-                          struct cr_error *err) {
+enum cr_err cr_solver_new(const struct cr_case *cs, struct cr_solver **out, struct cr_error *err) {
     *out = NULL;
     if (cs->n < 1 || cs->n > CR_BODY_MAX) {
         return cr_err_set(err, CR_ERR_RANGE, "a case has 1 to %d bodies", CR_BODY_MAX);
@@ -263,8 +271,8 @@ enum cr_err cr_solver_new(const struct cr_case *cs, struct cr_solver **out,
     for (int p = 0; ok && p < CR_PAIR_MAX; p++) {
         s->touch[p].record = -1;
     }
-    enum cr_err code = ok ? check_overlap(s, err)
-                          : cr_err_set(err, CR_ERR_MEMORY, "no memory for the solve");
+    enum cr_err code =
+        ok ? check_overlap(s, err) : cr_err_set(err, CR_ERR_MEMORY, "no memory for the solve");
     if (code != CR_ERR_OK) {
         cr_solver_free(s);
         return code;
@@ -327,6 +335,10 @@ static bool crush(struct cr_solver *s, int pair, int a, int b, struct cr_force *
     return true;
 }
 
+static double approach(const struct cr_solver *s, int a, int b, const struct cr_force *f) {
+    return cr_vec2_dot(cr_relative_velocity(s, a, b, f->coe), f->normal);
+}
+
 static bool work_pair(struct cr_solver *s, int pair, int a, int b) {
     struct cr_moving *ma = &s->m[a], *mb = &s->m[b];
     struct cr_touch *t = &s->touch[pair];
@@ -342,6 +354,7 @@ static bool work_pair(struct cr_solver *s, int pair, int a, int b) {
     }
     struct cr_force f;
     bool deformed = s->losses[0].n + s->losses[1].n > 0 && cr_force_find(s, pair, a, b, &f);
+    deformed = deformed && (t->record >= 0 || approach(s, a, b, &f) > begin_speed);
     if (deformed && !crush(s, pair, a, b, &f)) {
         return false;
     }
@@ -397,8 +410,8 @@ static void settle_rest(struct cr_solver *s, const bool in_contact[]) {
             continue;
         }
         double mass = 1 / m->inv_mass, inertia = m->inv_inertia > 0 ? 1 / m->inv_inertia : 0;
-        s->tyre += 0.5 * mass * cr_vec2_dot(m->vel, m->vel) +
-                   0.5 * inertia * m->yaw_rate * m->yaw_rate;
+        s->tyre +=
+            0.5 * mass * cr_vec2_dot(m->vel, m->vel) + 0.5 * inertia * m->yaw_rate * m->yaw_rate;
         s->p_ground = cr_vec2_axpy(s->p_ground, mass, m->vel);
         s->l_ground += mass * cr_vec2_cross(m->pos, m->vel) + inertia * m->yaw_rate;
         m->vel = cr_vec2(0, 0);
@@ -438,6 +451,7 @@ static void go_back(struct cr_solver *s) {
 }
 
 static void check_end(struct cr_solver *s, bool any_contact) {
+    s->done = s->t - s->contact[0].t_begin > s->cs->opts.rest_time;
     if (any_contact) {
         s->t_free = NAN;
         return;
@@ -447,8 +461,8 @@ static void check_end(struct cr_solver *s, bool any_contact) {
         remember(s);
     }
     if (s->cs->opts.end == CR_END_SEPARATION) {
-        s->done = s->t - s->t_free >= linger;
-        if (s->done) {
+        if (s->t - s->t_free >= linger) {
+            s->done = true;
             go_back(s);
         }
         return;
@@ -459,7 +473,7 @@ static void check_end(struct cr_solver *s, bool any_contact) {
         /* what nothing has touched need not stop for the crash to be over */
         moving = moving || (m->inv_mass > 0 && !m->at_rest && !isnan(m->t_first));
     }
-    s->done = !moving || s->t - s->contact[0].t_begin > s->cs->opts.rest_time;
+    s->done = s->done || !moving;
 }
 
 static enum cr_status failed(struct cr_error *err, enum cr_err code, const char *text) {

@@ -1,1 +1,11 @@
-# unit tests of src/solver
+# unit tests of src/solver: hand-made cases against closed forms, no models
+check_LIBRARIES += libcases.a
+libcases_a_SOURCES = tests/unit/solver_cases.c tests/unit/solver_cases.h tests/unit/test.h
+libcases_a_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
+solver_tests = test_solver_wall
+solver_test_libs = libcases.a libsolver.a libmodel.a libbase.a $(CMOCKA_LIBS) $(NETTLE_LIBS)
+check_PROGRAMS += $(solver_tests)
+TESTS += $(solver_tests)
+test_solver_wall_SOURCES = tests/unit/test_solver_wall.c
+test_solver_wall_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
+test_solver_wall_LDADD = $(solver_test_libs)

@@ -22,26 +22,94 @@ struct cr_grid block_grid(struct cr_arena *arena, double length, double width, d
             energy[iy * nx + ix] = part * h * h * strength(depth, side, arg);
         }
     }
-    return (struct cr_grid){.nx = nx, .ny = ny, .h = h, .x0 = x0, .y0 = y0, .fill = fill,
-                            .energy = energy};
+    return (struct cr_grid){
+        .nx = nx, .ny = ny, .h = h, .x0 = x0, .y0 = y0, .fill = fill, .energy = energy};
 }
 
-struct cr_body block_body(struct cr_grid grid, double mass, double length, double width,
-                          double x, double y, double heading, double speed) {
-    return (struct cr_body){.mass = mass, .inertia = mass * (length * length + width * width) / 12,
-                            .pos = {x, y}, .heading = heading,
-                            .vel = {speed * cos(heading), speed * sin(heading)}, .grid = grid,
+struct cr_body block_body(struct cr_grid grid, double mass, double length, double width, double x,
+                          double y, double heading, double speed) {
+    return (struct cr_body){.mass = mass,
+                            .inertia = mass * (length * length + width * width) / 12,
+                            .pos = {x, y},
+                            .heading = heading,
+                            .vel = {speed * cos(heading), speed * sin(heading)},
+                            .grid = grid,
                             .friction = -1};
 }
 
 struct cr_body wall_body(double x, double y, double heading) {
-    return (struct cr_body){.pos = {x, y}, .heading = heading, .friction = -1,
-                            .shape = {.kind = CR_SHAPE_WALL}};
+    return (struct cr_body){
+        .pos = {x, y}, .heading = heading, .friction = -1, .shape = {.kind = CR_SHAPE_WALL}};
 }
 
 struct cr_body pole_body(double x, double y, double radius) {
-    return (struct cr_body){.pos = {x, y}, .friction = -1,
-                            .shape = {.kind = CR_SHAPE_POLE, .radius = radius}};
+    return (struct cr_body){
+        .pos = {x, y}, .friction = -1, .shape = {.kind = CR_SHAPE_POLE, .radius = radius}};
+}
+
+struct cr_body polygon_body(double x, double y, double heading, const struct cr_vec2 *vertex,
+                            int n) {
+    return (struct cr_body){.pos = {x, y},
+                            .heading = heading,
+                            .friction = -1,
+                            .shape = {.kind = CR_SHAPE_POLYGON, .n = n, .vertex = vertex}};
+}
+
+const double car_mass = 1400, car_length = 4.4, car_width = 1.8;
+
+double car_strength(double depth, double side, const void *arg) {
+    (void)arg;
+    double end = fmin(depth, car_length - depth);
+    return fmin(40e3 + 400e3 * end, 120e3 + 200e3 * side);
+}
+
+void set_wheels(struct cr_body *body, double wheelbase, double track, double brake, bool locked) {
+    body->wheels = CR_WHEELS;
+    for (int i = 0; i < CR_WHEELS; i++) {
+        body->wheel[i] = (struct cr_wheel){
+            .at = {(i < 2 ? 0.5 : -0.5) * wheelbase, (i % 2 == 0 ? 0.5 : -0.5) * track},
+            .load = body->mass * CR_G / CR_WHEELS,
+            .brake = brake,
+            .locked = locked};
+    }
+}
+
+struct cr_body car_body(struct cr_arena *arena, double h, double x, double y, double heading,
+                        double speed) {
+    struct cr_grid grid = block_grid(arena, car_length, car_width, h, car_strength, NULL);
+    struct cr_body car = block_body(grid, car_mass, car_length, car_width, x, y, heading, speed);
+    set_wheels(&car, 2.6, 1.5, 0, false);
+    return car;
+}
+
+struct cr_case case_of(struct cr_body a, struct cr_body b) {
+    struct cr_case cs = {.n = 2, .body = {a, b}, .opts = cr_opts_default()};
+    cs.opts.induced = false;
+    return cs;
+}
+
+struct cr_case case_moved(struct cr_case cs, double angle, double dx, double dy) {
+    double c = cos(angle), s = sin(angle);
+    for (int i = 0; i < cs.n; i++) {
+        struct cr_body *b = &cs.body[i];
+        b->pos = cr_vec2_add(cr_vec2_rotate(b->pos, c, s), cr_vec2(dx, dy));
+        b->vel = cr_vec2_rotate(b->vel, c, s);
+        b->heading += angle;
+    }
+    return cs;
+}
+
+double ees_of(const struct cr_solution *o, const struct cr_case *cs, int i) {
+    return sqrt(2 * o->body[i].energy / cs->body[i].mass);
+}
+
+double random_between(uint64_t *state, double lo, double hi) {
+    /* splitmix64 (Steele, Lea, Flood 2014) */
+    uint64_t z = *state += 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    z ^= z >> 31;
+    return lo + (hi - lo) * (double)(z >> 11) / 9007199254740992.0;
 }
 
 struct cr_solver *solved(const struct cr_case *cs) {
