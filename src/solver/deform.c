@@ -110,7 +110,8 @@ enum { LINES_MAX = 24 };
  * are crossed to be worth the look. */
 static struct cr_span live_between(const struct cr_span *line, int n, double u0, double u1,
                                    struct cr_span whole) {
-    int from = (int)(u0 < u1 ? u0 : u1) - 2, to = (int)(u0 < u1 ? u1 : u0) + 1;
+    /* a place takes part in the voxels whose centres are within one edge of it */
+    int from = (int)((u0 < u1 ? u0 : u1) + 1.5) - 2, to = (int)((u0 < u1 ? u1 : u0) + 0.5);
     from = from < 0 ? 0 : from;
     to = to > n - 1 ? n - 1 : to;
     if (to - from >= LINES_MAX) {
@@ -126,19 +127,23 @@ static struct cr_span live_between(const struct cr_span *line, int n, double u0,
     return span;
 }
 
-/* narrow [lo, hi] of a row to where the opponent still has material near */
+/* Narrow [lo, hi] of a row to where the opponent still has material near: by its rows where the
+ * two are nearly aligned, by its columns where they stand across. */
 static void clip_to_live(const struct cr_moving *other, const struct map *map,
                          struct cr_vec2 base, double *lo, double *hi) {
     const struct cr_grid *g = &other->body->grid;
-    double v0 = (base.y + map->s * *lo - g->y0) / g->h, v1 = (base.y + map->s * *hi - g->y0) / g->h;
-    struct cr_span x = live_between(other->row, g->ny, v0, v1, (struct cr_span){0, g->nx});
-    clip(base.x, map->c, g->x0 + (x.lo - 1) * g->h, g->x0 + (x.hi + 1) * g->h, lo, hi);
-    if (*lo > *hi) {
-        return;
+    double per = 1 / g->h;
+    if (fabs(map->c) >= fabs(map->s)) {
+        double v0 = (base.y + map->s * *lo - g->y0) * per;
+        double v1 = (base.y + map->s * *hi - g->y0) * per;
+        struct cr_span x = live_between(other->row, g->ny, v0, v1, (struct cr_span){0, g->nx});
+        clip(base.x, map->c, g->x0 + (x.lo - 0.5) * g->h, g->x0 + (x.hi + 0.5) * g->h, lo, hi);
+    } else {
+        double u0 = (base.x + map->c * *lo - g->x0) * per;
+        double u1 = (base.x + map->c * *hi - g->x0) * per;
+        struct cr_span y = live_between(other->col, g->nx, u0, u1, (struct cr_span){0, g->ny});
+        clip(base.y, map->s, g->y0 + (y.lo - 0.5) * g->h, g->y0 + (y.hi + 0.5) * g->h, lo, hi);
     }
-    double u0 = (base.x + map->c * *lo - g->x0) / g->h, u1 = (base.x + map->c * *hi - g->x0) / g->h;
-    struct cr_span y = live_between(other->col, g->nx, u0, u1, (struct cr_span){0, g->ny});
-    clip(base.y, map->s, g->y0 + (y.lo - 1) * g->h, g->y0 + (y.hi + 1) * g->h, lo, hi);
 }
 
 /* voxels of row iy that the opponent can meet, within the row's live span */
