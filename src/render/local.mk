@@ -13,6 +13,7 @@ librender_a_SOURCES = \
 	src/render/panes.c src/render/panes.h \
 	src/render/picture.c src/render/picture.h \
 	src/render/plot.c \
+	src/render/project.c src/render/project.h \
 	src/render/pulse.c \
 	src/render/report.c \
 	src/render/results_pane.c \

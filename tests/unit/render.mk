@@ -1,6 +1,6 @@
 # unit tests of src/render
 render_tests = test_render_cells test_render_layout test_render_picture \
-	test_render_golden
+	test_render_golden test_render_project
 render_test_libs = librender.a libresult.a libscene.a libsolver.a libmodel.a libbase.a \
 	$(CMOCKA_LIBS) $(CJSON_LIBS) $(NETTLE_LIBS)
 check_PROGRAMS += $(render_tests)
@@ -15,6 +15,9 @@ test_render_picture_SOURCES = tests/unit/test_render_picture.c tests/unit/render
 	tests/unit/render_double.h
 test_render_picture_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 test_render_picture_LDADD = $(render_test_libs)
+test_render_project_SOURCES = tests/unit/test_render_project.c
+test_render_project_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
+test_render_project_LDADD = $(render_test_libs)
 test_render_golden_SOURCES = tests/unit/test_render_golden.c tests/unit/render_double.c \
 	tests/unit/render_double.h
 test_render_golden_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
