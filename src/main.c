@@ -2,6 +2,7 @@
 
 #include "base/str.h"
 #include "batch/batch.h"
+#include "repl/repl.h"
 
 #include <locale.h>
 #include <stdio.h>
@@ -76,9 +77,9 @@ int main(int argc, char **argv) {
             return words[i].run(argc - 1, argv + 1);
         }
     }
-    if (word[0] == '\0') {
-        fputs(help, stderr);
-        return 2;
+    if (word[0] == '\0' || cr_repl_takes(word)) {
+        char data[4096];
+        return cr_repl_main(argc, argv, cr_data_dir(data, sizeof data));
     }
     return unknown(word[0] == '-' ? "option" : "word", word);
 }

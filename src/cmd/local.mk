@@ -1,4 +1,24 @@
 noinst_LIBRARIES += libcmd.a
 libcmd_a_SOURCES = \
-	src/cmd/cmd.h
+	src/cmd/args.c \
+	src/cmd/assert.c \
+	src/cmd/cmd.h src/cmd/cmd_priv.h \
+	src/cmd/complete.c \
+	src/cmd/files.c \
+	src/cmd/help.c \
+	src/cmd/look.c \
+	src/cmd/measure.c src/cmd/measure.h \
+	src/cmd/place.c \
+	src/cmd/pulse.c src/cmd/pulse.h \
+	src/cmd/run.c \
+	src/cmd/scene.c \
+	src/cmd/self.c \
+	src/cmd/session.c \
+	src/cmd/set.c \
+	src/cmd/solve.c \
+	src/cmd/sweep.c src/cmd/sweep.h \
+	src/cmd/sweep_table.c \
+	src/cmd/table.c \
+	src/cmd/token.c \
+	src/cmd/undo.c
 libcmd_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)

@@ -89,6 +89,12 @@ const struct cr_dims *cr_model_dims(const struct cr_model_lib *lib, enum cr_type
     return &lib->recipe[type].dims;
 }
 
+void cr_model_pillars(const struct cr_model_lib *lib, enum cr_type type, double *a, double *b) {
+    const struct cr_model_recipe *r = &lib->recipe[type];
+    *a = (r->a_pillar - r->dims.front_overhang) / r->dims.wheelbase;
+    *b = (r->b_pillar - r->dims.front_overhang) / r->dims.wheelbase;
+}
+
 const char *cr_model_hash(const struct cr_model_lib *lib, enum cr_type type) {
     return lib->recipe[type].hash;
 }

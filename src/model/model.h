@@ -56,6 +56,10 @@ void cr_model_lib_free(struct cr_model_lib *lib);
 const struct cr_dims *cr_model_dims(const struct cr_model_lib *lib, enum cr_type type,
                                     double *mass_kg);
 
+/* Where the pillars stand: share of the wheelbase behind the front axle, the same for all vehicles
+ * of a type (stretch.c). */
+void cr_model_pillars(const struct cr_model_lib *lib, enum cr_type type, double *a, double *b);
+
 /* SHA-256 of the recipe text, for the result's `input.models`. */
 const char *cr_model_hash(const struct cr_model_lib *lib, enum cr_type type);
 

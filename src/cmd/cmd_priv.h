@@ -1,0 +1,200 @@
+/* Inside of the command language: tokens, bound calls and the session's own state. */
+#ifndef CR_CMD_CMD_PRIV_H
+#define CR_CMD_CMD_PRIV_H
+
+#include "cmd/cmd.h"
+
+/* ---- tokens (token.c) ---- */
+
+enum cr_token_kind { CR_TOKEN_WORD, CR_TOKEN_PAIR, CR_TOKEN_FLAG };
+
+struct cr_token {
+    enum cr_token_kind kind;
+    const char *text; /* word, value of a pair or name of a flag, without quotes; in the arena */
+    const char *key;  /* of a pair */
+    bool quoted;
+    int at, len;             /* bytes in the source text */
+    int value_at, value_len; /* of the value of a pair; else as at, len */
+};
+
+struct cr_tokens {
+    struct cr_arena arena;
+    const char *source;
+    int n;
+    struct cr_token *tok;
+    int end;  /* byte after the statement, without its ";" or newline */
+    int next; /* byte at which the next statement starts */
+};
+
+/* One statement of text[from..]: ends at ";" or a newline that no "\" hides. err->col is the byte
+ * offset of the fault + 1, err->line its length. */
+enum cr_err cr_cmd_tokens(const char *text, int from, struct cr_tokens *out, struct cr_error *err);
+void cr_cmd_tokens_fini(struct cr_tokens *tokens);
+int cr_cmd_chars(const char *s, int bytes); /* characters in so many bytes of UTF-8 */
+
+/* ---- values and bound calls (args.c) ---- */
+
+struct cr_value {
+    const struct cr_token *token; /* NULL: not given */
+    const char *text;
+    double number; /* SI, or the count */
+    double second; /* y of a point */
+    int word;      /* index in the words of the argument, -1: none of them */
+    int sign;      /* +1, -1: typed with a sign, so relative where that is allowed; 0 */
+};
+
+struct cr_call {
+    struct cr_session *s;
+    const struct cr_command *cmd;
+    const struct cr_tokens *tokens;
+    bool force;
+    struct cr_value value[CR_CMD_ARGS];
+    int rest;                     /* first token of CR_ARG_REST, tokens->n if there is none */
+    const struct cr_token *blame; /* token at fault, set by a handler that fails */
+    struct cr_state *draft;       /* the state being edited, NULL while nothing changes it */
+    bool fresh;                   /* the draft is another scene: its file is `file`, not unsaved */
+    char file[CR_PATH_MAX];
+};
+
+/* Default unit of a number argument. */
+const struct cr_unit *cr_cmd_unit(const struct cr_arg *arg);
+enum cr_err cr_cmd_bind(struct cr_call *call, struct cr_error *err);
+/* Value of an argument by name; token is NULL when it was not given. */
+const struct cr_value *cr_cmd_arg(const struct cr_call *call, const char *name);
+bool cr_cmd_given(const struct cr_call *call, const char *name);
+double cr_cmd_number(const struct cr_call *call, const char *name, double otherwise);
+int cr_cmd_word(const struct cr_call *call, const char *name, int otherwise);
+const char *cr_cmd_text(const struct cr_call *call, const char *name, const char *otherwise);
+/* Remember which argument is at fault; returns code. */
+enum cr_err cr_cmd_blame(struct cr_call *call, const char *name, enum cr_err code);
+
+/* Words of a "a|b|c" list: how many, the i-th into buf, and the index of a word or unique prefix
+ * (-1: none, -2: ambiguous). */
+int cr_cmd_words(const char *words);
+const char *cr_cmd_word_at(const char *words, int i, char *buf, int size);
+int cr_cmd_word_find(const char *words, const char *word);
+const char *cr_cmd_word_nearest(const char *words, const char *word, char *buf, int size);
+
+/* ---- session (session.c, undo.c, work.c) ---- */
+
+/* How a participant was placed last, so that a sweep can vary it. */
+enum cr_placed_side { CR_SIDE_LEFT, CR_SIDE_RIGHT, CR_SIDE_CENTRE, CR_SIDE_FRONT, CR_SIDE_REAR };
+struct cr_placed {
+    char id[CR_NAME_MAX], other[CR_NAME_MAX]; /* id "": never, or moved since */
+    enum cr_place_rel rel;
+    int side;       /* enum cr_placed_side, -1: by the relation */
+    double overlap; /* 0..1 */
+    int at_word;    /* of the argument `at`, -1: `at` counts */
+    double at;      /* m behind the front end of the struck flank's vehicle; NaN: middle */
+    double angle;   /* rad; NaN: the relation's own */
+    double gap;     /* m */
+};
+/* Puts the participant where it says, in the scene of the state, and remembers it there. */
+enum cr_err cr_placed_apply(struct cr_state *state, const struct cr_placed *placed,
+                            const struct cr_model_lib *models, struct cr_error *err);
+struct cr_placed *cr_placed_find(struct cr_state *state, const char *id);
+
+struct cr_state {
+    struct cr_scene scene;
+    struct cr_placed placed[CR_BODY_MAX]; /* in no order */
+    char *command;                        /* that led here, NULL for the first */
+    long rev;
+};
+
+struct cr_session {
+    struct cr_session_opts opts;
+    char data_dir[CR_PATH_MAX], autosave[CR_PATH_MAX], file[CR_PATH_MAX];
+    struct cr_state **state; /* undo stack; state[now] is the present */
+    int states, now;
+    long last_rev, saved_rev, result_rev, failed_rev, compiled_rev;
+    struct cr_model_lib *models;
+    struct cr_irf_set *irf;
+    struct cr_result *result;
+    bool solving, over, echo;
+    struct cr_compiled *compiled; /* of compiled_rev, NULL: none */
+    struct cr_view view;
+    struct cr_sweep *sweep;
+    struct cr_log_line *log;
+    int logs, log_size;
+    char **line; /* history */
+    int lines, line_size;
+    int depth;                                  /* of nested source commands */
+    double work_began, work_polled, work_shown; /* s of the monotonic clock */
+};
+
+void cr_say(struct cr_session *s, const char *fmt, ...) CR_PRINTF(2, 3);
+void cr_warn(struct cr_session *s, const char *fmt, ...) CR_PRINTF(2, 3);
+void cr_session_text(struct cr_session *s, enum cr_tone tone, const char *line);
+/* Text of several lines, each as cr_say does. */
+void cr_session_lines(struct cr_session *s, const char *text);
+void cr_session_room(struct cr_session *s, int *width, int *height);
+enum cr_err cr_session_remember(struct cr_session *s, const char *line, struct cr_error *err);
+void cr_session_reset_view(struct cr_session *s);
+enum cr_err cr_session_need_models(struct cr_session *s, struct cr_error *err);
+enum cr_err cr_session_need_result(struct cr_session *s, struct cr_error *err);
+
+struct cr_state *cr_session_now(const struct cr_session *s);
+/* The state to change by this command; it takes effect when the handler succeeds. */
+enum cr_err cr_cmd_edit(struct cr_call *call, struct cr_state **out, struct cr_error *err);
+enum cr_err cr_state_dup(const struct cr_state *from, struct cr_state **out, struct cr_error *err);
+void cr_state_free(struct cr_state *state);
+/* Makes draft the present state; takes it over. */
+enum cr_err cr_session_commit(struct cr_session *s, struct cr_state *draft, const char *command,
+                              struct cr_error *err);
+void cr_session_saved(struct cr_session *s, const char *path); /* the present is on disk */
+void cr_session_autosave(struct cr_session *s);
+/* The newest autosave that a session which is gone has left behind; false if there is none. */
+bool cr_autosave_find(const char *state_dir, char *path, int size);
+
+/* Long work: context of runs that report progress and can be cancelled. */
+struct cr_context cr_session_context(struct cr_session *s);
+void cr_work_begin(struct cr_session *s);
+double cr_work_end(struct cr_session *s); /* s it took */
+/* Progress is due (first after 0.3 s, then ten times a second). */
+bool cr_work_due(struct cr_session *s, double *elapsed);
+int cr_work_cancelled(struct cr_session *s);
+void cr_session_take_sweep(struct cr_session *s, struct cr_sweep *sweep);
+void cr_session_drop_result(struct cr_session *s);
+void cr_session_take_result(struct cr_session *s, struct cr_result *result);
+
+/* What a sweep can vary besides: a participant's number, its placement, or a setting. */
+struct cr_sweep_key {
+    const char *name;
+    const char *key; /* of the scene; NULL: of the placement */
+    unsigned kinds;  /* participants it is for, 0: all */
+    bool setting;
+    enum cr_dim dim;  /* of a placement's value */
+    const char *unit; /* likewise, its usual unit */
+    const char *help;
+};
+extern const struct cr_sweep_key cr_sweep_keys[]; /* ends with a name of NULL */
+
+/* Key arguments handed to the scene: one by name, or all that were given. id NULL: settings. */
+enum cr_err cr_cmd_set_key(struct cr_call *call, struct cr_scene *scene, const char *id,
+                           const char *name, struct cr_error *err);
+enum cr_err cr_cmd_set_keys(struct cr_call *call, struct cr_scene *scene, const char *id,
+                            struct cr_error *err);
+/* A participant in one line. */
+void cr_cmd_describe(const struct cr_participant *p, char *buf, int size);
+/* Time of a CR_VALUE_TIME argument (ms after the first contact, or its word) -> frame of the
+ * result; `words` in the order start, compression, end as far as the argument has them. */
+enum cr_err cr_cmd_frame_at(struct cr_call *call, const char *name, int *frame,
+                            struct cr_error *err);
+/* Draw by way of out.cells; `draw` fills the rectangle. Nothing happens without a picture sink. */
+enum cr_err cr_cmd_picture(struct cr_session *s, int width, int height,
+                           enum cr_err (*draw)(void *user, struct cr_cells *cells,
+                                               struct cr_rect at, struct cr_error *err),
+                           void *user, struct cr_error *err);
+
+/* ---- handlers ---- */
+
+#define CR_CMD_LIST(X)                                                                             \
+    X(vehicle)                                                                                     \
+    X(object) X(model) X(place) X(move) X(set) X(check) X(solve) X(show) X(view) X(table) X(pulse) \
+        X(explain) X(compare) X(assert) X(sweep) X(load) X(save) X(export) X(source) X(undo)       \
+            X(redo) X(history) X(new) X(list) X(remove) X(copy) X(help) X(apropos) X(quit)
+#define X(name) enum cr_err cr_cmd_##name(struct cr_call *call, struct cr_error *err);
+CR_CMD_LIST(X)
+#undef X
+
+#endif

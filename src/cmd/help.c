@@ -1,0 +1,297 @@
+/* Help printed from the command table, so that it cannot lie: pages, lists, and the man page. */
+#include "cmd/cmd_priv.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+const struct cr_key *cr_arg_key(const struct cr_arg *arg) {
+    enum cr_key_table table = arg->mask != 0 ? CR_KEYS_PARTICIPANT : CR_KEYS_SETTINGS;
+    if (arg->type != CR_VALUE_KEY) {
+        return NULL;
+    }
+    /* a key that several kinds have in different rows is told by the first of them */
+    for (unsigned bit = 1; bit <= CR_FOR_ALL; bit <<= 1) {
+        if (arg->mask == 0 || (arg->mask & bit) != 0) {
+            const struct cr_key *key = cr_scene_key_find(table, arg->key, arg->mask != 0 ? bit : 0);
+            if (key != NULL) {
+                return key;
+            }
+        }
+    }
+    return NULL;
+}
+
+static const char *const type_words[] = {
+    [CR_VALUE_KEY] = "VALUE",       [CR_VALUE_NUMBER] = "NUMBER",   [CR_VALUE_COUNT] = "N",
+    [CR_VALUE_WORD] = "WORD",       [CR_VALUE_TEXT] = "TEXT",       [CR_VALUE_NAME] = "NAME",
+    [CR_VALUE_VEHICLE] = "NAME",    [CR_VALUE_NEW] = "NAME",        [CR_VALUE_FILE] = "FILE",
+    [CR_VALUE_MODEL] = "MODEL",     [CR_VALUE_COMMAND] = "COMMAND", [CR_VALUE_TIME] = "TIME",
+    [CR_VALUE_SWEEP] = "KEY RANGE", [CR_VALUE_POINT] = "X,Y",       [CR_VALUE_SWITCH] = "on|off",
+};
+
+static void value_word(const struct cr_arg *arg, struct cr_str *out) {
+    const struct cr_key *key = cr_arg_key(arg);
+    if (key != NULL && key->type == CR_KEY_WORD) {
+        for (size_t i = 0; i < key->aux; i++) {
+            cr_str_addf(out, "%s%s", i > 0 ? "|" : "", key->words[i]);
+        }
+    } else if (key != NULL && (key->type == CR_KEY_SWITCH || key->type == CR_KEY_BOOL)) {
+        cr_str_add(out, "on|off");
+    } else if (key != NULL && key->unit != NULL && key->unit[0] != '\0') {
+        cr_str_add(out, key->unit);
+    } else if (arg->type == CR_VALUE_WORD || arg->type == CR_VALUE_SWITCH) {
+        cr_str_add(out, arg->words);
+    } else if (arg->unit != NULL) {
+        cr_str_add(out, arg->unit);
+        cr_str_addf(out, "%s%s", arg->words != NULL ? "|" : "",
+                    arg->words != NULL ? arg->words : "");
+    } else if (arg->type == CR_VALUE_FILE) {
+        cr_str_addf(out, "FILE%s", strchr(arg->words, '|') == NULL ? arg->words : "");
+    } else {
+        cr_str_add(out, type_words[arg->type]);
+    }
+}
+
+static void usage_of(const struct cr_arg *arg, struct cr_str *out) {
+    switch (arg->place) {
+    case CR_ARG_POSITION:
+    case CR_ARG_REST:
+        cr_str_addf(out, " %s", arg->name);
+        break;
+    case CR_ARG_OPTION:
+        cr_str_addf(out, " [%s]", arg->name);
+        break;
+    case CR_ARG_KEY:
+        cr_str_addf(out, " [%s=", arg->name);
+        value_word(arg, out);
+        cr_str_add(out, "]");
+        break;
+    case CR_ARG_FLAG:
+        cr_str_addf(out, " [--%s]", arg->name);
+        break;
+    }
+}
+
+void cr_command_usage(const struct cr_command *cmd, struct cr_str *out) {
+    cr_str_addf(out, "%s%s", cmd->name, (cmd->flags & CR_CMD_FORCE) != 0 ? "[!]" : "");
+    for (int i = 0; cmd->arg[i].name != NULL; i++) {
+        usage_of(&cmd->arg[i], out);
+    }
+}
+
+static const char *unit_gap(const char *unit) {
+    return unit[0] == '\0' || unit[0] == '%' ? "" : " ";
+}
+
+/* "mass as crashed, with load; 100 to 60000 kg (fixed)" */
+void cr_arg_help(const struct cr_arg *arg, struct cr_str *out) {
+    const struct cr_key *key = cr_arg_key(arg);
+    double lo = key != NULL ? key->lo : arg->lo, hi = key != NULL ? key->hi : arg->hi;
+    const char *unit = key != NULL ? key->unit : arg->unit;
+    unit = unit != NULL ? unit : "";
+    cr_str_add(out, key != NULL ? key->help : arg->help != NULL ? arg->help : "");
+    if (lo < hi && isfinite(hi) && hi < 1e5) {
+        cr_str_addf(out, "; %.10g to %.10g%s%s", lo, hi, unit_gap(unit), unit);
+    } else if (unit[0] != '\0') {
+        cr_str_addf(out, "; in %s", unit);
+    }
+    if (arg->def != NULL) {
+        cr_str_addf(out, " (%s)", arg->def);
+    } else if (key != NULL && arg->mask == 0 && isfinite(key->def[0]) &&
+               key->type == CR_KEY_NUMBER) {
+        cr_str_addf(out, " (%.10g%s%s)", key->def[0], unit_gap(unit), unit);
+    }
+}
+
+/* adds text folded at `width` columns, each line after the first indented */
+static void fold(struct cr_str *out, const char *text, int first, int indent, int width) {
+    int col = first;
+    while (*text != '\0') {
+        int n = (int)strcspn(text, " ");
+        if (col + n > width && col > indent) {
+            cr_str_add(out, "\n");
+            cr_str_fill(out, ' ', indent);
+            col = indent;
+        }
+        cr_str_addn(out, text, (size_t)n);
+        col += n;
+        text += n;
+        if (*text == ' ') {
+            text++;
+            if (col + 1 < width) {
+                cr_str_add(out, " ");
+                col++;
+            }
+        }
+    }
+    cr_str_add(out, "\n");
+}
+
+enum { WIDTH = 78, INDENT = 18 };
+
+static void arg_line(const struct cr_arg *arg, struct cr_str *out) {
+    struct cr_str text = {0};
+    char name[64];
+    snprintf(name, sizeof name, "%s%s%s", arg->place == CR_ARG_FLAG ? "--" : "", arg->name,
+             arg->place == CR_ARG_KEY ? "=" : "");
+    cr_str_addf(out, "  %-*s", INDENT - 3, name);
+    cr_str_add(out, " ");
+    cr_arg_help(arg, &text);
+    if (arg->place != CR_ARG_KEY || arg->type == CR_VALUE_WORD || cr_arg_key(arg) != NULL) {
+        struct cr_str words = {0};
+        value_word(arg, &words);
+        if (strchr(cr_str_get(&words), '|') != NULL && arg->type != CR_VALUE_FILE) {
+            cr_str_addf(&text, ": %s", words.s);
+        }
+        cr_str_fini(&words);
+    } else if (arg->words != NULL && arg->type != CR_VALUE_FILE && arg->type != CR_VALUE_SWITCH) {
+        cr_str_addf(&text, "; or %s", arg->words);
+    }
+    fold(out, cr_str_get(&text), (int)strlen(name) + 3 > INDENT ? (int)strlen(name) + 3 : INDENT,
+         INDENT, WIDTH);
+    cr_str_fini(&text);
+}
+
+void cr_command_help(const struct cr_command *cmd, struct cr_str *out) {
+    struct cr_str usage = {0};
+    cr_str_addf(out, "%s: %s\n", cmd->name, cmd->help);
+    cr_command_usage(cmd, &usage);
+    fold(out, cr_str_get(&usage), 0, 4, WIDTH);
+    cr_str_fini(&usage);
+    for (int i = 0; cmd->arg[i].name != NULL; i++) {
+        arg_line(&cmd->arg[i], out);
+    }
+    cr_str_add(out, "examples:\n");
+    cr_str_addf(out, "  %s\n", cmd->example[0]);
+    if (strcmp(cmd->example[0], cmd->example[1]) != 0) {
+        cr_str_addf(out, "  %s\n", cmd->example[1]);
+    }
+    cr_str_addf(out, "see also: %s\n", cmd->see);
+}
+
+/* ---- man page ---- */
+
+static void roff_text(struct cr_str *out, const char *text) {
+    for (; *text != '\0'; text++) {
+        if (*text == '-') {
+            cr_str_add(out, "\\-");
+        } else if (*text == '\\') {
+            cr_str_add(out, "\\e");
+        } else {
+            cr_str_addn(out, text, 1);
+        }
+    }
+}
+
+void cr_command_roff(const struct cr_command *cmd, struct cr_str *out) {
+    struct cr_str text = {0};
+    cr_str_addf(out, ".SS %s\n", cmd->name);
+    cr_command_usage(cmd, &text);
+    cr_str_add(out, ".B ");
+    roff_text(out, cr_str_get(&text));
+    cr_str_add(out, "\n.PP\n");
+    roff_text(out, cmd->help);
+    cr_str_add(out, ".\n");
+    for (int i = 0; cmd->arg[i].name != NULL; i++) {
+        const struct cr_arg *arg = &cmd->arg[i];
+        cr_str_clear(&text);
+        cr_str_addf(out, ".TP\n.B %s", arg->place == CR_ARG_FLAG ? "\\-\\-" : "");
+        roff_text(out, arg->name);
+        cr_str_add(out, arg->place == CR_ARG_KEY ? "=\n" : "\n");
+        cr_arg_help(arg, &text);
+        if (arg->words != NULL && arg->type != CR_VALUE_FILE) {
+            cr_str_addf(&text, "; %s%s",
+                        arg->unit != NULL || arg->type == CR_VALUE_VEHICLE ? "or " : "",
+                        arg->words);
+        }
+        roff_text(out, cr_str_get(&text));
+        cr_str_add(out, "\n");
+    }
+    cr_str_add(out, ".PP\nExamples:\n.PP\n.EX\n");
+    for (int i = 0; i < 2; i++) {
+        if (i == 0 || strcmp(cmd->example[0], cmd->example[1]) != 0) {
+            roff_text(out, cmd->example[i]);
+            cr_str_add(out, "\n");
+        }
+    }
+    cr_str_addf(out, ".EE\n.PP\nSee also: %s.\n", cmd->see);
+    cr_str_fini(&text);
+}
+
+/* ---- commands ---- */
+
+enum cr_err cr_cmd_help(struct cr_call *call, struct cr_error *err) {
+    int n;
+    const struct cr_command *table = cr_commands(&n);
+    const char *name = cr_cmd_text(call, "COMMAND", NULL), *group = "";
+    if (name != NULL) {
+        bool many;
+        struct cr_str page = {0};
+        const struct cr_command *cmd = cr_command_find(name, &many);
+        if (cmd == NULL) {
+            cr_err_set(err, CR_ERR_NAME, "there is no command '%.60s'", name);
+            cr_err_hint(err, "apropos %.40s searches the help", name);
+            return cr_cmd_blame(call, "COMMAND", CR_ERR_NAME);
+        }
+        cr_command_help(cmd, &page);
+        cr_session_lines(call->s, cr_str_get(&page));
+        cr_str_fini(&page);
+        return CR_ERR_OK;
+    }
+    for (int i = 0; i < n; i++) {
+        if (strcmp(group, table[i].group) != 0) {
+            group = table[i].group;
+            cr_say(call->s, "%s", group);
+        }
+        cr_say(call->s, "  %-9s %s", table[i].name, table[i].help);
+    }
+    cr_say(call->s, "help COMMAND explains one; Tab completes; any unique prefix is enough");
+    return CR_ERR_OK;
+}
+
+static bool contains(const char *text, const char *word) {
+    for (; text != NULL && *text != '\0'; text++) {
+        if (strncasecmp(text, word, strlen(word)) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool mentions(const struct cr_command *cmd, const char *word) {
+    if (contains(cmd->name, word) || contains(cmd->help, word)) {
+        return true;
+    }
+    for (int i = 0; cmd->arg[i].name != NULL; i++) {
+        struct cr_str text = {0};
+        cr_arg_help(&cmd->arg[i], &text);
+        bool found = contains(cmd->arg[i].name, word) || contains(cmd->arg[i].words, word) ||
+                     contains(cr_str_get(&text), word);
+        cr_str_fini(&text);
+        if (found) {
+            return true;
+        }
+    }
+    return false;
+}
+
+enum cr_err cr_cmd_apropos(struct cr_call *call, struct cr_error *err) {
+    int n, found = 0;
+    const struct cr_command *table = cr_commands(&n);
+    const char *word = cr_cmd_text(call, "WORD", "");
+    for (int i = 0; i < n; i++) {
+        if (mentions(&table[i], word)) {
+            cr_say(call->s, "%-9s %s", table[i].name, table[i].help);
+            found++;
+        }
+    }
+    if (found == 0) {
+        cr_err_set(err, CR_ERR_NAME, "no help mentions '%.60s'", word);
+        cr_err_hint(err, "help lists the commands");
+        return cr_cmd_blame(call, "WORD", CR_ERR_NAME);
+    }
+    return CR_ERR_OK;
+}

@@ -1,0 +1,310 @@
+/* Runs lines and command files: statement by statement through the table, errors with place. */
+#include "cmd/cmd_priv.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- the table by name ---- */
+
+const struct cr_command *cr_command_find(const char *word, bool *many) {
+    int n;
+    const struct cr_command *table = cr_commands(&n), *found = NULL;
+    size_t len = strlen(word);
+    if (many != NULL) {
+        *many = false;
+    }
+    for (int i = 0; i < n && len > 0; i++) {
+        if (strcmp(table[i].name, word) == 0) {
+            if (many != NULL) {
+                *many = false;
+            }
+            return &table[i];
+        }
+        if (strncmp(table[i].name, word, len) == 0) {
+            if (many != NULL) {
+                *many = *many || found != NULL;
+            }
+            found = found == NULL ? &table[i] : found;
+        }
+    }
+    return many != NULL && *many ? NULL : found;
+}
+
+static enum cr_err no_command(const char *word, bool many, struct cr_error *err) {
+    enum { MAX = 64 };
+    const char *names[MAX];
+    char list[160] = "";
+    int n;
+    const struct cr_command *table = cr_commands(&n);
+    for (int i = 0; i < n && i < MAX; i++) {
+        names[i] = table[i].name;
+        size_t used = strlen(list);
+        if (many && strncmp(table[i].name, word, strlen(word)) == 0) {
+            snprintf(list + used, sizeof list - used, " %s", table[i].name);
+        }
+    }
+    if (many) {
+        cr_err_set(err, CR_ERR_NAME, "'%.60s' is short for several commands", word);
+        cr_err_hint(err, "one of:%s", list);
+        return CR_ERR_NAME;
+    }
+    cr_err_set(err, CR_ERR_NAME, "there is no command '%.60s'", word);
+    const char *near = cr_str_nearest(word, names, n < MAX ? n : MAX);
+    if (near != NULL) {
+        cr_err_hint(err, "did you mean '%s'?", near);
+    } else {
+        cr_err_hint(err, "help lists the commands");
+    }
+    return CR_ERR_NAME;
+}
+
+/* ---- faults ---- */
+
+static void caret(struct cr_str *out, int indent, int col, int len) {
+    cr_str_fill(out, ' ', indent + col - 1);
+    cr_str_fill(out, '^', len > 0 ? len : 1);
+    cr_str_add(out, "\n");
+}
+
+static void message(const struct cr_error *err, struct cr_str *out) {
+    if (err->src[0] != '\0' && err->line > 0) {
+        cr_str_addf(out, "%s:%d:%d: ", err->src, err->line, err->col);
+    } else if (err->src[0] != '\0') {
+        cr_str_addf(out, "%s: ", err->src);
+    }
+    if (err->where[0] != '\0') {
+        cr_str_addf(out, "%s: ", err->where);
+    }
+    cr_str_add(out, err->text);
+}
+
+void cr_fault_text(const struct cr_fault *fault, int prompt, struct cr_str *out) {
+    const struct cr_error *err = &fault->err;
+    if (fault->src != NULL) {
+        cr_str_addf(out, "%s:%d:%d: error: ", fault->src, fault->line, fault->col);
+        message(err, out);
+        cr_str_addf(out, "\n  %s\n", fault->text);
+        caret(out, 2, fault->col, fault->len);
+        if (err->hint[0] != '\0') {
+            cr_str_addf(out, "  hint: %s\n", err->hint);
+        }
+        return;
+    }
+    if (prompt >= 0 && fault->many) {
+        cr_str_addf(out, "  %s\n", fault->text);
+        caret(out, 2, fault->col, fault->len);
+    } else if (prompt >= 0) {
+        caret(out, prompt, fault->col, fault->len);
+    }
+    cr_str_add(out, "error: ");
+    message(err, out);
+    if (err->hint[0] != '\0') {
+        cr_str_addf(out, ". %c%s", toupper((unsigned char)err->hint[0]), err->hint + 1);
+    }
+    cr_str_add(out, "\n");
+}
+
+/* where a text that is being run comes from */
+struct source {
+    const char *name; /* NULL: the prompt */
+    const char *text;
+    int line; /* number of its first line */
+};
+
+static void show_fault(struct cr_session *s, const struct source *src, const struct cr_error *err,
+                       int at, int len) {
+    int start = at, line = src->line;
+    while (start > 0 && src->text[start - 1] != '\n') {
+        start--;
+    }
+    for (int i = 0; i < start; i++) {
+        line += src->text[i] == '\n';
+    }
+    int width = (int)strcspn(src->text + start, "\r\n");
+    char *text = malloc((size_t)width + 1);
+    if (text == NULL) {
+        return;
+    }
+    for (int i = 0; i < width; i++) { /* so that the caret is below what it means */
+        unsigned char c = (unsigned char)src->text[start + i];
+        text[i] = c < 0x20 || c == 0x7F ? ' ' : (char)c;
+    }
+    text[width] = '\0';
+    len = len < start + width - at ? len : start + width - at;
+    struct cr_fault fault = {.err = *err,
+                             .src = src->name,
+                             .line = line,
+                             .col = cr_cmd_chars(src->text + start, at - start) + 1,
+                             .len = cr_cmd_chars(src->text + at, len > 0 ? len : 0),
+                             .text = text,
+                             .many = strchr(src->text, '\n') != NULL};
+    struct cr_str lines = {0};
+    cr_fault_text(&fault, -1, &lines);
+    for (char *p = lines.s, *end; p != NULL && (end = strchr(p, '\n')) != NULL; p = end + 1) {
+        *end = '\0';
+        struct cr_out quiet = s->opts.out;
+        s->opts.out.text = NULL; /* into the log only: out.fault shows it */
+        cr_session_text(s, CR_TONE_ERROR, p);
+        s->opts.out = quiet;
+    }
+    cr_str_fini(&lines);
+    if (s->opts.out.fault != NULL) {
+        s->opts.out.fault(s->opts.out.user, &fault);
+    }
+    free(text);
+}
+
+/* ---- statements ---- */
+
+/* text of the statement on one line, for the undo list */
+static char *statement_text(const struct cr_tokens *tokens) {
+    int at = tokens->tok[0].at,
+        end = tokens->tok[tokens->n - 1].at + tokens->tok[tokens->n - 1].len;
+    char *text = malloc((size_t)(end - at) + 1);
+    if (text == NULL) {
+        return NULL;
+    }
+    int n = 0;
+    for (int i = at; i < end; i++) {
+        bool hidden = tokens->source[i] == '\\' && strchr("\r\n", tokens->source[i + 1]) != NULL;
+        char c = tokens->source[i];
+        text[n++] = hidden || c == '\n' || c == '\r' ? ' ' : c;
+    }
+    text[n] = '\0';
+    return text;
+}
+
+static enum cr_err run_call(struct cr_call *call, struct cr_error *err) {
+    enum cr_err code = cr_cmd_bind(call, err);
+    if (code == CR_ERR_OK) {
+        code = call->cmd->run(call, err);
+    }
+    if (code == CR_ERR_OK && call->draft != NULL) {
+        char *text = statement_text(call->tokens);
+        code = cr_session_commit(call->s, call->draft, text != NULL ? text : "", err);
+        free(text);
+        call->draft = NULL;
+        if (code == CR_ERR_OK && call->fresh) {
+            cr_session_saved(call->s, call->file);
+            cr_session_drop_result(call->s);
+        }
+        cr_session_autosave(call->s);
+    }
+    cr_state_free(call->draft);
+    return code;
+}
+
+static enum cr_err run_statement(struct cr_session *s, const struct source *src,
+                                 const struct cr_tokens *tokens) {
+    struct cr_error err = {0};
+    struct cr_call call = {.s = s, .tokens = tokens};
+    char name[64];
+    bool many = false;
+    size_t len = strlen(tokens->tok[0].text);
+    enum cr_err code = CR_ERR_OK;
+    snprintf(name, sizeof name, "%s", tokens->tok[0].text);
+    if (len > 1 && len < sizeof name && name[len - 1] == '!') {
+        call.force = true;
+        name[len - 1] = '\0';
+    }
+    call.cmd = tokens->tok[0].kind == CR_TOKEN_WORD ? cr_command_find(name, &many) : NULL;
+    if (call.cmd == NULL) {
+        code = no_command(name, many, &err);
+    } else if (call.force && (call.cmd->flags & CR_CMD_FORCE) == 0) {
+        code = cr_err_set(&err, CR_ERR_SYNTAX, "'%s' takes no '!'", call.cmd->name);
+    } else {
+        code = run_call(&call, &err);
+    }
+    if (code != CR_ERR_OK && err.text[0] != '\0') {
+        const struct cr_token *tok = call.blame != NULL ? call.blame : &tokens->tok[0];
+        if (call.blame != NULL) {
+            err.where[0] = '\0'; /* the caret says it better than a JSON pointer */
+        }
+        bool value = tok->kind == CR_TOKEN_PAIR && code != CR_ERR_KEY && tok->value_len > 0;
+        show_fault(s, src, &err, value ? tok->value_at : tok->at,
+                   value ? tok->value_len : tok->len);
+    }
+    return code;
+}
+
+/* runs the statements of text[at..end) */
+static enum cr_err run_line(struct cr_session *s, const struct source *src, int at, int end) {
+    enum cr_err code = CR_ERR_OK;
+    while (at < end && code == CR_ERR_OK && !s->over) {
+        struct cr_tokens tokens;
+        struct cr_error err = {0};
+        code = cr_cmd_tokens(src->text, at, &tokens, &err);
+        if (code != CR_ERR_OK) {
+            int where = code == CR_ERR_SYNTAX ? err.col - 1 : at;
+            int len = code == CR_ERR_SYNTAX ? err.line : 1;
+            cr_err_place(&err, NULL, 0, 0);
+            show_fault(s, src, &err, where, len);
+        } else if (tokens.n > 0) {
+            code = run_statement(s, src, &tokens);
+        }
+        at = tokens.next;
+        cr_cmd_tokens_fini(&tokens);
+    }
+    return code;
+}
+
+/* byte after the line that starts at `at`, with the lines that "\" adds to it */
+static int line_end(const char *text, int at) {
+    bool comment = false;
+    for (; text[at] != '\0' && text[at] != '\n'; at++) {
+        comment = comment || text[at] == '#';
+        int hidden = comment || text[at] != '\\'                    ? 0
+                     : text[at + 1] == '\n'                         ? 1
+                     : text[at + 1] == '\r' && text[at + 2] == '\n' ? 2
+                                                                    : 0;
+        at += hidden;
+    }
+    return text[at] == '\0' ? at : at + 1;
+}
+
+static void echo(struct cr_session *s, const char *text, int n) {
+    while (n > 0 && isspace((unsigned char)text[n - 1])) {
+        n--;
+    }
+    char *line = malloc((size_t)n + 1);
+    if (line != NULL) {
+        snprintf(line, (size_t)n + 1, "%.*s", n, text);
+        cr_session_text(s, CR_TONE_ECHO, line);
+        free(line);
+    }
+}
+
+enum cr_err cr_session_script(struct cr_session *s, const char *text, const char *src, int line) {
+    struct source source = {src, text, line};
+    enum cr_err code = CR_ERR_OK;
+    int at = 0;
+    if (text[0] == '#' && text[1] == '!' && line == 1) {
+        at = (int)strcspn(text, "\n");
+    }
+    while (text[at] != '\0' && code == CR_ERR_OK && !s->over) {
+        int end = line_end(text, at);
+        if (s->echo) {
+            echo(s, text + at, end - at);
+        }
+        code = run_line(s, &source, at, end);
+        at = end;
+    }
+    return code;
+}
+
+enum cr_err cr_session_run(struct cr_session *s, const char *line) {
+    struct source source = {NULL, line, 1};
+    struct cr_error err;
+    if (line[strspn(line, " \t\r\n")] != '\0') {
+        if (cr_session_remember(s, line, &err) != CR_ERR_OK) {
+            return err.code;
+        }
+        struct cr_out quiet = s->opts.out;
+        s->opts.out.text = NULL; /* who typed it sees it already */
+        cr_session_text(s, CR_TONE_ECHO, line);
+        s->opts.out = quiet;
+    }
+    return run_line(s, &source, 0, (int)strlen(line));
+}

@@ -1,0 +1,557 @@
+/* Commands that edit the scene: vehicle, object, model, list, remove, copy, new, set. */
+#include "cmd/cmd_priv.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- keys of the scene by argument ---- */
+
+/* messages of the scene begin with the key as in JSON; who typed "mass" wants to read "mass" */
+static void rename_key(const struct cr_arg *arg, struct cr_error *err) {
+    size_t n = strlen(arg->key);
+    if (err != NULL && strncmp(err->text, arg->key, n) == 0) {
+        char rest[sizeof err->text];
+        snprintf(rest, sizeof rest, "%s", err->text + n);
+        snprintf(err->text, sizeof err->text, "%s%.200s", arg->name, rest);
+    }
+}
+
+enum cr_err cr_cmd_set_key(struct cr_call *call, struct cr_scene *scene, const char *id,
+                           const char *name, struct cr_error *err) {
+    const struct cr_value *v = cr_cmd_arg(call, name);
+    const struct cr_arg *arg = &call->cmd->arg[v - call->value];
+    char full[CR_NAME_MAX + 64];
+    if (v->token == NULL) {
+        return CR_ERR_OK;
+    }
+    snprintf(full, sizeof full, "%s%s%s", id != NULL ? id : "", id != NULL ? "." : "", arg->key);
+    enum cr_err code = cr_scene_set(scene, full, v->text, err);
+    if (code != CR_ERR_OK) {
+        rename_key(arg, err);
+        call->blame = v->token;
+    }
+    return code;
+}
+
+/* all key arguments that were given */
+enum cr_err cr_cmd_set_keys(struct cr_call *call, struct cr_scene *scene, const char *id,
+                            struct cr_error *err) {
+    enum cr_err code = CR_ERR_OK;
+    for (int i = 0; call->cmd->arg[i].name != NULL && code == CR_ERR_OK; i++) {
+        if (call->cmd->arg[i].type == CR_VALUE_KEY) {
+            code = cr_cmd_set_key(call, scene, id, call->cmd->arg[i].name, err);
+        }
+    }
+    return code;
+}
+
+static int keys_given(const struct cr_call *call) {
+    int n = 0;
+    for (int i = 0; call->cmd->arg[i].name != NULL; i++) {
+        n += call->cmd->arg[i].place == CR_ARG_KEY && call->value[i].token != NULL;
+    }
+    return n;
+}
+
+/* ---- telling about participants ---- */
+
+void cr_cmd_describe(const struct cr_participant *p, char *buf, int size) {
+    char what[120], mass[40] = "";
+    if (p->kind == CR_KIND_VEHICLE) {
+        snprintf(what, sizeof what, "%s", p->type < CR_TYPES ? cr_type_word(p->type) : "no type");
+    } else if (p->shape == CR_OBJECT_POLE) {
+        snprintf(what, sizeof what, "pole %.10g m thick", 2 * p->radius);
+    } else if (p->shape == CR_OBJECT_BOX) {
+        snprintf(what, sizeof what, "box %.10g m x %.10g m", p->length, p->width);
+    } else {
+        snprintf(what, sizeof what, "%s", p->shape == CR_OBJECT_WALL ? "wall" : "polygon");
+    }
+    if (isfinite(p->mass)) {
+        snprintf(mass, sizeof mass, " %.10g kg", p->mass);
+    }
+    snprintf(buf, (size_t)size, "%s %s%s  x=%.2f m y=%.2f m heading=%.1f deg  %.1f km/h", p->id,
+             what, p->kind == CR_KIND_OBJECT && mass[0] == '\0' ? " fixed" : mass, p->pos.x + 0.0,
+             p->pos.y + 0.0, cr_deg(p->heading), cr_kmh(p->speed));
+}
+
+static void say_participant(struct cr_session *s, const struct cr_participant *p) {
+    char line[300];
+    cr_cmd_describe(p, line, sizeof line);
+    cr_say(s, "%s", line);
+}
+
+/* every key with its value; what was not given as the solver will assume it */
+static enum cr_err say_keys(struct cr_call *call, const char *id, struct cr_error *err) {
+    struct cr_session *s = call->s;
+    struct cr_scene *scene = &cr_session_now(s)->scene, resolved;
+    struct cr_assumed assumed = {0};
+    struct cr_error ignored;
+    enum cr_err code = cr_scene_copy(scene, &resolved, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    bool known = cr_session_need_models(s, &ignored) == CR_ERR_OK &&
+                 cr_scene_resolve(&resolved, s->models, &assumed, &ignored) == CR_ERR_OK;
+    for (int i = 0; call->cmd->arg[i].name != NULL && code == CR_ERR_OK; i++) {
+        const struct cr_arg *arg = &call->cmd->arg[i];
+        const struct cr_key *key = cr_arg_key(arg);
+        struct cr_str given = {0}, value = {0};
+        char full[CR_NAME_MAX + 64];
+        if (key == NULL || strcmp(arg->name, "v") == 0) {
+            continue;
+        }
+        snprintf(full, sizeof full, "%s.%s", id, key->name);
+        code = cr_scene_get(scene, full, &given, err);
+        if (code == CR_ERR_KEY) { /* a key of other kinds of objects */
+            code = CR_ERR_OK;
+        } else if (code == CR_ERR_OK) {
+            bool assumes = strcmp(cr_str_get(&given), "auto") == 0;
+            if (assumes && known) {
+                code = cr_scene_get(&resolved, full, &value, err);
+            }
+            double x = strtod(cr_str_get(assumes && known ? &value : &given), NULL);
+            if (key->type == CR_KEY_NUMBER && (known || !assumes)) {
+                cr_say(s, "%-10s %.5g %s%s", arg->name, x, key->unit, assumes ? "  (assumed)" : "");
+            } else {
+                cr_say(s, "%-10s %s %s", arg->name, cr_str_get(&given),
+                       key->unit != NULL ? key->unit : "");
+            }
+        }
+        cr_str_fini(&given);
+        cr_str_fini(&value);
+    }
+    cr_assumed_fini(&assumed);
+    cr_scene_fini(&resolved);
+    return code;
+}
+
+enum cr_err cr_cmd_list(struct cr_call *call, struct cr_error *err) {
+    const struct cr_scene *scene = cr_session_scene(call->s);
+    (void)err;
+    if (scene->n == 0) {
+        cr_say(call->s, "the scene is empty; begin with: vehicle A type=compact");
+    }
+    for (int i = 0; i < scene->n; i++) {
+        say_participant(call->s, &scene->part[i]);
+    }
+    return CR_ERR_OK;
+}
+
+/* ---- vehicle, object ---- */
+
+static enum cr_err forget(struct cr_call *call, const char *id, struct cr_error *err) {
+    struct cr_state *draft;
+    enum cr_err code = cr_cmd_edit(call, &draft, err);
+    if (code == CR_ERR_OK) {
+        code = cr_scene_remove(&draft->scene, id, err);
+    }
+    for (int i = 0; i < CR_BODY_MAX && code == CR_ERR_OK; i++) {
+        if (strcmp(draft->placed[i].id, id) == 0 || strcmp(draft->placed[i].other, id) == 0) {
+            draft->placed[i] = (struct cr_placed){.id = ""};
+        }
+    }
+    if (code == CR_ERR_OK) {
+        cr_say(call->s, "%s removed", id);
+    }
+    return code;
+}
+
+enum cr_err cr_cmd_remove(struct cr_call *call, struct cr_error *err) {
+    return forget(call, cr_cmd_text(call, "NAME", ""), err);
+}
+
+/* a free place east of all others, so that nothing overlaps before it is placed */
+static void park(const struct cr_scene *scene, struct cr_participant *p) {
+    double x = 0;
+    for (int i = 0; i < scene->n; i++) {
+        if (&scene->part[i] != p) {
+            x = fmax(x, scene->part[i].pos.x + 10);
+        }
+    }
+    p->pos = cr_vec2(x, 0);
+}
+
+/* the participant to change: a known one of the right kind, or a new one */
+static enum cr_err find_or_add(struct cr_call *call, enum cr_kind kind, struct cr_state **draft,
+                               struct cr_participant **out, bool *is_new, struct cr_error *err) {
+    const char *id = cr_cmd_text(call, "NAME", "");
+    enum cr_err code = cr_cmd_edit(call, draft, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    *out = cr_scene_find(&(*draft)->scene, id);
+    *is_new = *out == NULL;
+    if (*is_new) {
+        code = cr_scene_add(&(*draft)->scene, id, kind, out, err);
+        if (code == CR_ERR_OK) {
+            park(&(*draft)->scene, *out);
+        }
+        return code == CR_ERR_OK ? code : cr_cmd_blame(call, "NAME", code);
+    }
+    if ((*out)->kind != kind) {
+        code = cr_err_set(err, CR_ERR_DUPLICATE, "%s is %s", id,
+                          (*out)->kind == CR_KIND_VEHICLE ? "a vehicle" : "an object");
+        cr_err_hint(err, "take another name, or remove %.40s first", id);
+        return cr_cmd_blame(call, "NAME", code);
+    }
+    return CR_ERR_OK;
+}
+
+/* a vehicle needs a type; its mass is that of the type's reference car unless it is given */
+static enum cr_err complete_vehicle(struct cr_call *call, struct cr_scene *scene,
+                                    struct cr_participant *p, struct cr_error *err) {
+    char value[40], full[CR_NAME_MAX + 16];
+    double mass;
+    if (p->type >= CR_TYPES) {
+        cr_err_set(err, CR_ERR_MISSING, "vehicle %s needs a type", p->id);
+        cr_err_hint(err, "type=super-compact, mini-compact, compact, station-wagon, sedan or suv");
+        return cr_cmd_blame(call, "NAME", CR_ERR_MISSING);
+    }
+    if (isfinite(p->mass)) {
+        return CR_ERR_OK;
+    }
+    enum cr_err code = cr_session_need_models(call->s, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    cr_model_dims(call->s->models, p->type, &mass);
+    snprintf(value, sizeof value, "%.17g", mass);
+    snprintf(full, sizeof full, "%s.mass_kg", p->id);
+    cr_say(call->s, "mass %.10g kg, that of the reference %s", mass, cr_type_word(p->type));
+    return cr_scene_set(scene, full, value, err);
+}
+
+enum cr_err cr_cmd_vehicle(struct cr_call *call, struct cr_error *err) {
+    const char *id = cr_cmd_text(call, "NAME", "");
+    struct cr_participant *p = cr_scene_find(&cr_session_now(call->s)->scene, id);
+    struct cr_state *draft;
+    bool is_new;
+    if (cr_cmd_given(call, "remove")) {
+        return forget(call, id, err);
+    }
+    if (p != NULL && p->kind == CR_KIND_VEHICLE && keys_given(call) == 0) {
+        say_participant(call->s, p);
+        return say_keys(call, id, err);
+    }
+    enum cr_err code = find_or_add(call, CR_KIND_VEHICLE, &draft, &p, &is_new, err);
+    if (code == CR_ERR_OK) {
+        code = cr_cmd_set_keys(call, &draft->scene, id, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = complete_vehicle(call, &draft->scene, p, err);
+    }
+    if (code == CR_ERR_OK) {
+        say_participant(call->s, p);
+    }
+    return code;
+}
+
+static enum cr_err set_text(struct cr_scene *scene, const char *id, const char *key,
+                            struct cr_error *err, const char *value) {
+    char full[CR_NAME_MAX + 64];
+    snprintf(full, sizeof full, "%s.%s", id, key);
+    return cr_scene_set(scene, full, value, err);
+}
+
+/* what an object's arguments say that is not a key of the scene file */
+static enum cr_err object_extras(struct cr_call *call, struct cr_scene *scene,
+                                 struct cr_participant *p, bool is_new, struct cr_error *err) {
+    const struct cr_value *mass = cr_cmd_arg(call, "mass");
+    char value[80];
+    enum cr_err code = CR_ERR_OK;
+    if (cr_cmd_given(call, "diameter") || (is_new && p->shape == CR_OBJECT_POLE)) {
+        snprintf(value, sizeof value, "%.17g", cr_cmd_number(call, "diameter", 0.254) / 2);
+        code = set_text(scene, p->id, "radius_m", err, value);
+        if (code != CR_ERR_OK) {
+            return cr_cmd_blame(call, "diameter", code);
+        }
+    }
+    if (cr_cmd_given(call, "low") || cr_cmd_given(call, "high")) {
+        double lo = isfinite(p->z_lo) ? p->z_lo : 0, hi = isfinite(p->z_hi) ? p->z_hi : 3;
+        snprintf(value, sizeof value, "%.17g,%.17g", cr_cmd_number(call, "low", lo),
+                 cr_cmd_number(call, "high", hi));
+        code = set_text(scene, p->id, "height_m", err, value);
+        if (code != CR_ERR_OK) {
+            return cr_cmd_blame(call, cr_cmd_given(call, "low") ? "low" : "high", code);
+        }
+    }
+    if (mass->token != NULL) {
+        snprintf(value, sizeof value, "%.17g", mass->number);
+        code = set_text(scene, p->id, "mass_kg", err, mass->word == 0 ? "auto" : value);
+    }
+    return code == CR_ERR_OK ? code : cr_cmd_blame(call, "mass", code);
+}
+
+static enum cr_err check_object(struct cr_call *call, const struct cr_participant *p, bool is_new,
+                                struct cr_error *err) {
+    if (is_new && !cr_cmd_given(call, "kind")) {
+        cr_err_set(err, CR_ERR_MISSING, "object %s needs a kind", p->id);
+        cr_err_hint(err, "kind=wall, pole or box");
+        return cr_cmd_blame(call, "NAME", CR_ERR_MISSING);
+    }
+    if (p->shape == CR_OBJECT_BOX && !(isfinite(p->length) && isfinite(p->width))) {
+        cr_err_set(err, CR_ERR_MISSING, "a box needs length and width");
+        cr_err_hint(err, "for example length=1m width=2m");
+        return cr_cmd_blame(call, "NAME", CR_ERR_MISSING);
+    }
+    if (p->shape == CR_OBJECT_POLYGON && p->vertices == 0) {
+        cr_err_set(err, CR_ERR_MISSING, "the corners of a polygon are given in a scene file");
+        cr_err_hint(err, "\"vertices_m\": [[0, 0], [1, 0], [0, 1]]");
+        return cr_cmd_blame(call, "kind", CR_ERR_MISSING);
+    }
+    return CR_ERR_OK;
+}
+
+enum cr_err cr_cmd_object(struct cr_call *call, struct cr_error *err) {
+    const char *id = cr_cmd_text(call, "NAME", "");
+    struct cr_participant *p = cr_scene_find(&cr_session_now(call->s)->scene, id);
+    struct cr_state *draft;
+    bool is_new;
+    if (cr_cmd_given(call, "remove")) {
+        return forget(call, id, err);
+    }
+    if (p != NULL && p->kind == CR_KIND_OBJECT && keys_given(call) == 0) {
+        say_participant(call->s, p);
+        return say_keys(call, id, err);
+    }
+    enum cr_err code = find_or_add(call, CR_KIND_OBJECT, &draft, &p, &is_new, err);
+    if (code == CR_ERR_OK) {
+        code = cr_cmd_set_keys(call, &draft->scene, id, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = object_extras(call, &draft->scene, p, is_new, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = check_object(call, p, is_new, err);
+    }
+    if (code == CR_ERR_OK) {
+        say_participant(call->s, p);
+    }
+    return code;
+}
+
+static enum cr_err copy_into(struct cr_participant *to, const struct cr_participant *from,
+                             const char *id, struct cr_error *err) {
+    struct cr_waypoint *waypoint = NULL;
+    char *extra = from->extra != NULL ? strdup(from->extra) : NULL;
+    size_t size = (size_t)from->waypoints * sizeof *waypoint;
+    if (size > 0) {
+        waypoint = malloc(size);
+        if (waypoint != NULL) {
+            memcpy(waypoint, from->waypoint, size);
+        }
+    }
+    if ((size > 0 && waypoint == NULL) || (from->extra != NULL && extra == NULL)) {
+        free(waypoint);
+        free(extra);
+        return cr_err_set(err, CR_ERR_MEMORY, "out of memory");
+    }
+    *to = *from;
+    snprintf(to->id, sizeof to->id, "%s", id);
+    to->waypoint = waypoint;
+    to->extra = extra;
+    return CR_ERR_OK;
+}
+
+enum cr_err cr_cmd_copy(struct cr_call *call, struct cr_error *err) {
+    const char *id = cr_cmd_text(call, "NEW", "");
+    struct cr_participant *to;
+    struct cr_state *draft;
+    enum cr_err code = cr_cmd_edit(call, &draft, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    code = cr_scene_add(&draft->scene, id, CR_KIND_VEHICLE, &to, err);
+    if (code != CR_ERR_OK) {
+        return cr_cmd_blame(call, "NEW", code);
+    }
+    code = copy_into(to, cr_scene_find(&draft->scene, cr_cmd_text(call, "NAME", "")), id, err);
+    if (code == CR_ERR_OK) {
+        park(&draft->scene, to);
+        say_participant(call->s, to);
+    }
+    return code;
+}
+
+enum cr_err cr_cmd_new(struct cr_call *call, struct cr_error *err) {
+    const char *name = cr_cmd_text(call, "NAME", "");
+    struct cr_state *draft;
+    enum cr_err code = cr_cmd_edit(call, &draft, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    cr_scene_fini(&draft->scene);
+    memset(draft->placed, 0, sizeof draft->placed);
+    if (name[0] != '\0') {
+        code = cr_scene_set(&draft->scene, "name", name, err);
+        if (code != CR_ERR_OK) {
+            return cr_cmd_blame(call, "NAME", code);
+        }
+    }
+    call->fresh = true;
+    cr_say(call->s, "an empty scene; undo brings the old one back");
+    return CR_ERR_OK;
+}
+
+/* ---- model ---- */
+
+static void say_type(struct cr_session *s, enum cr_type type) {
+    double mass;
+    const struct cr_dims *d = cr_model_dims(s->models, type, &mass);
+    cr_say(s, "%-14s %s/1 to %s/12: length %.2f width %.2f wheelbase %.2f m, %.0f kg",
+           cr_type_word(type), cr_type_word(type), cr_type_word(type), d->length, d->width,
+           d->wheelbase, mass);
+}
+
+/* "suv", "suv/12", "ees/suv/12" -> type and clock (0: automatic); false if it is none */
+static bool read_model(const char *text, enum cr_type *type, int *clock) {
+    char word[CR_NAME_MAX], end;
+    text += strncmp(text, "ees/", 4) == 0 ? 4 : 0;
+    snprintf(word, sizeof word, "%.*s", (int)strcspn(text, "/"), text);
+    const char *slash = strchr(text, '/');
+    int found = cr_type_find(word);
+    *clock = 0;
+    *type = found >= 0 ? (enum cr_type)found : CR_TYPES;
+    return found >= 0 && (slash == NULL || (sscanf(slash + 1, "%d%c", clock, &end) == 1 &&
+                                            *clock >= 1 && *clock <= 12));
+}
+
+static enum cr_err no_model(struct cr_call *call, const char *text, struct cr_error *err) {
+    const char *list[CR_TYPES];
+    char word[CR_NAME_MAX];
+    snprintf(word, sizeof word, "%.*s", (int)strcspn(text, "/"), text);
+    for (int i = 0; i < CR_TYPES; i++) {
+        list[i] = cr_type_word((enum cr_type)i);
+    }
+    const char *near = cr_str_nearest(word, list, CR_TYPES);
+    cr_err_set(err, CR_ERR_NAME, "there is no model '%.60s'", text);
+    cr_err_hint(err, near != NULL ? "did you mean '%s'?" : "model list names all%s",
+                near != NULL ? near : "");
+    return cr_cmd_blame(call, "MODEL", CR_ERR_NAME);
+}
+
+static enum cr_err model_info(struct cr_call *call, struct cr_error *err) {
+    const char *text = cr_cmd_text(call, "MODEL", NULL);
+    enum cr_type type;
+    int clock;
+    enum cr_err code = cr_session_need_models(call->s, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    bool all = cr_cmd_word(call, "NAME", -1) == 0;
+    for (int i = 0; all && i < CR_TYPES; i++) {
+        say_type(call->s, (enum cr_type)i);
+    }
+    if (all) {
+        return CR_ERR_OK;
+    }
+    if (text == NULL) {
+        cr_err_set(err, CR_ERR_MISSING, "which model?");
+        cr_err_hint(err, "for example: model info suv/12");
+        return CR_ERR_MISSING;
+    }
+    if (!read_model(text, &type, &clock)) {
+        return no_model(call, text, err);
+    }
+    say_type(call->s, type);
+    cr_say(call->s, "recipe %s/models/%s.json", call->s->data_dir, cr_type_word(type));
+    cr_say(call->s, "sha256 %s", cr_model_hash(call->s->models, type));
+    cr_say(call->s, "crumple models %s prints curves, structures, source tests and scatter",
+           cr_type_word(type));
+    return CR_ERR_OK;
+}
+
+static bool is_file(const char *text) {
+    size_t n = strlen(text);
+    return n > 4 &&
+           (strcmp(text + n - 4, ".csv") == 0 || (n > 5 && strcmp(text + n - 5, ".json") == 0));
+}
+
+static enum cr_err choose_model(struct cr_call *call, struct cr_scene *scene, const char *id,
+                                struct cr_error *err) {
+    const char *text = cr_cmd_text(call, "MODEL", NULL);
+    enum cr_type type;
+    int clock;
+    char value[16];
+    if (text == NULL) {
+        return CR_ERR_OK;
+    }
+    if (is_file(text)) {
+        return cr_cmd_blame(call, "MODEL", set_text(scene, id, "model.file", err, text));
+    }
+    if (!read_model(text, &type, &clock)) {
+        return no_model(call, text, err);
+    }
+    struct cr_participant *p = cr_scene_find(scene, id);
+    p->model.file[0] = '\0';
+    enum cr_err code = set_text(scene, id, "model.file", err, "");
+    if (code == CR_ERR_OK) {
+        code = set_text(scene, id, "type", err, cr_type_word(type));
+    }
+    snprintf(value, sizeof value, "%d", clock);
+    return code == CR_ERR_OK ? set_text(scene, id, "model.pdof", err, clock > 0 ? value : "auto")
+                             : code;
+}
+
+static enum cr_err choose_stiffness(struct cr_call *call, struct cr_scene *scene, const char *id,
+                                    const char *face, struct cr_error *err) {
+    const char *text = cr_cmd_text(call, face, NULL);
+    char a[40], key[80];
+    if (text == NULL) {
+        return CR_ERR_OK;
+    }
+    const char *comma = strchr(text, ',');
+    if (comma == NULL || comma - text >= (long)sizeof a) {
+        cr_err_set(err, CR_ERR_TYPE, "%s must be A,B", face);
+        cr_err_hint(err, "for example %s=92000,429000 (N/m and N/m2)", face);
+        return cr_cmd_blame(call, face, CR_ERR_TYPE);
+    }
+    snprintf(a, sizeof a, "%.*s", (int)(comma - text), text);
+    snprintf(key, sizeof key, "model.stiffness.%s.A_N_per_m", face);
+    enum cr_err code = set_text(scene, id, key, err, a);
+    snprintf(key, sizeof key, "model.stiffness.%s.B_N_per_m2", face);
+    code = code == CR_ERR_OK ? set_text(scene, id, key, err, comma + 1) : code;
+    return code == CR_ERR_OK ? code : cr_cmd_blame(call, face, code);
+}
+
+static void say_model(struct cr_session *s, const struct cr_participant *p) {
+    const struct cr_model_choice *m = &p->model;
+    char pdof[40] = "chosen from the direction of force";
+    if (m->pdof_kind == CR_PDOF_GIVEN) {
+        snprintf(pdof, sizeof pdof, "%.0f deg", cr_deg(m->pdof));
+    }
+    cr_say(s, "%s: %s%s%s, PDOF %s%s", p->id, cr_type_word(p->type),
+           m->kind == CR_MODEL_FILE        ? ", voxels of "
+           : m->kind == CR_MODEL_STIFFNESS ? " with CRASH3 stiffness"
+                                           : "",
+           m->file, pdof, m->blend ? ", blended" : "");
+}
+
+enum cr_err cr_cmd_model(struct cr_call *call, struct cr_error *err) {
+    static const char *const faces[] = {"front", "side", "rear"};
+    const char *id = cr_cmd_text(call, "NAME", "");
+    struct cr_state *draft;
+    if (cr_cmd_word(call, "NAME", -1) >= 0) {
+        return model_info(call, err);
+    }
+    if (!cr_cmd_given(call, "MODEL") && keys_given(call) == 0) {
+        say_model(call->s, cr_scene_find(&cr_session_now(call->s)->scene, id));
+        return CR_ERR_OK;
+    }
+    enum cr_err code = cr_cmd_edit(call, &draft, err);
+    if (code == CR_ERR_OK) {
+        code = choose_model(call, &draft->scene, id, err);
+    }
+    for (int i = 0; i < 3 && code == CR_ERR_OK; i++) {
+        code = choose_stiffness(call, &draft->scene, id, faces[i], err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_cmd_set_keys(call, &draft->scene, id, err);
+    }
+    if (code == CR_ERR_OK) {
+        say_model(call->s, cr_scene_find(&draft->scene, id));
+    }
+    return code;
+}

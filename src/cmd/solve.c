@@ -1,0 +1,267 @@
+/* solve and explain: the crash as a whole, and one time slice of it with the paper's equations. */
+#include "cmd/cmd_priv.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* polled by the solver every time slice */
+static int tick(void *user) {
+    struct cr_session *s = user;
+    double elapsed;
+    if (cr_work_due(s, &elapsed)) {
+        struct cr_progress p = {
+            .what = "SOLVING", .share = NAN, .elapsed = elapsed, .left = NAN, .time = NAN};
+        s->opts.out.progress(s->opts.out.user, &p);
+    }
+    return cr_work_cancelled(s);
+}
+
+struct cr_context cr_session_context(struct cr_session *s) {
+    return (struct cr_context){.models = s->models, .irf = s->irf, .cancel = tick, .user = s};
+}
+
+static void say_result(struct cr_session *s) {
+    const struct cr_result *r = s->result;
+    struct cr_str line = {0};
+    cr_str_addf(&line, "%d steps: EES", r->solution->samples);
+    for (int i = 0; i < r->solution->bodies; i++) {
+        if (r->compiled.cs.body[i].grid.nx > 0) {
+            cr_str_addf(&line, " %s %.1f", r->resolved.part[i].id, cr_kmh(r->of[i].ees));
+        }
+    }
+    cr_str_add(&line, ", delta-v");
+    for (int i = 0; i < r->solution->bodies; i++) {
+        if (cr_render_moves(r, i)) {
+            cr_str_addf(&line, " %s %.1f", r->resolved.part[i].id, cr_kmh(r->of[i].delta_v));
+        }
+    }
+    cr_say(s, "%s km/h", cr_str_get(&line));
+    cr_str_fini(&line);
+    for (int i = 0; i < r->warnings; i++) {
+        cr_warn(s, "%s", r->warning[i]);
+    }
+}
+
+static enum cr_err run(struct cr_session *s, struct cr_error *err) {
+    struct cr_result *result = NULL;
+    if (cr_session_scene(s)->n < 2) {
+        cr_err_set(err, CR_ERR_MISSING, "a crash needs two participants");
+        cr_err_hint(err, "Try: check");
+        return CR_ERR_MISSING;
+    }
+    enum cr_err code = cr_session_need_models(s, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    struct cr_context ctx = cr_session_context(s);
+    s->solving = true;
+    cr_work_begin(s);
+    code = cr_result_run(cr_session_scene(s), &ctx, &result, err);
+    cr_work_end(s);
+    s->solving = false;
+    s->failed_rev = code != CR_ERR_OK ? cr_session_now(s)->rev : 0;
+    if (code == CR_ERR_OK) {
+        cr_session_take_result(s, result);
+    } else if (err != NULL && err->hint[0] == '\0' && code != CR_ERR_INTERRUPTED) {
+        cr_err_hint(err, "Try: check");
+    }
+    return code;
+}
+
+/* ---- explain ---- */
+
+static const char *const phase_words[] = {
+    [CR_PHASE_APART] = "apart",
+    [CR_PHASE_PLASTIC] = "plastic compression",
+    [CR_PHASE_COMPRESSION] = "elastic compression",
+    [CR_PHASE_RESTITUTION] = "elastic restitution",
+};
+
+/* a coordinate without "-0.00" */
+static double tidy(double x, double unit) {
+    return fabs(x) < 0.5 * unit ? 0 : x;
+}
+
+static void explain_contact(struct cr_session *s, const struct cr_slice *c) {
+    const struct cr_result *r = s->result;
+    const struct cr_contact *pair = &r->solution->contact[c->contact];
+    const char *a = r->resolved.part[pair->a].id, *b = r->resolved.part[pair->b].id;
+    double sum = c->energy[0] + c->energy[1];
+    cr_say(s, "contact %s - %s, %s", a, b, phase_words[c->phase]);
+    if (c->phase == CR_PHASE_PLASTIC) {
+        cr_say(s, "Eq. (1)  E = sum of E_voxel = %s %.1f J (%d voxels) + %s %.1f J (%d) = %.1f J",
+               a, c->energy[0], c->deformed[0], b, c->energy[1], c->deformed[1], sum);
+        if (c->induced > 0) {
+            cr_say(s, "         of it induced beside the contact: %.1f J", c->induced);
+        }
+    } else {
+        cr_say(s,
+               "Eq. (1)  E = 0 J: no voxel yields, the elastic impulse of %.0f N s works over "
+               "%.1f ms",
+               pair->elastic_impulse, 1e3 * r->compiled.cs.opts.elastic_s);
+    }
+    cr_say(s, "Eq. (3)  COE = sum(E_voxel p_voxel) / sum(E_voxel) = (%.3f, %.3f) m",
+           tidy(c->coe.x, 1e-3), tidy(c->coe.y, 1e-3));
+    if (c->phase == CR_PHASE_PLASTIC && c->path > 0) {
+        cr_say(
+            s, "Eq. (2)  |F_n| = E / s = %.1f J / %.5f m = %.1f kN along the normal (%.3f, %.3f)",
+            sum, c->path, 1e-3 * sum / c->path, tidy(c->normal.x, 1e-3), tidy(c->normal.y, 1e-3));
+    }
+    cr_say(s, "         F = %.1f kN along (%.3f, %.3f): impulse %.1f N s, effective mass %.0f kg",
+           1e-3 * c->force, tidy(c->direction.x, 1e-3), tidy(c->direction.y, 1e-3), c->impulse,
+           c->mass_eff);
+    if (c->friction > 0) {
+        cr_say(s, "         friction work %.1f J, which is not EES", c->friction);
+    }
+}
+
+static void explain_body(struct cr_session *s, int body, int sample) {
+    const struct cr_result *r = s->result;
+    const struct cr_sample *x = &r->solution->trace[(long)sample * r->solution->bodies + body];
+    const struct cr_body *cb = &r->compiled.cs.body[body];
+    const char *id = r->resolved.part[body].id;
+    struct cr_vec2 total = cr_vec2_scale(x->acc, cb->mass);
+    struct cr_vec2 tyres = cr_vec2_sub(total, x->force), arm = cr_vec2_sub(x->coe, x->pos);
+    bool touched = cr_vec2_len(x->force) > 0;
+    double moment = touched ? cr_vec2_cross(arm, x->force) : 0;
+    if (cb->mass <= 0) {
+        cr_say(s, "%s is fixed to the ground", id);
+        return;
+    }
+    cr_say(s, "Eq. (4)  %s: m a = F + sum F_tyre = (%.1f, %.1f) + (%.1f, %.1f) kN", id,
+           tidy(1e-3 * x->force.x, 0.1), tidy(1e-3 * x->force.y, 0.1), tidy(1e-3 * tyres.x, 0.1),
+           tidy(1e-3 * tyres.y, 0.1));
+    cr_say(s, "         a = (%.1f, %.1f) m/s2 for %.0f kg: %.1f g", tidy(x->acc.x, 0.1),
+           tidy(x->acc.y, 0.1), cb->mass, cr_vec2_len(x->acc) / CR_G);
+    if (cb->inertia > 0) {
+        cr_say(s, "Eq. (5)  %s: Theta psi'' = p_F x F + sum p_tyre x F_tyre = %.2f + %.2f kN m", id,
+               tidy(1e-3 * moment, 0.01), tidy(1e-3 * (cb->inertia * x->yaw_acc - moment), 0.01));
+        cr_say(s, "         psi'' = %.2f rad/s2 for %.0f kg m2, arm (%.3f, %.3f) m",
+               tidy(x->yaw_acc, 0.01), cb->inertia, touched ? tidy(arm.x, 1e-3) : 0,
+               touched ? tidy(arm.y, 1e-3) : 0);
+    }
+    cr_say(s,
+           "then     %s: v = (%.2f, %.2f) m/s, %.1f km/h; yaw rate %.1f deg/s; "
+           "x = %.3f m, y = %.3f m, heading %.2f deg",
+           id, tidy(x->vel.x, 0.01), tidy(x->vel.y, 0.01), cr_kmh(cr_vec2_len(x->vel)),
+           tidy(cr_deg(x->yaw_rate), 0.1), tidy(x->pos.x, 1e-3), tidy(x->pos.y, 1e-3),
+           tidy(cr_deg(x->heading), 0.01));
+}
+
+static void explain(struct cr_session *s, int sample) {
+    const struct cr_solution *sol = s->result->solution;
+    double end = sol->t[sample], begin = sample > 0 ? sol->t[sample - 1] : sol->t_contact;
+    bool any = false;
+    cr_say(s, "time slice %d of %d: %.2f to %.2f ms after the first contact", sample + 1,
+           sol->samples, 1e3 * (begin - sol->t_contact), 1e3 * (end - sol->t_contact));
+    for (int i = 0; i < sol->slices; i++) {
+        if (sol->slice[i].sample == sample) {
+            explain_contact(s, &sol->slice[i]);
+            any = true;
+        }
+    }
+    if (!any) {
+        cr_say(s, "Eq. (1)  E = 0 J: nobody touches, so only the tyres act");
+    }
+    for (int i = 0; i < sol->bodies; i++) {
+        explain_body(s, i, sample);
+    }
+}
+
+/* sample with the largest contact force */
+static int peak_sample(const struct cr_solution *sol) {
+    int best = 0;
+    double most = -1;
+    for (int i = 0; i < sol->slices; i++) {
+        if (sol->slice[i].force > most) {
+            most = sol->slice[i].force;
+            best = sol->slice[i].sample;
+        }
+    }
+    return best;
+}
+
+enum cr_err cr_cmd_explain(struct cr_call *call, struct cr_error *err) {
+    struct cr_session *s = call->s;
+    enum cr_err code = cr_session_need_result(s, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    const struct cr_solution *sol = s->result->solution;
+    int frame = s->view.frame > 0 ? s->view.frame : 1;
+    if (cr_cmd_given(call, "slice")) {
+        frame = (int)cr_cmd_number(call, "slice", 1);
+        if (frame > sol->samples) {
+            code =
+                cr_err_set(err, CR_ERR_RANGE, "slice must be 1 to %d, got %d", sol->samples, frame);
+            return cr_cmd_blame(call, "slice", code);
+        }
+    } else if (cr_cmd_word(call, "TIME", -1) >= 0) {
+        int word = cr_cmd_word(call, "TIME", 0);
+        frame = word == 0 ? 1 : word == 1 ? peak_sample(sol) + 1 : sol->samples;
+    } else if (cr_cmd_given(call, "TIME")) {
+        code = cr_cmd_frame_at(call, "TIME", &frame, err);
+        frame = frame > 0 ? frame : 1;
+    }
+    if (code == CR_ERR_OK && sol->samples > 0) {
+        explain(s, frame - 1);
+    }
+    return code;
+}
+
+/* ---- solve ---- */
+
+static void say_steps_short(struct cr_session *s) {
+    const struct cr_solution *sol = s->result->solution;
+    for (int k = 0; k < sol->samples; k++) {
+        const struct cr_sample *x = &sol->trace[(long)k * sol->bodies];
+        struct cr_str line = {0};
+        cr_str_addf(&line, "%4d %7.2f ms", k + 1, 1e3 * (sol->t[k] - sol->t_contact));
+        for (int i = 0; i < sol->bodies; i++) {
+            if (cr_render_moves(s->result, i)) {
+                cr_str_addf(&line, "  %s %5.1f km/h %5.1f g %6.1f kJ",
+                            s->result->resolved.part[i].id, cr_kmh(cr_vec2_len(x[i].vel)),
+                            cr_vec2_len(x[i].acc) / CR_G, 1e-3 * x[i].energy);
+            }
+        }
+        cr_say(s, "%s", cr_str_get(&line));
+        cr_str_fini(&line);
+    }
+}
+
+/* the next time slice of the recorded trace; the first step solves */
+static enum cr_err step(struct cr_session *s, struct cr_error *err) {
+    enum cr_err code = CR_ERR_OK;
+    if (cr_session_state(s) != CR_STATE_SOLVED) {
+        code = run(s, err);
+        s->view.frame = 0;
+    }
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    if (s->view.frame >= cr_session_frames(s)) {
+        cr_say(s, "all %d slices are shown; show frame=0 begins again", cr_session_frames(s));
+        return CR_ERR_OK;
+    }
+    s->view.frame++;
+    explain(s, s->view.frame - 1);
+    return CR_ERR_OK;
+}
+
+enum cr_err cr_cmd_solve(struct cr_call *call, struct cr_error *err) {
+    if (cr_cmd_given(call, "step")) {
+        return step(call->s, err);
+    }
+    enum cr_err code = run(call->s, err);
+    if (code == CR_ERR_OK && cr_cmd_given(call, "until")) {
+        code = cr_cmd_frame_at(call, "until", &call->s->view.frame, err);
+    }
+    if (code == CR_ERR_OK) {
+        say_result(call->s);
+        if (cr_cmd_given(call, "trace")) {
+            say_steps_short(call->s);
+        }
+    }
+    return code;
+}

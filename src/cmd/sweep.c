@@ -1,0 +1,471 @@
+/* sweep: the scene solved for a range of values of one or two inputs, several runs at a time. */
+#include "cmd/sweep.h"
+
+#include "cmd/measure.h"
+
+#include "base/file.h"
+
+#include <math.h>
+#include <pthread.h>
+#include <stdatomic.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+enum { AXIS_MAX = 1000, RUNS_MAX = 10000 };
+
+const struct cr_sweep_key cr_sweep_keys[] = {
+    {"speed", "speed_kmh", 0, false, CR_DIM_SPEED, "km/h", "speed"},
+    {"v", "speed_kmh", 0, false, CR_DIM_SPEED, "km/h", "speed"},
+    {"overlap", NULL, 0, false, CR_DIM_NUMBER, "%", "lateral overlap as placed"},
+    {"angle", NULL, 0, false, CR_DIM_ANGLE, "deg", "angle as placed"},
+    {"at", NULL, 0, false, CR_DIM_LENGTH, "m", "place along the struck side, as placed"},
+    {"mass", "mass_kg", 0, false, CR_DIM_MASS, "kg", "mass"},
+    {"heading", "heading_deg", 0, false, CR_DIM_ANGLE, "deg", "heading"},
+    {"course", "course_deg", 0, false, CR_DIM_ANGLE, "deg", "direction of travel"},
+    {"yawrate", "yaw_rate_deg_s", 0, false, CR_DIM_YAW_RATE, "deg/s", "yaw rate before"},
+    {"inertia", "yaw_inertia_kgm2", CR_FOR_VEHICLE, false, CR_DIM_INERTIA, "kgm2", "yaw inertia"},
+    {"brake", "brake", CR_FOR_VEHICLE, false, CR_DIM_NUMBER, "%", "share of the braking friction"},
+    {"friction", "friction", 0, false, CR_DIM_NUMBER, "", "of its surface"},
+    {"restitution", "restitution", 0, true, CR_DIM_NUMBER, "", "restitution"},
+    {"friction", "friction", 0, true, CR_DIM_NUMBER, "", "friction between bodies"},
+    {"road", "road_friction", 0, true, CR_DIM_NUMBER, "", "friction of the tyres"},
+    {"dt", "dt_ms", 0, true, CR_DIM_TIME, "ms", "longest time slice"},
+    {"voxel", "voxel_mm", 0, true, CR_DIM_LENGTH, "mm", "edge of the voxels"},
+    {"elastic", "elastic_ms", 0, true, CR_DIM_TIME, "ms", "length of the elastic phases"},
+    {.name = NULL},
+};
+
+/* ---- what is varied ---- */
+
+struct variable {
+    const struct cr_sweep_key *key;
+    char id[CR_NAME_MAX]; /* "" for a setting */
+};
+
+static enum cr_err unknown_variable(const struct cr_scene *scene, const char *text,
+                                    struct cr_error *err) {
+    const char *list[32], *dot = strchr(text, '.');
+    int n = 0;
+    for (int i = 0; cr_sweep_keys[i].name != NULL && n < 32; i++) {
+        if (cr_sweep_keys[i].setting == (dot == NULL)) {
+            list[n++] = cr_sweep_keys[i].name;
+        }
+    }
+    const char *near = cr_str_nearest(dot != NULL ? dot + 1 : text, list, n);
+    cr_err_set(err, CR_ERR_NAME, "'%.60s' cannot be swept", text);
+    if (near != NULL) {
+        cr_err_hint(err, "did you mean '%.*s%s'?", dot != NULL ? (int)(dot + 1 - text) : 0, text,
+                    near);
+    } else {
+        cr_err_hint(err, "for example %s.speed or restitution; Tab lists all",
+                    scene->n > 0 ? scene->part[0].id : "A");
+    }
+    return CR_ERR_NAME;
+}
+
+static enum cr_err find_variable(const struct cr_session *s, const char *text, struct variable *out,
+                                 struct cr_error *err) {
+    const struct cr_scene *scene = cr_session_scene(s);
+    const char *dot = strchr(text, '.');
+    *out = (struct variable){.key = NULL};
+    if (dot != NULL) {
+        snprintf(out->id, sizeof out->id, "%.*s", (int)(dot - text), text);
+        if (cr_scene_find(&cr_session_now(s)->scene, out->id) == NULL) {
+            return unknown_variable(scene, text, err);
+        }
+    }
+    for (int i = 0; cr_sweep_keys[i].name != NULL; i++) {
+        if (cr_sweep_keys[i].setting == (dot == NULL) &&
+            strcmp(cr_sweep_keys[i].name, dot != NULL ? dot + 1 : text) == 0) {
+            out->key = &cr_sweep_keys[i];
+        }
+    }
+    if (out->key == NULL) {
+        return unknown_variable(scene, text, err);
+    }
+    if (out->key->key == NULL && cr_placed_find(cr_session_now(s), out->id) == NULL) {
+        cr_err_set(err, CR_ERR_MISSING, "%s was not placed against another", out->id);
+        cr_err_hint(err, "Try: place %s facing %s overlap=50%%", out->id,
+                    scene->n > 1 ? scene->part[strcmp(scene->part[0].id, out->id) == 0].id : "B");
+        return CR_ERR_MISSING;
+    }
+    return CR_ERR_OK;
+}
+
+/* ---- ranges: from:to:step, or a,b,c ---- */
+
+static enum cr_err bad_range(const char *text, struct cr_error *err) {
+    cr_err_set(err, CR_ERR_SYNTAX, "'%.60s' is no range", text);
+    cr_err_hint(err, "FROM:TO:STEP or A,B,C, for example 30:80:10km/h");
+    return CR_ERR_SYNTAX;
+}
+
+/* numbers separated by `sep`; one without a unit takes that of another */
+static enum cr_err read_numbers(const char *text, char sep, enum cr_dim dim,
+                                const struct cr_unit *usual, double *out, int max, int *n,
+                                struct cr_error *err) {
+    char part[64];
+    const char *end;
+    const struct cr_unit *unit = usual;
+    for (const char *p = text; *p != '\0'; p += strcspn(p, ":,"), p += *p != '\0') {
+        snprintf(part, sizeof part, "%.*s", (int)strcspn(p, ":,"), p);
+        cr_number_scan(part, &end);
+        if (end != part && *end != '\0' && cr_unit_find(end, dim) != NULL) {
+            unit = cr_unit_find(end, dim);
+        }
+    }
+    *n = 0;
+    for (;;) {
+        size_t len = strcspn(text, ":,");
+        if (*n == max || (text[len] != '\0' && text[len] != sep)) {
+            return bad_range(text, err);
+        }
+        snprintf(part, sizeof part, "%.*s", (int)(len < sizeof part ? len : 0), text);
+        enum cr_err code = cr_unit_parse(part, dim, unit, &out[(*n)++], NULL, err);
+        if (code != CR_ERR_OK) {
+            return code;
+        }
+        if (text[len] == '\0') {
+            return CR_ERR_OK;
+        }
+        text += len + 1;
+    }
+}
+
+static enum cr_err read_range(const char *text, const struct cr_sweep_key *key,
+                              struct cr_sweep_axis *axis, struct cr_error *err) {
+    double number[AXIS_MAX];
+    int n;
+    bool colon = strchr(text, ':') != NULL;
+    axis->unit = cr_unit_find(key->unit, key->dim);
+    enum cr_err code = read_numbers(text, colon ? ':' : ',', key->dim, axis->unit, number,
+                                    colon ? 3 : AXIS_MAX, &n, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    if (colon && n != 3) {
+        return bad_range(text, err);
+    }
+    double from = number[0], to = number[n > 1 ? 1 : 0], step = number[n > 2 ? 2 : 0];
+    if (colon && (step == 0 || (to - from) / step < 0 || (to - from) / step > AXIS_MAX - 1)) {
+        cr_err_set(err, CR_ERR_RANGE, "'%.60s' has no or more than %d steps", text, AXIS_MAX);
+        cr_err_hint(err, "the step leads from the first value to the second");
+        return CR_ERR_RANGE;
+    }
+    axis->n = colon ? (int)floor((to - from) / step + 1e-9) + 1 : n;
+    axis->value = calloc((size_t)axis->n, sizeof *axis->value);
+    if (axis->value == NULL) {
+        return cr_err_set(err, CR_ERR_MEMORY, "out of memory");
+    }
+    for (int i = 0; i < axis->n; i++) {
+        axis->value[i] = colon ? from + i * step : number[i];
+    }
+    return CR_ERR_OK;
+}
+
+/* ---- one run ---- */
+
+static enum cr_err apply(struct cr_state *state, const struct variable *var, double si,
+                         const struct cr_model_lib *models, struct cr_error *err) {
+    if (var->key->key == NULL) {
+        struct cr_placed placed = *cr_placed_find(state, var->id);
+        if (strcmp(var->key->name, "overlap") == 0) {
+            placed.overlap = si;
+        } else if (strcmp(var->key->name, "angle") == 0) {
+            placed.angle = si;
+        } else {
+            placed.at = si;
+            placed.at_word = -1;
+        }
+        return cr_placed_apply(state, &placed, models, err);
+    }
+    char full[2 * CR_NAME_MAX + 2], value[40];
+    bool setting = var->key->setting;
+    unsigned mask = setting ? 0 : cr_scene_kind_mask(cr_scene_find(&state->scene, var->id));
+    const struct cr_key *key =
+        cr_scene_key_find(setting ? CR_KEYS_SETTINGS : CR_KEYS_PARTICIPANT, var->key->key, mask);
+    if (key == NULL) {
+        return cr_err_set(err, CR_ERR_KEY, "%s has no %s", var->id, var->key->name);
+    }
+    snprintf(full, sizeof full, "%s%s%s", var->id, setting ? "" : ".", key->name);
+    snprintf(value, sizeof value, "%.17g", cr_unit_from_si(cr_scene_key_unit(key), si));
+    return cr_scene_set(&state->scene, full, value, err);
+}
+
+/* shared by the threads of a sweep; the session itself is not touched by them */
+struct job {
+    const struct cr_state *base;
+    const struct cr_model_lib *models;
+    const struct cr_irf_set *irf;
+    struct cr_sweep *sweep;
+    const struct variable *var;
+    atomic_int next, finished;
+    atomic_bool stop;
+};
+
+static int stopped(void *user) {
+    struct job *job = user;
+    return atomic_load(&job->stop);
+}
+
+static void keep(struct cr_sweep_run *run, const struct cr_result *r) {
+    memcpy(run->of, r->of, sizeof run->of);
+    for (int i = 0; i < CR_BODY_MAX; i++) { /* the outlines stay with the result */
+        run->of[i].outline = NULL;
+        run->of[i].outline_n = 0;
+    }
+    run->stop = r->solution->contacts > 0 ? r->solution->contact[0].stop : CR_STOP_NONE;
+}
+
+static void solve_run(struct job *job, struct cr_sweep_run *run) {
+    struct cr_context ctx = {
+        .models = job->models, .irf = job->irf, .cancel = stopped, .user = job};
+    struct cr_state *state = NULL;
+    struct cr_result *result = NULL;
+    struct cr_error err = {0};
+    enum cr_err code = cr_state_dup(job->base, &state, &err);
+    for (int a = 0; a < job->sweep->axes && code == CR_ERR_OK; a++) {
+        code = apply(state, &job->var[a], run->at[a], job->models, &err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_result_run(&state->scene, &ctx, &result, &err);
+    }
+    if (code == CR_ERR_OK) {
+        keep(run, result);
+    }
+    run->done = code != CR_ERR_INTERRUPTED;
+    run->failed = code != CR_ERR_OK;
+    snprintf(run->message, sizeof run->message, "%.159s", err.text);
+    cr_result_free(result);
+    cr_state_free(state);
+}
+
+static void *worker(void *user) {
+    struct job *job = user;
+    while (!atomic_load(&job->stop)) {
+        int i = atomic_fetch_add(&job->next, 1);
+        if (i >= job->sweep->n) {
+            break;
+        }
+        solve_run(job, &job->sweep->run[i]);
+        atomic_fetch_add(&job->finished, 1);
+    }
+    return NULL;
+}
+
+static void watch(struct cr_session *s, struct job *job) {
+    const struct timespec nap = {0, 10 * 1000 * 1000};
+    while (atomic_load(&job->finished) < job->sweep->n && !atomic_load(&job->stop)) {
+        double elapsed;
+        int done = atomic_load(&job->finished);
+        nanosleep(&nap, NULL);
+        if (cr_work_due(s, &elapsed)) {
+            struct cr_progress p = {.what = "SWEEP",
+                                    .share = (double)done / job->sweep->n,
+                                    .done = done,
+                                    .total = job->sweep->n,
+                                    .elapsed = elapsed,
+                                    .left = done > 0 ? elapsed / done * (job->sweep->n - done)
+                                                     : (double)NAN,
+                                    .time = NAN};
+            s->opts.out.progress(s->opts.out.user, &p);
+        }
+        if (cr_work_cancelled(s) != 0) {
+            atomic_store(&job->stop, true);
+        }
+    }
+}
+
+static enum cr_err run_all(struct cr_session *s, struct job *job, int jobs, struct cr_error *err) {
+    enum { JOBS_MAX = 256 };
+    pthread_t thread[JOBS_MAX];
+    int started = 0;
+    jobs = jobs < job->sweep->n ? jobs : job->sweep->n;
+    s->solving = true;
+    cr_work_begin(s);
+    for (; started < jobs && started < JOBS_MAX; started++) {
+        if (pthread_create(&thread[started], NULL, worker, job) != 0) {
+            break;
+        }
+    }
+    if (started > 0) {
+        watch(s, job);
+    }
+    for (int i = 0; i < started; i++) {
+        pthread_join(thread[i], NULL);
+    }
+    cr_work_end(s);
+    s->solving = false;
+    if (started == 0) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no thread could be started");
+    }
+    return CR_ERR_OK;
+}
+
+/* ---- the command ---- */
+
+/* words of the rest, "KEY RANGE" or "KEY=RANGE", that are no arguments of their own */
+static enum cr_err read_axes(struct cr_call *call, struct cr_sweep *sweep, struct variable *var,
+                             struct cr_error *err) {
+    const struct cr_tokens *t = call->tokens;
+    const char *name = NULL;
+    for (int i = call->rest; i < t->n; i++) {
+        const struct cr_token *tok = &t->tok[i];
+        bool own = false;
+        for (int k = 0; call->cmd->arg[k].name != NULL; k++) {
+            own = own || call->value[k].token == tok;
+        }
+        if (own) {
+            continue;
+        }
+        call->blame = tok;
+        if (sweep->axes == 2) {
+            cr_err_set(err, CR_ERR_SYNTAX, "a sweep varies one or two inputs");
+            return CR_ERR_SYNTAX;
+        }
+        if (name == NULL && tok->kind == CR_TOKEN_WORD) {
+            name = tok->text;
+            enum cr_err code = find_variable(call->s, name, &var[sweep->axes], err);
+            if (code != CR_ERR_OK) {
+                return code;
+            }
+            continue;
+        }
+        name = tok->kind == CR_TOKEN_PAIR ? tok->key : name;
+        struct cr_sweep_axis *axis = &sweep->axis[sweep->axes];
+        enum cr_err code = find_variable(call->s, name, &var[sweep->axes], err);
+        if (code == CR_ERR_OK) {
+            code = read_range(tok->text, var[sweep->axes].key, axis, err);
+        }
+        if (code != CR_ERR_OK) {
+            return code;
+        }
+        snprintf(axis->key, sizeof axis->key, "%s", name);
+        sweep->axes++;
+        name = NULL;
+    }
+    if (name != NULL || sweep->axes == 0) {
+        cr_err_set(err, CR_ERR_MISSING, "%s%s", name != NULL ? name : "sweep",
+                   name != NULL ? " needs a range" : " needs KEY RANGE");
+        cr_err_hint(err, "for example: %s", call->cmd->example[0]);
+        return CR_ERR_MISSING;
+    }
+    call->blame = NULL;
+    return CR_ERR_OK;
+}
+
+static enum cr_err make_runs(struct cr_sweep *sweep, const struct cr_scene *scene,
+                             struct cr_error *err) {
+    long n = sweep->axis[0].n;
+    n *= sweep->axes > 1 ? sweep->axis[1].n : 1;
+    if (n > RUNS_MAX) {
+        return cr_err_set(err, CR_ERR_RANGE, "%ld runs are more than %d", n, RUNS_MAX);
+    }
+    sweep->n = (int)n;
+    sweep->run = calloc((size_t)n, sizeof *sweep->run);
+    if (sweep->run == NULL) {
+        return cr_err_set(err, CR_ERR_MEMORY, "out of memory");
+    }
+    int inner = sweep->axes > 1 ? sweep->axis[1].n : 1;
+    for (int i = 0; i < sweep->n; i++) {
+        sweep->run[i].at[0] = sweep->axis[0].value[i / inner];
+        sweep->run[i].at[1] = sweep->axes > 1 ? sweep->axis[1].value[i % inner] : 0;
+    }
+    sweep->participants = scene->n;
+    for (int i = 0; i < scene->n; i++) {
+        snprintf(sweep->id[i], sizeof sweep->id[i], "%s", scene->part[i].id);
+    }
+    return CR_ERR_OK;
+}
+
+/* takes the values of a run of the last sweep into the scene */
+static enum cr_err take_row(struct cr_call *call, struct cr_error *err) {
+    struct cr_session *s = call->s;
+    const struct cr_sweep *sweep = s->sweep;
+    int row = (int)cr_cmd_number(call, "row", 1);
+    struct variable var;
+    struct cr_state *draft;
+    if (sweep == NULL || row > sweep->n) {
+        cr_err_set(err, CR_ERR_RANGE, "the last sweep has %d runs", sweep != NULL ? sweep->n : 0);
+        return cr_cmd_blame(call, "row", CR_ERR_RANGE);
+    }
+    enum cr_err code = cr_session_need_models(s, err);
+    if (code == CR_ERR_OK) {
+        code = cr_cmd_edit(call, &draft, err);
+    }
+    for (int a = 0; a < sweep->axes && code == CR_ERR_OK; a++) {
+        code = find_variable(s, sweep->axis[a].key, &var, err);
+        if (code == CR_ERR_OK) {
+            code = apply(draft, &var, sweep->run[row - 1].at[a], s->models, err);
+        }
+        if (code == CR_ERR_OK) {
+            cr_say(s, "%s = %.6g %s", sweep->axis[a].key,
+                   cr_unit_from_si(sweep->axis[a].unit, sweep->run[row - 1].at[a]),
+                   sweep->axis[a].unit->name);
+        }
+    }
+    return code == CR_ERR_OK ? code : cr_cmd_blame(call, "row", code);
+}
+
+static enum cr_err write_csv(struct cr_call *call, struct cr_error *err) {
+    const char *path = cr_cmd_text(call, "out", NULL);
+    struct cr_str text = {0};
+    if (path == NULL) {
+        return CR_ERR_OK;
+    }
+    enum cr_err code = cr_sweep_csv(call->s, &text, err);
+    if (code == CR_ERR_OK) {
+        code = cr_file_write(path, cr_str_get(&text), text.len, err);
+    }
+    cr_str_fini(&text);
+    if (code == CR_ERR_OK) {
+        cr_say(call->s, "%s: all results of all runs", path);
+    }
+    return code == CR_ERR_OK ? code : cr_cmd_blame(call, "out", code);
+}
+
+enum cr_err cr_cmd_sweep(struct cr_call *call, struct cr_error *err) {
+    struct cr_session *s = call->s;
+    struct variable var[2];
+    if (cr_cmd_given(call, "row")) {
+        return take_row(call, err);
+    }
+    struct cr_sweep *sweep = calloc(1, sizeof *sweep);
+    if (sweep == NULL) {
+        return cr_err_set(err, CR_ERR_MEMORY, "out of memory");
+    }
+    enum cr_err code = cr_session_need_models(s, err);
+    if (code == CR_ERR_OK) {
+        code = read_axes(call, sweep, var, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = make_runs(sweep, cr_session_scene(s), err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_sweep_plots(call, sweep, err);
+    }
+    if (code != CR_ERR_OK) {
+        cr_sweep_free(sweep);
+        return code;
+    }
+    struct job job = {
+        .base = cr_session_now(s), .models = s->models, .irf = s->irf, .sweep = sweep, .var = var};
+    code = run_all(s, &job, (int)cr_cmd_number(call, "jobs", 1), err);
+    cr_session_take_sweep(s, sweep);
+    if (code == CR_ERR_OK) {
+        code = cr_sweep_say(s, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_sweep_draw(call, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = write_csv(call, err);
+    }
+    if (code == CR_ERR_OK && atomic_load(&job.stop)) {
+        code = cr_err_set(err, CR_ERR_INTERRUPTED, "interrupted after %d of %d runs",
+                          atomic_load(&job.finished), sweep->n);
+    }
+    return code;
+}

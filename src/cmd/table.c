@@ -1,0 +1,408 @@
+/* The one table of commands: arguments, help, examples and handlers. Completion, help, the man
+ * page and the binding of arguments all read it. */
+#include "cmd/cmd_priv.h"
+
+#include <math.h>
+
+#define END                                                                                        \
+    { .name = NULL }
+#define KEY_OF(word, scene_key, kinds)                                                             \
+    { .name = word, .place = CR_ARG_KEY, .type = CR_VALUE_KEY, .key = scene_key, .mask = kinds }
+#define POSITION(word, kind, ...)                                                                  \
+    { .name = word, .place = CR_ARG_POSITION, .type = kind, __VA_ARGS__ }
+#define OPTION(word, kind, ...)                                                                    \
+    { .name = word, .place = CR_ARG_OPTION, .type = kind, __VA_ARGS__ }
+#define KEY(word, kind, ...)                                                                       \
+    { .name = word, .place = CR_ARG_KEY, .type = kind, __VA_ARGS__ }
+#define FLAG(word, ...)                                                                            \
+    { .name = word, .place = CR_ARG_FLAG, .type = CR_VALUE_TEXT, __VA_ARGS__ }
+#define REST(word, kind, ...)                                                                      \
+    { .name = word, .place = CR_ARG_REST, .type = kind, __VA_ARGS__ }
+
+#define PAIR_SETUP                                                                                 \
+    "vehicle A type=suv mass=2260kg speed=56km/h\n"                                                \
+    "vehicle B type=mini-compact mass=1060kg speed=56km/h\n"                                       \
+    "place B facing A overlap=40%\n"
+#define WALL_SETUP                                                                                 \
+    "vehicle A type=compact mass=1400kg speed=50km/h\n"                                            \
+    "object wall kind=wall\n"                                                                      \
+    "place wall facing A gap=0.2m\n"
+#define SOLVED PAIR_SETUP "solve\n"
+
+#define V   CR_FOR_VEHICLE
+#define O   CR_FOR_OBJECT
+#define ANY CR_FOR_ALL
+
+static const struct cr_arg vehicle_args[] = {
+    POSITION("NAME", CR_VALUE_NEW, .help = "its name, new or known"),
+    KEY_OF("type", "type", V),
+    KEY_OF("mass", "mass_kg", V),
+    KEY_OF("length", "length_m", V),
+    KEY_OF("width", "width_m", V),
+    KEY_OF("height", "height_m", V),
+    KEY_OF("wheelbase", "wheelbase_m", V),
+    KEY_OF("track", "track_m", V),
+    KEY_OF("overhang", "front_overhang_m", V),
+    KEY_OF("cg", "cg.behind_front_axle_m", V),
+    KEY_OF("cgheight", "cg.height_m", V),
+    KEY_OF("inertia", "yaw_inertia_kgm2", V),
+    KEY_OF("speed", "speed_kmh", V),
+    KEY_OF("v", "speed_kmh", V),
+    KEY_OF("yawrate", "yaw_rate_deg_s", V),
+    KEY_OF("brake", "brake", V),
+    KEY_OF("steer", "steer_deg", V),
+    KEY_OF("locked", "locked", V),
+    KEY_OF("friction", "friction", V),
+    FLAG("remove", .help = "take it out of the scene"),
+    END,
+};
+
+static const struct cr_arg object_args[] = {
+    POSITION("NAME", CR_VALUE_NEW, .help = "its name, new or known"),
+    KEY_OF("kind", "shape", O),
+    KEY("diameter", CR_VALUE_NUMBER, .dim = CR_DIM_LENGTH, .unit = "m", .lo = 0.02, .hi = 100,
+        .help = "of a pole", .def = "0.254m"),
+    KEY_OF("length", "length_m", CR_FOR_BOX),
+    KEY_OF("width", "width_m", CR_FOR_BOX),
+    KEY_OF("edge", "edge_radius_m", CR_FOR_BOX),
+    KEY("low", CR_VALUE_NUMBER, .dim = CR_DIM_LENGTH, .unit = "m", .lo = -1, .hi = 100,
+        .help = "lower edge above the road", .def = "0m"),
+    KEY("high", CR_VALUE_NUMBER, .dim = CR_DIM_LENGTH, .unit = "m", .lo = -1, .hi = 100,
+        .help = "upper edge above the road", .def = "3m"),
+    KEY("mass", CR_VALUE_NUMBER, .dim = CR_DIM_MASS, .unit = "kg", .lo = 0.1, .hi = 1e7,
+        .words = "fixed", .help = "or fixed to the ground", .def = "fixed"),
+    KEY_OF("friction", "friction", O),
+    KEY_OF("speed", "speed_kmh", O),
+    KEY_OF("v", "speed_kmh", O),
+    FLAG("remove", .help = "take it out of the scene"),
+    END,
+};
+
+static const struct cr_arg model_args[] = {
+    POSITION("NAME", CR_VALUE_VEHICLE, .words = "list|info",
+             .help = "a vehicle; list names all models, info MODEL tells where one comes from"),
+    OPTION("MODEL", CR_VALUE_MODEL, .help = "TYPE, TYPE/CLOCK or a file of own voxels"),
+    KEY_OF("pdof", "model.pdof", V),
+    KEY_OF("blend", "model.blend", V),
+    KEY("front", CR_VALUE_TEXT, .help = "CRASH3 stiffness A,B of the front in N/m, N/m2"),
+    KEY("side", CR_VALUE_TEXT, .help = "CRASH3 stiffness A,B of the sides in N/m, N/m2"),
+    KEY("rear", CR_VALUE_TEXT, .help = "CRASH3 stiffness A,B of the rear in N/m, N/m2"),
+    END,
+};
+
+static const struct cr_arg place_args[] = {
+    POSITION("NAME", CR_VALUE_NAME, .help = "who is placed"),
+    OPTION("HOW", CR_VALUE_WORD, .words = "facing|behind|beside|hitting",
+           .help =
+               "facing: front to front; behind: its front at the other's rear; beside: flank to "
+               "flank; hitting: its front at the other's side, or its side at a pole"),
+    OPTION("OTHER", CR_VALUE_NAME, .help = "against whom"),
+    KEY("overlap", CR_VALUE_NUMBER, .unit = "%", .lo = 1, .hi = 100, .def = "100%",
+        .help = "lateral overlap, % of the narrower width"),
+    KEY("side", CR_VALUE_WORD, .words = "left|right|centre|front|rear",
+        .help = "which half of the other is met, or which side is struck"),
+    KEY("at", CR_VALUE_NUMBER, .dim = CR_DIM_LENGTH, .unit = "m", .lo = 0, .hi = 30,
+        .words = "front-axle|A-pillar|B-pillar|rear-axle|cg|middle", .def = "middle",
+        .help = "struck side: distance behind the front end, or a named place"),
+    KEY("angle", CR_VALUE_NUMBER, .dim = CR_DIM_ANGLE, .unit = "deg", .lo = -360, .hi = 360,
+        .def = "0deg",
+        .help = "turned counter-clockwise about the first touch; a flank at a pole: from the "
+                "heading to the direction of travel (90deg)"),
+    KEY("gap", CR_VALUE_NUMBER, .dim = CR_DIM_LENGTH, .unit = "m", .lo = 0, .hi = 500, .def = "0m",
+        .help = "free distance before the first touch"),
+    KEY("x", CR_VALUE_NUMBER, .dim = CR_DIM_LENGTH, .unit = "m", .lo = -1e5, .hi = 1e5,
+        .help = "east"),
+    KEY("y", CR_VALUE_NUMBER, .dim = CR_DIM_LENGTH, .unit = "m", .lo = -1e5, .hi = 1e5,
+        .help = "north"),
+    KEY_OF("heading", "heading_deg", ANY),
+    KEY_OF("course", "course_deg", ANY),
+    KEY_OF("speed", "speed_kmh", ANY),
+    KEY_OF("v", "speed_kmh", ANY),
+    KEY_OF("yawrate", "yaw_rate_deg_s", ANY),
+    END,
+};
+
+static const struct cr_arg move_args[] = {
+    POSITION("NAME", CR_VALUE_NAME, .help = "who is moved"),
+    KEY("dx", CR_VALUE_NUMBER, .dim = CR_DIM_LENGTH, .unit = "m", .lo = -1e5, .hi = 1e5,
+        .def = "0m", .help = "east"),
+    KEY("dy", CR_VALUE_NUMBER, .dim = CR_DIM_LENGTH, .unit = "m", .lo = -1e5, .hi = 1e5,
+        .def = "0m", .help = "north"),
+    KEY("turn", CR_VALUE_NUMBER, .dim = CR_DIM_ANGLE, .unit = "deg", .lo = -360, .hi = 360,
+        .def = "0deg", .help = "counter-clockwise"),
+    KEY("speed", CR_VALUE_NUMBER, .dim = CR_DIM_SPEED, .unit = "km/h", .lo = -500, .hi = 500,
+        .def = "0km/h", .help = "added to its speed"),
+    END,
+};
+
+static const struct cr_arg set_args[] = {
+    OPTION("SETTING", CR_VALUE_TEXT, .help = "one of the keys, to be told its value"),
+    KEY_OF("method", "method", 0),
+    KEY_OF("dt", "dt_ms", 0),
+    KEY_OF("voxel", "voxel_mm", 0),
+    KEY_OF("restitution", "restitution", 0),
+    KEY_OF("friction", "friction", 0),
+    KEY_OF("road", "road_friction", 0),
+    KEY_OF("elastic", "elastic_ms", 0),
+    KEY_OF("end", "end", 0),
+    KEY_OF("induced", "induced", 0),
+    KEY_OF("heights", "heights", 0),
+    KEY_OF("residual", "residual_curve", 0),
+    KEY("name", CR_VALUE_TEXT, .help = "name of the scene"),
+    KEY("echo", CR_VALUE_SWITCH, .words = "on|off", .def = "off",
+        .help = "scripts show their lines"),
+    KEY("ascii", CR_VALUE_SWITCH, .words = "on|off", .help = "pictures of plain ASCII"),
+    KEY("color", CR_VALUE_WORD, .words = "none|16|256", .help = "colours of pictures"),
+    END,
+};
+
+static const struct cr_arg no_args[] = {END};
+
+static const struct cr_arg solve_args[] = {
+    KEY("until", CR_VALUE_TIME, .dim = CR_DIM_TIME, .unit = "ms", .lo = 0, .hi = 60000,
+        .words = "compression|end", .def = "end",
+        .help = "where the picture stands then: ms after the first contact, or a phase"),
+    FLAG("step", .help = "go on by one time slice and tell about it"),
+    FLAG("trace", .help = "list the time slices"),
+    END,
+};
+
+static const struct cr_arg show_args[] = {
+    KEY("field", CR_VALUE_WORD, .words = "ees|energy|crush|depth|none", .def = "ees",
+        .help = "what the voxels show"),
+    KEY("time", CR_VALUE_TIME, .dim = CR_DIM_TIME, .unit = "ms", .lo = 0, .hi = 60000,
+        .words = "start|compression|end", .def = "end", .help = "ms after the first contact"),
+    KEY("frame", CR_VALUE_COUNT, .lo = -1e6, .hi = 1e6,
+        .help = "time slice; with a sign so many further or back"),
+    KEY("vectors", CR_VALUE_SWITCH, .words = "on|off", .def = "on",
+        .help = "arrows of velocity and force"),
+    KEY("scale", CR_VALUE_NUMBER, .dim = CR_DIM_LENGTH, .unit = "m", .lo = 0.005, .hi = 10,
+        .words = "auto|in|out", .def = "auto", .help = "m per column"),
+    KEY("centre", CR_VALUE_POINT, .dim = CR_DIM_LENGTH, .unit = "m",
+        .help = "x,y in the middle of the picture"),
+    KEY("follow", CR_VALUE_WORD, .words = "cog|world", .def = "cog",
+        .help = "keep the bodies in the middle, or the place"),
+    KEY("select", CR_VALUE_NAME, .words = "none", .help = "participant to mark"),
+    KEY("colormap", CR_VALUE_WORD, .words = "viridis|magma|gray", .def = "viridis",
+        .help = "colours of the field"),
+    END,
+};
+
+static const struct cr_arg view_args[] = {
+    OPTION("PANE", CR_VALUE_WORD, .words = "scene|pulse|energy|table|sweep|log",
+           .help = "what is in front"),
+    KEY("zoom", CR_VALUE_SWITCH, .words = "on|off", .def = "off", .help = "the pane alone"),
+    KEY("theme", CR_VALUE_WORD, .words = "dark|light|contrast", .def = "dark",
+        .help = "colours of the screen"),
+    END,
+};
+
+static const struct cr_arg table_args[] = {
+    OPTION("WHAT", CR_VALUE_WORD, .words = "results|inputs|steps|sweep|contacts", .def = "results",
+           .help = "which table"),
+    KEY("time", CR_VALUE_TIME, .dim = CR_DIM_TIME, .unit = "ms", .lo = 0, .hi = 60000,
+        .words = "end", .help = "results at this time after the first contact"),
+    KEY("every", CR_VALUE_COUNT, .lo = 1, .hi = 100000, .def = "10",
+        .help = "steps: each so manyth"),
+    END,
+};
+
+static const struct cr_arg pulse_args[] = {
+    OPTION("NAME", CR_VALUE_NAME, .words = "all", .def = "all", .help = "whose"),
+    OPTION("QUANTITY", CR_VALUE_WORD,
+           .words = "a|ax|ay|v|vx|vy|yaw|yawrate|yawacc|x|y|force|energy", .def = "a",
+           .help = "what is drawn over the time"),
+    KEY("vs", CR_VALUE_FILE, .words = ".csv",
+        .help = "measured curve: first column time, second "
+                "the quantity, in the units of its head"),
+    KEY("filter", CR_VALUE_WORD, .words = "none|cfc60|cfc180|cfc600|cfc1000", .def = "cfc60",
+        .help = "channel class of SAE J211, of accelerations"),
+    END,
+};
+
+static const struct cr_arg explain_args[] = {
+    OPTION("TIME", CR_VALUE_TIME, .dim = CR_DIM_TIME, .unit = "ms", .lo = 0, .hi = 60000,
+           .words = "first|peak|last", .def = "the slice shown", .help = "after the first contact"),
+    KEY("slice", CR_VALUE_COUNT, .lo = 1, .hi = 1e6, .help = "number of the time slice"),
+    END,
+};
+
+static const struct cr_arg compare_args[] = {
+    POSITION("FILE", CR_VALUE_FILE, .words = ".json", .help = "measured values"),
+    KEY("within", CR_VALUE_NUMBER, .unit = "%", .lo = 0, .hi = 1000,
+        .help = "largest error that passes"),
+    END,
+};
+
+static const struct cr_arg assert_args[] = {
+    REST("EXPRESSION", CR_VALUE_TEXT,
+         .help = "A.ees == 40km/h +- 2%, B.delta_v > 30km/h, stop == momentum"),
+    END,
+};
+
+static const struct cr_arg sweep_args[] = {
+    REST("KEY RANGE", CR_VALUE_SWEEP,
+         .help = "one or two of A.speed, B.overlap, restitution ... each with FROM:TO:STEP"),
+    KEY("jobs", CR_VALUE_COUNT, .lo = 1, .hi = 256, .def = "1", .help = "runs at a time"),
+    KEY("out", CR_VALUE_FILE, .words = ".csv", .help = "file for all results"),
+    KEY("plot", CR_VALUE_TEXT, .def = "ees of all", .help = "result to draw: A.ees, B.delta_v ..."),
+    KEY("row", CR_VALUE_COUNT, .lo = 1, .hi = 100000,
+        .help = "take the values of this run of the last sweep into the scene"),
+    END,
+};
+
+static const struct cr_arg load_args[] = {
+    OPTION("FILE", CR_VALUE_FILE, .words = ".json", .help = "scene"),
+    FLAG("recover", .help = "the scene of a session that ended by a crash"),
+    END,
+};
+
+static const struct cr_arg save_args[] = {
+    OPTION("FILE", CR_VALUE_FILE, .words = ".json", .help = "scene; without one, where it was"),
+    END,
+};
+
+static const struct cr_arg export_args[] = {
+    POSITION("WHAT", CR_VALUE_WORD, .words = "result|scene|field|pulse|steps|sweep|report",
+             .help = "what is written"),
+    POSITION("FILE", CR_VALUE_FILE, .words = ".csv|.json|.txt", .help = "its suffix says how"),
+    END,
+};
+
+static const struct cr_arg source_args[] = {
+    POSITION("FILE", CR_VALUE_FILE, .words = ".crumple", .help = "command file"),
+    END,
+};
+
+static const struct cr_arg count_args[] = {
+    OPTION("COUNT", CR_VALUE_COUNT, .lo = 1, .hi = 1e6, .def = "1", .help = "how many"),
+    END,
+};
+
+static const struct cr_arg history_args[] = {
+    OPTION("COUNT", CR_VALUE_COUNT, .lo = 1, .hi = 1e6, .def = "all", .help = "the last so many"),
+    END,
+};
+
+static const struct cr_arg name_args[] = {
+    POSITION("NAME", CR_VALUE_NAME, .help = "a participant"),
+    END,
+};
+
+static const struct cr_arg copy_args[] = {
+    POSITION("NAME", CR_VALUE_NAME, .help = "the original"),
+    POSITION("NEW", CR_VALUE_NEW, .help = "name of the copy"),
+    END,
+};
+
+static const struct cr_arg help_args[] = {
+    OPTION("COMMAND", CR_VALUE_COMMAND, .help = "a command; without one all are listed"),
+    END,
+};
+
+static const struct cr_arg apropos_args[] = {
+    POSITION("WORD", CR_VALUE_TEXT, .help = "searched in names, keys and help"),
+    END,
+};
+
+static const struct cr_arg new_args[] = {
+    OPTION("NAME", CR_VALUE_TEXT, .help = "name of the new scene"),
+    END,
+};
+
+#define ROW(word, kind, args, line)                                                                \
+    .name = #word, .group = kind, .arg = args, .help = line, .run = cr_cmd_##word
+#define SCENE "Scene"
+#define SOLVE "Solving and understanding"
+#define LOOK  "Looking"
+#define FILES "Files"
+#define SELF  "Session"
+
+static const struct cr_command commands[] = {
+    {ROW(vehicle, SCENE, vehicle_args, "add a vehicle, change it, or tell about it"),
+     .example = {"vehicle A type=suv mass=2260kg speed=56km/h", "vehicle A"},
+     .setup = "vehicle A type=suv\n", .see = "object model place"},
+    {ROW(object, SCENE, object_args, "add a wall, pole or box, change it, or tell about it"),
+     .example = {"object tree kind=pole diameter=0.4m", "object crate kind=box length=1m width=2m"},
+     .see = "vehicle place"},
+    {ROW(model, SCENE, model_args, "choose the EES model of a vehicle, or list the models"),
+     .example = {"model B mini-compact/12", "model info suv/12"}, .setup = PAIR_SETUP,
+     .see = "vehicle"},
+    {ROW(place, SCENE, place_args, "put a participant somewhere, or against another"),
+     .example = {"place B facing A overlap=40% side=right gap=0.5m",
+                 "place A x=0 y=0 heading=0 speed=56km/h"},
+     .setup = PAIR_SETUP, .see = "move"},
+    {ROW(move, SCENE, move_args, "move or turn a participant from where it is"),
+     .example = {"move B dy=0.1m", "move B turn=5deg"}, .setup = PAIR_SETUP "move B dx=1m\n",
+     .see = "place"},
+    {ROW(set, SCENE, set_args, "change a setting; alone it lists all"),
+     .example = {"set restitution=0.1 dt=0.5ms", "set echo on"}, .flags = CR_CMD_PAIRS,
+     .see = "check"},
+    {ROW(list, SCENE, no_args, "list the participants"), .example = {"list", "list"},
+     .setup = PAIR_SETUP, .see = "vehicle object"},
+    {ROW(remove, SCENE, name_args, "take a participant out of the scene"),
+     .example = {"remove B", "remove A"}, .setup = PAIR_SETUP, .see = "undo"},
+    {ROW(copy, SCENE, copy_args, "add a copy of a participant"),
+     .example = {"copy A C", "copy B D"}, .setup = PAIR_SETUP, .see = "place"},
+    {ROW(new, SCENE, new_args, "begin an empty scene (undo brings the old one back)"),
+     .example = {"new", "new offset"}, .see = "load undo"},
+
+    {ROW(check, SOLVE, no_args, "tell what is missing or doubtful, with the command that mends it"),
+     .example = {"check", "check"}, .setup = PAIR_SETUP, .see = "solve"},
+    {ROW(solve, SOLVE, solve_args, "compute the crash"), .example = {"solve", "solve --step"},
+     .setup = PAIR_SETUP, .see = "show table explain"},
+    {ROW(explain, SOLVE, explain_args,
+         "Eq. (1) to (5) of the paper for one time slice, with the numbers of this crash"),
+     .example = {"explain 20ms", "explain slice=1"}, .setup = SOLVED, .see = "solve table"},
+    {ROW(sweep, SOLVE, sweep_args, "solve for a range of values of one or two inputs"),
+     .example = {"sweep A.speed 40:60:20km/h", "sweep B.overlap 40%:100%:60% jobs=2 plot=B.ees"},
+     .setup = PAIR_SETUP, .see = "table solve"},
+    {ROW(compare, SOLVE, compare_args, "errors of the result against measured values"),
+     .example = {"compare share/tutorial/reference.json",
+                 "compare share/tutorial/reference.json within=60%"},
+     .setup = SOLVED, .see = "assert pulse"},
+    {ROW(assert, SOLVE, assert_args, "stop with status 1 unless a result is as expected"),
+     .example = {"assert A.ees == 45km/h +- 50%", "assert B.delta_v > A.delta_v"}, .setup = SOLVED,
+     .see = "compare"},
+
+    {ROW(show, LOOK, show_args, "draw the scene, before, at a time, or after"),
+     .example = {"show field=energy time=30ms", "show frame=+10"}, .setup = SOLVED,
+     .see = "view pulse table"},
+    {ROW(view, LOOK, view_args, "choose the pane in front; at a plain prompt it is printed"),
+     .example = {"view pulse", "view scene zoom=on"}, .setup = SOLVED, .see = "show"},
+    {ROW(table, LOOK, table_args, "print a table of results, inputs, time slices or a sweep"),
+     .example = {"table", "table steps every=20"}, .setup = SOLVED, .see = "show pulse"},
+    {ROW(pulse, LOOK, pulse_args, "draw acceleration, speed or another quantity over the time"),
+     .example = {"pulse", "pulse B ax filter=cfc60"}, .setup = SOLVED, .see = "table compare"},
+
+    {ROW(load, FILES, load_args, "read a scene"),
+     .example = {"load share/tutorial/offset.json", "load --recover"}, .see = "save source"},
+    {ROW(save, FILES, save_args, "write the scene; ! overwrites another file"),
+     .example = {"save mine.json", "save! mine.json"}, .setup = PAIR_SETUP, .flags = CR_CMD_FORCE,
+     .see = "load export"},
+    {ROW(export, FILES, export_args, "write results, fields, pulses or pictures; ! overwrites"),
+     .example = {"export! result mine.csv", "export! pulse mine.csv"}, .setup = SOLVED,
+     .flags = CR_CMD_FORCE, .see = "save"},
+    {ROW(source, FILES, source_args, "run a command file"),
+     .example = {"source share/tutorial/1-first-crash.crumple",
+                 "source share/tutorial/2-ees-and-delta-v.crumple"},
+     .see = "load"},
+
+    {ROW(undo, SELF, count_args, "take back the last changes of the scene"),
+     .example = {"undo", "undo 2"}, .setup = PAIR_SETUP, .see = "redo history"},
+    {ROW(redo, SELF, count_args, "bring back what undo took"), .example = {"redo", "redo 1"},
+     .setup = PAIR_SETUP "undo 2\n", .see = "undo"},
+    {ROW(history, SELF, history_args, "list the lines typed so far"),
+     .example = {"history", "history 10"}, .see = "undo"},
+    {ROW(help, SELF, help_args, "list the commands, or explain one"),
+     .example = {"help", "help place"}, .see = "apropos"},
+    {ROW(apropos, SELF, apropos_args, "find commands by a word of their help"),
+     .example = {"apropos speed", "apropos overlap"}, .see = "help"},
+    {ROW(quit, SELF, no_args, "end the session; ! without asking"), .example = {"quit", "quit!"},
+     .flags = CR_CMD_FORCE, .see = "save"},
+};
+
+const struct cr_command *cr_commands(int *n) {
+    *n = (int)(sizeof commands / sizeof commands[0]);
+    return commands;
+}

@@ -1,0 +1,233 @@
+/* The words of the command line that lead to commands: files, -, -e, -i, --repl. */
+#include "repl/repl_priv.h"
+
+#include "base/file.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+volatile sig_atomic_t cr_repl_interrupted;
+
+static void on_interrupt(int sig) {
+    (void)sig;
+    cr_repl_interrupted = 1;
+}
+
+void cr_repl_catch_interrupt(void) {
+    struct sigaction action = {.sa_handler = on_interrupt};
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGINT, &action, NULL);
+}
+
+const char *cr_repl_state_dir(char *buf, int size) {
+    const char *state = getenv("XDG_STATE_HOME"), *home = getenv("HOME");
+    buf[0] = '\0';
+    if (state != NULL && state[0] == '/') {
+        snprintf(buf, (size_t)size, "%s/crumple", state);
+    } else if (home != NULL && home[0] == '/') {
+        snprintf(buf, (size_t)size, "%s/.local/state/crumple", home);
+    } else {
+        return buf;
+    }
+    for (char *p = buf + 1; *p != '\0'; p++) { /* each folder on the way, as XDG asks: 0700 */
+        if (*p == '/') {
+            *p = '\0';
+            mkdir(buf, 0700);
+            *p = '/';
+        }
+    }
+    if (mkdir(buf, 0700) != 0 && errno != EEXIST) {
+        buf[0] = '\0';
+    }
+    return buf;
+}
+
+/* ---- options ---- */
+
+struct options {
+    bool prompt, ascii;
+    const char *color;
+    int sources; /* files and -e among the arguments */
+};
+
+static const char usage[] = "crumple --help tells the options";
+
+int cr_repl_takes(const char *arg) {
+    size_t n = strlen(arg);
+    return strcmp(arg, "-") == 0 || strcmp(arg, "-e") == 0 || strcmp(arg, "-i") == 0 ||
+           strcmp(arg, "--repl") == 0 || strcmp(arg, "--ascii") == 0 ||
+           strncmp(arg, "--color", 7) == 0 ||
+           (arg[0] != '-' &&
+            (strchr(arg, '/') != NULL || (n > 8 && strcmp(arg + n - 8, ".crumple") == 0) ||
+             access(arg, F_OK) == 0));
+}
+
+static int fail(const char *what, const char *arg) {
+    fprintf(stderr, "crumple: error: %s '%s'. %s\n", what, arg, usage);
+    return 2;
+}
+
+static bool is_color(const char *word) {
+    return strcmp(word, "always") == 0 || strcmp(word, "auto") == 0 || strcmp(word, "never") == 0;
+}
+
+static int read_options(int argc, char **argv, struct options *o) {
+    *o = (struct options){.color = "auto"};
+    for (int i = 1; i < argc; i++) {
+        const char *arg = argv[i];
+        if (strcmp(arg, "-i") == 0 || strcmp(arg, "--repl") == 0) {
+            o->prompt = true;
+        } else if (strcmp(arg, "--ascii") == 0) {
+            o->ascii = true;
+        } else if (strncmp(arg, "--color=", 8) == 0 && is_color(arg + 8)) {
+            o->color = arg + 8;
+        } else if (strncmp(arg, "--color", 7) == 0) {
+            return fail("--color takes always, auto or never, not", arg);
+        } else if (strcmp(arg, "-e") == 0) {
+            if (++i == argc) {
+                return fail("a command must follow", arg);
+            }
+            o->sources++;
+        } else if (arg[0] == '-' && arg[1] != '\0') {
+            return fail("unknown option", arg);
+        } else {
+            o->sources++;
+        }
+    }
+    return 0;
+}
+
+/* ---- sources ---- */
+
+static enum cr_err say_error(const struct cr_error *err) {
+    char line[1200];
+    fflush(stdout);
+    fprintf(stderr, "crumple: %s\n", cr_err_format(err, line, sizeof line));
+    return err->code;
+}
+
+/* Lines as they arrive, so that another program can talk to this one through pipes. */
+static enum cr_err run_stream(struct cr_session *s) {
+    char *line = NULL;
+    size_t size = 0;
+    struct cr_str whole = {0};
+    enum cr_err code = CR_ERR_OK;
+    int number = 0, first = 1;
+    while (code == CR_ERR_OK && !cr_session_over(s)) {
+        ssize_t n = getline(&line, &size, stdin);
+        if (n < 0 || cr_repl_interrupted) {
+            break;
+        }
+        number++;
+        if (strlen(line) != (size_t)n) {
+            struct cr_error err;
+            cr_err_set(&err, CR_ERR_SYNTAX, "a NUL byte is no text");
+            cr_err_place(&err, "stdin", number, 1);
+            code = say_error(&err);
+            break;
+        }
+        cr_str_add(&whole, line);
+        if (!cr_line_open(line)) {
+            code = cr_session_script(s, cr_str_get(&whole), "stdin", first);
+            cr_str_clear(&whole);
+            first = number + 1;
+            fflush(stdout);
+        }
+    }
+    if (code == CR_ERR_OK && whole.len > 0) {
+        code = cr_session_script(s, cr_str_get(&whole), "stdin", first);
+    }
+    free(line);
+    cr_str_fini(&whole);
+    return code;
+}
+
+static enum cr_err run_file(struct cr_session *s, const char *path) {
+    struct cr_error err;
+    char *text;
+    size_t len;
+    if (strcmp(path, "-") == 0) {
+        return run_stream(s);
+    }
+    if (cr_file_read(path, &text, &len, &err) != CR_ERR_OK) {
+        return say_error(&err);
+    }
+    enum cr_err code;
+    if (strlen(text) != len) {
+        cr_err_set(&err, CR_ERR_SYNTAX, "a NUL byte is no text");
+        cr_err_place(&err, path, 1, 1);
+        code = say_error(&err);
+    } else {
+        code = cr_session_script(s, text, path, 1);
+    }
+    free(text);
+    return code;
+}
+
+static enum cr_err run_sources(struct cr_session *s, int argc, char **argv) {
+    enum cr_err code = CR_ERR_OK;
+    for (int i = 1; i < argc && code == CR_ERR_OK && !cr_session_over(s); i++) {
+        if (strcmp(argv[i], "-e") == 0) {
+            code = cr_session_script(s, argv[++i], "-e", 1);
+        } else if (argv[i][0] != '-' || argv[i][1] == '\0') {
+            code = run_file(s, argv[i]);
+        }
+    }
+    return code;
+}
+
+static void greet(struct cr_session *s, const char *state_dir) {
+    puts("Crumple: crash simulation by voxels. help lists the commands, Tab completes, ^D ends.");
+    if (cr_session_left_behind(state_dir)) {
+        puts("  An earlier session ended without being quit. Its scene: load --recover");
+    }
+    (void)s;
+}
+
+int cr_repl_main(int argc, char **argv, const char *data_dir) {
+    struct options o;
+    struct cr_error err;
+    char state_dir[1024] = "";
+    struct cr_session *s;
+    int status = read_options(argc, argv, &o);
+    if (status != 0) {
+        return status;
+    }
+    bool tty = isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
+    bool prompt = tty && (o.prompt || o.sources == 0);
+    struct cr_terminal t = {.progress = isatty(STDERR_FILENO) != 0};
+    if (prompt) {
+        cr_repl_state_dir(state_dir, sizeof state_dir);
+    }
+    struct cr_session_opts opts = {.data_dir = data_dir,
+                                   .state_dir = state_dir[0] != '\0' ? state_dir : NULL,
+                                   .ask = prompt,
+                                   .look = cr_terminal_look(o.color, o.ascii),
+                                   .out = cr_terminal_out(&t)};
+    cr_repl_catch_interrupt();
+    if (cr_session_new(&opts, &s, &err) != CR_ERR_OK) {
+        say_error(&err);
+        return cr_err_status(err.code);
+    }
+    enum cr_err code = o.sources > 0 ? run_sources(s, argc, argv) : CR_ERR_OK;
+    if (prompt && code == CR_ERR_OK && !cr_session_over(s)) {
+        t.prompt = true;
+        greet(s, state_dir);
+        code = cr_repl_prompt(s, &t, state_dir);
+    } else if (!prompt && code == CR_ERR_OK && (o.sources == 0 || o.prompt)) {
+        code = run_stream(s);
+    }
+    cr_session_free(s);
+    if (cr_repl_interrupted && code == CR_ERR_OK && !prompt) {
+        code = CR_ERR_INTERRUPTED;
+    }
+    if (fflush(stdout) != 0 || ferror(stdout)) {
+        fprintf(stderr, "crumple: error: cannot write to standard output: %s\n", strerror(errno));
+        return 2;
+    }
+    return cr_err_status(code);
+}
