@@ -314,7 +314,7 @@ static enum cr_err no_place(struct cr_call *call, const struct cr_token *tok,
     }
     call->blame = tok;
     cr_err_set(err, CR_ERR_SYNTAX, "unknown word '%.60s' for '%s'", tok->text, call->cmd->name);
-    const char *near = cr_str_nearest(tok->text, list, n);
+    const char *near = strlen(tok->text) > 2 ? cr_str_nearest(tok->text, list, n) : NULL;
     if (near != NULL) {
         cr_err_hint(err, "did you mean '%s=...'?", near);
     } else {

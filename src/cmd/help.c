@@ -109,23 +109,22 @@ void cr_arg_help(const struct cr_arg *arg, struct cr_str *out) {
 /* adds text folded at `width` columns, each line after the first indented */
 static void fold(struct cr_str *out, const char *text, int first, int indent, int width) {
     int col = first;
+    bool begun = false;
     while (*text != '\0') {
         int n = (int)strcspn(text, " ");
-        if (col + n > width && col > indent) {
+        if (begun && col + 1 + n > width) {
             cr_str_add(out, "\n");
             cr_str_fill(out, ' ', indent);
             col = indent;
+        } else if (begun) {
+            cr_str_add(out, " ");
+            col++;
         }
         cr_str_addn(out, text, (size_t)n);
         col += n;
+        begun = true;
         text += n;
-        if (*text == ' ') {
-            text++;
-            if (col + 1 < width) {
-                cr_str_add(out, " ");
-                col++;
-            }
-        }
+        text += strspn(text, " ");
     }
     cr_str_add(out, "\n");
 }

@@ -210,7 +210,7 @@ enum cr_err cr_measure_eval(struct cr_session *s, const char *name, struct cr_qu
     }
     if (cr_session_state(s) != CR_STATE_SOLVED) {
         cr_err_set(err, CR_ERR_MISSING, "the scene changed after it was solved");
-        cr_err_hint(err, "Try: solve");
+        cr_err_hint(err, "try: solve");
         return CR_ERR_MISSING;
     }
     const char *word = word_of(s->result, part, rest);

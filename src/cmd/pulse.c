@@ -314,7 +314,7 @@ enum cr_err cr_cmd_pulse(struct cr_call *call, struct cr_error *err) {
         if (what.only < 0) {
             cr_err_set(err, CR_ERR_MISSING, "%s was not there when the scene was solved",
                        cr_cmd_text(call, "NAME", ""));
-            cr_err_hint(err, "Try: solve");
+            cr_err_hint(err, "try: solve");
             return cr_cmd_blame(call, "NAME", CR_ERR_MISSING);
         }
     }

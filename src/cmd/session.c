@@ -229,7 +229,7 @@ enum cr_err cr_session_need_result(struct cr_session *s, struct cr_error *err) {
         return CR_ERR_OK;
     }
     cr_err_set(err, CR_ERR_MISSING, "nothing has been solved yet");
-    cr_err_hint(err, "Try: solve");
+    cr_err_hint(err, "try: solve");
     return CR_ERR_MISSING;
 }
 

@@ -47,7 +47,7 @@ static enum cr_err run(struct cr_session *s, struct cr_error *err) {
     struct cr_result *result = NULL;
     if (cr_session_scene(s)->n < 2) {
         cr_err_set(err, CR_ERR_MISSING, "a crash needs two participants");
-        cr_err_hint(err, "Try: check");
+        cr_err_hint(err, "try: check");
         return CR_ERR_MISSING;
     }
     enum cr_err code = cr_session_need_models(s, err);
@@ -64,7 +64,7 @@ static enum cr_err run(struct cr_session *s, struct cr_error *err) {
     if (code == CR_ERR_OK) {
         cr_session_take_result(s, result);
     } else if (err != NULL && err->hint[0] == '\0' && code != CR_ERR_INTERRUPTED) {
-        cr_err_hint(err, "Try: check");
+        cr_err_hint(err, "try: check");
     }
     return code;
 }

@@ -87,7 +87,7 @@ static enum cr_err find_variable(const struct cr_session *s, const char *text, s
     }
     if (out->key->key == NULL && cr_placed_find(cr_session_now(s), out->id) == NULL) {
         cr_err_set(err, CR_ERR_MISSING, "%s was not placed against another", out->id);
-        cr_err_hint(err, "Try: place %s facing %s overlap=50%%", out->id,
+        cr_err_hint(err, "try: place %s facing %s overlap=50%%", out->id,
                     scene->n > 1 ? scene->part[strcmp(scene->part[0].id, out->id) == 0].id : "B");
         return CR_ERR_MISSING;
     }
