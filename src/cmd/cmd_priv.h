@@ -190,7 +190,8 @@ enum cr_err cr_cmd_picture(struct cr_session *s, int width, int height,
 
 #define CR_CMD_LIST(X)                                                                             \
     X(vehicle)                                                                                     \
-    X(object) X(model) X(place) X(move) X(set) X(check) X(solve) X(show) X(view) X(table) X(pulse) \
+    X(object)                                                                                      \
+    X(model) X(place) X(move) X(set) X(check) X(solve) X(show) X(view) X(table) X(pulse)           \
         X(explain) X(compare) X(assert) X(sweep) X(load) X(save) X(export) X(source) X(undo)       \
             X(redo) X(history) X(new) X(list) X(remove) X(copy) X(help) X(apropos) X(quit)
 #define X(name) enum cr_err cr_cmd_##name(struct cr_call *call, struct cr_error *err);

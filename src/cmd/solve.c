@@ -5,20 +5,40 @@
 #include <stdio.h>
 #include <string.h>
 
-/* polled by the solver every time slice */
-static int tick(void *user) {
+/* share of the approach at first touch that the latest time slice has taken away */
+static double approach_lost(const struct cr_solution *sol) {
+    if (sol->slices == 0) {
+        return NAN;
+    }
+    const struct cr_slice *c = &sol->slice[sol->slices - 1];
+    double closing = sol->contact[c->contact].closing;
+    return closing > 0 ? cr_clamp(1 - c->approach / closing, 0, 1) : (double)NAN;
+}
+
+/* called every time slice */
+static void watch(void *user, struct cr_solver *solver, const struct cr_compiled *compiled) {
     struct cr_session *s = user;
     double elapsed;
     if (cr_work_due(s, &elapsed)) {
-        struct cr_progress p = {
-            .what = "SOLVING", .share = NAN, .elapsed = elapsed, .left = NAN, .time = NAN};
+        const struct cr_solution *sol = cr_solver_solution(solver);
+        struct cr_progress p = {.what = "SOLVING",
+                                .share = approach_lost(sol),
+                                .elapsed = elapsed,
+                                .left = NAN,
+                                .time = cr_solver_time(solver) - sol->t_contact,
+                                .live = sol,
+                                .cs = &compiled->cs};
         s->opts.out.progress(s->opts.out.user, &p);
     }
-    return cr_work_cancelled(s);
+}
+
+static int cancelled(void *user) {
+    return cr_work_cancelled(user);
 }
 
 struct cr_context cr_session_context(struct cr_session *s) {
-    return (struct cr_context){.models = s->models, .irf = s->irf, .cancel = tick, .user = s};
+    return (struct cr_context){
+        .models = s->models, .irf = s->irf, .cancel = cancelled, .watch = watch, .user = s};
 }
 
 static void say_result(struct cr_session *s) {

@@ -12,13 +12,14 @@
 void cr_terminal_size(int *width, int *height) {
     struct winsize size;
     const char *columns = getenv("COLUMNS");
+    long told = columns != NULL ? strtol(columns, NULL, 10) : 0;
     *width = 80;
     *height = 24;
     if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 && size.ws_row > 0) {
         *width = size.ws_col;
         *height = size.ws_row;
-    } else if (columns != NULL && atoi(columns) >= 20 && atoi(columns) <= 400) {
-        *width = atoi(columns);
+    } else if (told >= 20 && told <= 400) {
+        *width = (int)told;
     }
 }
 
@@ -100,8 +101,8 @@ static void progress(void *user, const struct cr_progress *p) {
                      p->done / p->elapsed, ceil(p->left));
         }
     } else if (isfinite(p->share)) {
-        snprintf(line, sizeof line, "%s %.0f %%  t %.1f ms  %.1f s", p->what, 100 * p->share,
-                 1e3 * p->time, p->elapsed);
+        snprintf(line, sizeof line, "%s %.0f %% of the approach  t %.1f ms  %.1f s", p->what,
+                 100 * p->share, 1e3 * p->time, p->elapsed);
     } else {
         snprintf(line, sizeof line, "%s  %.1f s", p->what, p->elapsed);
     }

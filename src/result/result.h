@@ -71,6 +71,8 @@ struct cr_context {
     const struct cr_model_lib *models;
     const struct cr_irf_set *irf; /* NULL: no injury probabilities */
     int (*cancel)(void *);        /* polled while solving, NULL: never */
+    /* called before cancel with the solve that is running, NULL: never; the solution may be read */
+    void (*watch)(void *, struct cr_solver *solver, const struct cr_compiled *compiled);
     void *user;
 };
 

@@ -76,6 +76,21 @@ static void read_pdof(const struct cr_solution *sol, double pdof[CR_BODY_MAX]) {
     }
 }
 
+/* a solve under way, for who watches it */
+struct watched {
+    const struct cr_context *ctx;
+    struct cr_solver *solver;
+    const struct cr_compiled *compiled;
+};
+
+static int poll_watched(void *user) {
+    const struct watched *w = user;
+    if (w->ctx->watch != NULL) {
+        w->ctx->watch(w->ctx->user, w->solver, w->compiled);
+    }
+    return w->ctx->cancel != NULL ? w->ctx->cancel(w->ctx->user) : 0;
+}
+
 /* compile and solve; on success the caller owns compiled and solver */
 static enum cr_err solve(const struct cr_scene *scene, const struct cr_context *ctx,
                          const double pdof[CR_BODY_MAX], struct cr_compiled *compiled,
@@ -86,7 +101,8 @@ static enum cr_err solve(const struct cr_scene *scene, const struct cr_context *
         return rc;
     }
     rc = cr_solver_new(&compiled->cs, solver, err);
-    rc = rc ? rc : cr_solver_run(*solver, ctx->cancel, ctx->user, err);
+    struct watched watched = {ctx, *solver, compiled};
+    rc = rc ? rc : cr_solver_run(*solver, poll_watched, &watched, err);
     if (rc) {
         cr_solver_free(*solver);
         *solver = NULL;
