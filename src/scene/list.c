@@ -1,11 +1,10 @@
 /* The two lists of a scene file: corners of a polygon and rows of a trajectory. */
 #include "scene/scene_priv.h"
 
+#include <cjson/cJSON.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum { WAYPOINT_MAX = 100000 };
 
 enum cr_err cr_scene_vertices_read(struct cr_reader *r, const struct cr_key *key, const cJSON *json,
                                    void *base) {
@@ -107,9 +106,9 @@ enum cr_err cr_scene_trajectory_read(struct cr_reader *r, const struct cr_key *k
     if (n < 0) {
         return cr_scene_wrong_type(r, key, "an array of rows", json);
     }
-    if (n < 2 || n > WAYPOINT_MAX) {
+    if (n < 2 || n > CR_WAYPOINT_MAX) {
         return cr_scene_fail(r, CR_ERR_RANGE, "%s must have 2 to %d rows, got %d", key->name,
-                             WAYPOINT_MAX, n);
+                             CR_WAYPOINT_MAX, n);
     }
     struct cr_waypoint *way = calloc((size_t)n, sizeof *way);
     if (way == NULL) {

@@ -5,8 +5,10 @@ libscene_a_SOURCES = \
 	src/scene/keys.c src/scene/keys.h \
 	src/scene/list.c \
 	src/scene/outline.c \
+	src/scene/place.c \
 	src/scene/read.c \
 	src/scene/resolve.c \
+	src/scene/schema.c \
 	src/scene/scene.c src/scene/scene.h \
 	src/scene/scene_priv.h \
 	src/scene/set.c \

@@ -15,7 +15,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum { CR_NAME_MAX = 64, CR_PATH_MAX = 512, CR_VERTEX_MAX = 64 };
+enum { CR_NAME_MAX = 64, CR_PATH_MAX = 512, CR_VERTEX_MAX = 64, CR_WAYPOINT_MAX = 100000 };
 
 enum cr_method { CR_METHOD_EXTENDED, CR_METHOD_PAPER };
 enum cr_dive { CR_DIVE_OFF, CR_DIVE_ON };
@@ -163,16 +163,23 @@ void cr_compiled_fini(struct cr_compiled *compiled);
  * tests; returns the number of points (a wall: a long rectangle behind its face). */
 int cr_scene_outline(const struct cr_participant *part, struct cr_vec2 *out, int max);
 
-/* Placement (command `place`): put `part` with its face against another's. side is the part of
- * the struck participant that is met: front, left, rear or right. overlap 0..1 of the narrower
- * width, from the given side of the struck one; angle turns it about the first touch, gap in m. */
+/* Placement (command `place`): put `part` against another, which stays. Vehicles count as the
+ * rectangle of length and width, so both must have dimensions (a resolved scene). Their outlines
+ * end up exactly `gap` apart; 0 touches without overlap. facing   its front against the other's
+ * front, heading against it behind   its front against the other's rear, heading with it beside
+ * flank against the other's flank on `side`, heading with it hitting  its front against `side` of
+ * the other, square to it Front and rear: `overlap` is the share of the narrower width that meets,
+ * from the other's edge on overlap_side. Flanks: `along` says where. `angle` turns it about the
+ * point of first touch, counter-clockwise, before it is brought together. A trajectory of `part` is
+ * dropped; its speed and course are kept. Errors: NAME, RANGE, MISSING (dimensions). */
 enum cr_place_rel { CR_PLACE_FACING, CR_PLACE_BEHIND, CR_PLACE_BESIDE, CR_PLACE_HITTING };
 struct cr_place {
     enum cr_place_rel rel;
     enum cr_face side; /* of the other participant (facing: front, behind: rear) */
     double overlap;    /* 0..1 */
     int overlap_side;  /* +1: its left, -1: its right half of the other is met, 0: centred */
-    double along;      /* hitting a side: m behind the front end of the struck face's vehicle */
+    double along;      /* flanks: m from the other's front end rearward to the middle of what hits
+                          (beside: to the front of part) */
     double angle;      /* rad */
     double gap;        /* m between the outlines */
 };

@@ -4,14 +4,12 @@
 
 #include "scene/keys.h"
 
-#include <cjson/cJSON.h>
-
 /* Reading of a JSON tree: where we are, for messages, and where x_ keys go. */
 struct cr_reader {
     struct cr_error *err;
-    char path[128]; /* JSON pointer of the value being read */
-    cJSON *extra;   /* x_ keys of the object being read, owned */
-    bool draft;     /* keys and participants may still be missing */
+    char path[128];      /* JSON pointer of the value being read */
+    struct cJSON *extra; /* x_ keys of the object being read, owned */
+    bool draft;          /* keys and participants may still be missing */
 };
 
 /* Fill in the error with the reader's place; returns code. */
@@ -24,41 +22,41 @@ void cr_scene_leave(struct cr_reader *r, size_t length);
 
 /* x_ keys of an inner object or array are kept apart, and joined to those of the outer one under
  * its token when it is left. Errors: MEMORY. */
-CR_MUST_CHECK enum cr_err cr_scene_extra_in(struct cr_reader *r, cJSON **outer);
-void cr_scene_extra_out(struct cr_reader *r, const char *token, cJSON *outer);
+CR_MUST_CHECK enum cr_err cr_scene_extra_in(struct cr_reader *r, struct cJSON **outer);
+void cr_scene_extra_out(struct cr_reader *r, const char *token, struct cJSON *outer);
 
 /* All members of an object by a table, with those of inner objects ("cg."); `given` gets bits. */
 CR_MUST_CHECK enum cr_err cr_scene_members_read(struct cr_reader *r, enum cr_key_table table,
-                                                unsigned mask, const cJSON *json,
+                                                unsigned mask, const struct cJSON *json,
                                                 const char *prefix, void *base, uint64_t *given);
 
 /* JSON value of a key -> its field in *base (a scene, settings, participant or waypoint); nothing
  * is changed when it fails. */
 CR_MUST_CHECK enum cr_err cr_scene_value_read(struct cr_reader *r, const struct cr_key *key,
-                                              const cJSON *json, void *base);
+                                              const struct cJSON *json, void *base);
 /* The inverse, for a value that is known: NULL when memory is out. */
-cJSON *cr_scene_value_write(const struct cr_key *key, const void *base);
+struct cJSON *cr_scene_value_write(const struct cr_key *key, const void *base);
 bool cr_scene_value_known(const struct cr_key *key, const void *base);
 /* Give the field the value it has where nothing is given, in a scene of that method. */
 void cr_scene_value_reset(const struct cr_key *key, void *base, int method);
 
 CR_MUST_CHECK enum cr_err cr_scene_vertices_read(struct cr_reader *r, const struct cr_key *key,
-                                                 const cJSON *json, void *base);
-cJSON *cr_scene_vertices_write(const struct cr_key *key, const void *base);
+                                                 const struct cJSON *json, void *base);
+struct cJSON *cr_scene_vertices_write(const struct cr_key *key, const void *base);
 CR_MUST_CHECK enum cr_err cr_scene_trajectory_read(struct cr_reader *r, const struct cr_key *key,
-                                                   const cJSON *json, void *base);
-cJSON *cr_scene_trajectory_write(const struct cr_key *key, const void *base);
+                                                   const struct cJSON *json, void *base);
+struct cJSON *cr_scene_trajectory_write(const struct cr_key *key, const void *base);
 
 /* "KEY: expected ..., got ..." */
 enum cr_err cr_scene_wrong_type(struct cr_reader *r, const struct cr_key *key, const char *expected,
-                                const cJSON *json);
+                                const struct cJSON *json);
 /* An array of n numbers, checked against the range of the key, and back. */
 CR_MUST_CHECK enum cr_err cr_scene_numbers_read(struct cr_reader *r, const struct cr_key *key,
-                                                const cJSON *json, double *out, int n,
+                                                const struct cJSON *json, double *out, int n,
                                                 const char *expected);
-cJSON *cr_scene_numbers_write(const struct cr_key *key, const double *x, int n);
+struct cJSON *cr_scene_numbers_write(const struct cr_key *key, const double *x, int n);
 /* What stands in the JSON, for messages: string "north", an array. */
-const char *cr_scene_describe(const cJSON *json, char *buf, size_t size);
+const char *cr_scene_describe(const struct cJSON *json, char *buf, size_t size);
 
 /* A polygon without crossing edges and with an area; made counter-clockwise. */
 CR_MUST_CHECK enum cr_err cr_scene_polygon_check(struct cr_reader *r, struct cr_vec2 *vertex,

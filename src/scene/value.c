@@ -1,6 +1,7 @@
 /* One value of a scene file, read and written: a pair of functions per type of key. */
 #include "scene/scene_priv.h"
 
+#include <cjson/cJSON.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -4,6 +4,7 @@
 
 #include "base/file.h"
 
+#include <cjson/cJSON.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -46,8 +47,9 @@ static bool merge(cJSON *into, const cJSON *extra) {
             }
             continue;
         }
-        cJSON *inner = cJSON_IsArray(into) ? cJSON_GetArrayItem(into, atoi(m->string))
-                                           : cJSON_GetObjectItemCaseSensitive(into, m->string);
+        cJSON *inner = cJSON_IsArray(into)
+                           ? cJSON_GetArrayItem(into, (int)strtol(m->string, NULL, 10))
+                           : cJSON_GetObjectItemCaseSensitive(into, m->string);
         if (inner == NULL && cJSON_IsObject(into) && strcmp(m->string, "trajectory") != 0) {
             inner = cJSON_CreateObject();
             if (!put(into, m->string, inner)) {

@@ -1,0 +1,286 @@
+/* Placing one participant against another: align, then bring together until the outlines are as far
+ * apart as wanted. */
+#include "scene/scene_priv.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { CORNER_MAX = CR_VERTEX_MAX, STEP_MAX = 2000 };
+
+/* An outline as corners with a radius about each: exact for poles and rounded boxes. */
+struct hull {
+    int n;
+    struct cr_vec2 corner[CORNER_MAX];
+    double radius;
+};
+
+static void hull_of(const struct cr_participant *p, struct hull *out) {
+    struct cr_participant plain = *p;
+    bool rounded = p->kind == CR_KIND_OBJECT && p->shape == CR_OBJECT_BOX;
+    out->radius = 0;
+    if (p->kind == CR_KIND_OBJECT && p->shape == CR_OBJECT_POLE) {
+        out->n = 1;
+        out->corner[0] = cr_vec2(0, 0);
+        out->radius = p->radius;
+        return;
+    }
+    if (rounded) {
+        out->radius = p->edge_radius;
+        plain.length -= 2 * p->edge_radius;
+        plain.width -= 2 * p->edge_radius;
+        plain.edge_radius = 0;
+    }
+    out->n = cr_scene_outline(&plain, out->corner, CORNER_MAX);
+}
+
+static void extent(const struct hull *h, double *front, double *rear, double *left, double *right) {
+    *front = *left = -INFINITY;
+    *rear = *right = INFINITY;
+    for (int i = 0; i < h->n; i++) {
+        *front = fmax(*front, h->corner[i].x + h->radius);
+        *rear = fmin(*rear, h->corner[i].x - h->radius);
+        *left = fmax(*left, h->corner[i].y + h->radius);
+        *right = fmin(*right, h->corner[i].y - h->radius);
+    }
+}
+
+static struct hull hull_at(const struct hull *h, struct cr_vec2 pos, double heading) {
+    struct hull out = {.n = h->n, .radius = h->radius};
+    double c = cos(heading), s = sin(heading);
+    for (int i = 0; i < h->n; i++) {
+        out.corner[i] = cr_vec2_add(pos, cr_vec2_rotate(h->corner[i], c, s));
+    }
+    return out;
+}
+
+static double point_to_edge(struct cr_vec2 p, struct cr_vec2 a, struct cr_vec2 b) {
+    struct cr_vec2 ab = cr_vec2_sub(b, a), ap = cr_vec2_sub(p, a);
+    double l2 = cr_vec2_dot(ab, ab);
+    double t = l2 > 0 ? cr_clamp(cr_vec2_dot(ap, ab) / l2, 0, 1) : 0;
+    return cr_vec2_len(cr_vec2_axpy(ap, -t, ab));
+}
+
+static double corners_to_edges(const struct hull *a, const struct hull *b) {
+    double least = INFINITY;
+    for (int i = 0; i < a->n; i++) {
+        for (int k = 0; k < b->n; k++) {
+            least =
+                fmin(least, point_to_edge(a->corner[i], b->corner[k], b->corner[(k + 1) % b->n]));
+        }
+    }
+    return least;
+}
+
+/* distance between outlines that do not overlap */
+static double distance(const struct hull *a, const struct hull *b) {
+    return fmin(corners_to_edges(a, b), corners_to_edges(b, a)) - a->radius - b->radius;
+}
+
+/* Moves a by `back` along the unit vector `to`, which leads to b: from far away in steps as long as
+ * the distance that is left, which never pass a touch. False if a passes b by. */
+static bool bring_together(struct hull a, const struct hull *b, struct cr_vec2 to, double gap,
+                           double far_off, double *moved) {
+    *moved = 0;
+    for (int i = 0; i < STEP_MAX && *moved < 3 * far_off; i++) {
+        double step = distance(&a, b) - gap;
+        if (step < 1e-12) {
+            return true;
+        }
+        *moved += step;
+        for (int k = 0; k < a.n; k++) {
+            a.corner[k] = cr_vec2_axpy(a.corner[k], step, to);
+        }
+    }
+    return *moved < 3 * far_off;
+}
+
+/* Where the face that is met lies, in the frame of the struck participant. */
+struct face {
+    struct cr_vec2 middle, normal; /* the face's outward normal */
+    double left, right;            /* its ends along perp(normal): +left, -right */
+    bool endless;
+};
+
+static struct face face_of(const struct cr_participant *other, const struct hull *h,
+                           enum cr_face side) {
+    double front, rear, left, right;
+    extent(h, &front, &rear, &left, &right);
+    bool wall = other->kind == CR_KIND_OBJECT && other->shape == CR_OBJECT_WALL;
+    struct face f = {.endless = wall};
+    double x = (front + rear) / 2, y = (left + right) / 2;
+    const struct face all[CR_FACES] = {
+        [CR_FACE_FRONT] = {.middle = {front, y}, .normal = {1, 0}, .left = left - y},
+        [CR_FACE_LEFT] = {.middle = {x, left}, .normal = {0, 1}, .left = front - x},
+        [CR_FACE_REAR] = {.middle = {rear, y}, .normal = {-1, 0}, .left = left - y},
+        [CR_FACE_RIGHT] = {.middle = {x, right}, .normal = {0, -1}, .left = front - x},
+    };
+    bool endless = f.endless;
+    f = all[side];
+    f.right = f.left;
+    f.endless = endless;
+    return f;
+}
+
+/* Offset of the part's centre line along the face, positive to the left of the struck participant
+ * (front, rear) or to its front (flanks). */
+static enum cr_err offset_of(const struct cr_place *how, const struct face *f, double half,
+                             double front, double *offset, struct cr_error *err) {
+    bool flank = how->side == CR_FACE_LEFT || how->side == CR_FACE_RIGHT;
+    *offset = 0;
+    if (flank) {
+        *offset = front - f->middle.x - how->along;
+        return CR_ERR_OK;
+    }
+    if (!(how->overlap > 0 && how->overlap <= 1)) {
+        return cr_err_set(err, CR_ERR_RANGE, "overlap must be above 0 and up to 100 %%, got %g %%",
+                          100 * how->overlap);
+    }
+    if (how->overlap_side == 0 || f->endless) {
+        if (how->overlap < 1) {
+            cr_err_set(err, CR_ERR_RANGE, "overlap of %g %% has no side", 100 * how->overlap);
+            cr_err_hint(err, f->endless ? "a wall has no edge; use a box"
+                                        : "say which side is met, left or right");
+            return CR_ERR_RANGE;
+        }
+        return CR_ERR_OK;
+    }
+    /* the band of the part begins where the overlap ends, counted from the struck one's edge */
+    double narrow = 2 * fmin(half, f->left);
+    *offset = how->overlap_side * (f->left - how->overlap * narrow + half);
+    return CR_ERR_OK;
+}
+
+/* Pose of the part before it is brought together: far off along the normal, centre line on the
+ * offset, nose towards the face (beside: parallel), turned about the point it would touch. */
+static void align(const struct cr_place *how, const struct face *f, const struct hull *part,
+                  double offset, double far_off, struct cr_vec2 *pos, double *heading) {
+    double front, rear, left, right;
+    extent(part, &front, &rear, &left, &right);
+    bool flank = how->side == CR_FACE_LEFT || how->side == CR_FACE_RIGHT;
+    struct cr_vec2 along = flank ? cr_vec2(1, 0) : cr_vec2(0, 1);
+    struct cr_vec2 touch = cr_vec2_axpy(f->middle, offset, along), origin;
+    double to_face = atan2(-f->normal.y, -f->normal.x);
+    if (how->rel == CR_PLACE_BESIDE) {
+        /* flank to flank, fronts `along` apart */
+        bool on_left = how->side == CR_FACE_LEFT;
+        origin = cr_vec2(touch.x - front, touch.y + (on_left ? -right : -left));
+        *heading = 0;
+    } else {
+        origin = cr_vec2_axpy(touch, front, f->normal);
+        *heading = to_face;
+    }
+    struct cr_vec2 arm = cr_vec2_sub(origin, touch);
+    origin = cr_vec2_add(touch, cr_vec2_rotate(arm, cos(how->angle), sin(how->angle)));
+    *pos = cr_vec2_axpy(origin, far_off, f->normal);
+    *heading += how->angle;
+}
+
+static enum cr_err check_known(const struct cr_participant *p, const struct hull *h,
+                               struct cr_error *err) {
+    if (h->n > 0 && isfinite(h->radius)) {
+        return CR_ERR_OK;
+    }
+    cr_err_set(err, CR_ERR_MISSING, "\"%s\" has no dimensions yet", p->id);
+    cr_err_hint(err, "give its type, mass and size first");
+    return CR_ERR_MISSING;
+}
+
+/* the side that a relation means by itself */
+static struct cr_place normal_form(const struct cr_place *how) {
+    struct cr_place out = *how;
+    if (how->rel == CR_PLACE_FACING) {
+        out.side = CR_FACE_FRONT;
+    } else if (how->rel == CR_PLACE_BEHIND) {
+        out.side = CR_FACE_REAR;
+    } else if (how->rel == CR_PLACE_BESIDE && how->side != CR_FACE_RIGHT) {
+        out.side = CR_FACE_LEFT;
+    }
+    return out;
+}
+
+static void settle(struct cr_participant *p, struct cr_vec2 pos, double heading) {
+    static const char *const keys[] = {"position_m", "heading_deg"};
+    int n;
+    const struct cr_key *row = cr_scene_keys(CR_KEYS_PARTICIPANT, &n);
+    for (size_t i = 0; i < 2; i++) {
+        const struct cr_key *key = cr_scene_key_find(CR_KEYS_PARTICIPANT, keys[i], CR_FOR_ALL);
+        p->given |= (uint64_t)1 << (key - row);
+    }
+    const struct cr_key *follow = cr_scene_key_find(CR_KEYS_PARTICIPANT, "trajectory", CR_FOR_ALL);
+    p->given &= ~((uint64_t)1 << (follow - row));
+    free(p->waypoint);
+    p->waypoint = NULL;
+    p->waypoints = 0;
+    p->pos = pos;
+    p->heading = cr_angle_wrap(heading);
+}
+
+static enum cr_err check_wish(const struct cr_participant *p, const struct cr_participant *o,
+                              const struct cr_place *how, struct cr_error *err) {
+    if (p == o) {
+        return cr_err_set(err, CR_ERR_NAME, "\"%s\" cannot be placed against itself", p->id);
+    }
+    if (!(how->gap >= 0) || !isfinite(how->gap)) {
+        return cr_err_set(err, CR_ERR_RANGE, "gap must be 0 m or more, got %g m", how->gap);
+    }
+    if (!isfinite(how->angle) || !isfinite(how->along)) {
+        return cr_err_set(err, CR_ERR_RANGE, "angle and place along the side must be finite");
+    }
+    return CR_ERR_OK;
+}
+
+/* Pose of the hull `mine` in the frame of the other participant. */
+static enum cr_err find_pose(const struct cr_participant *other, const struct hull *mine,
+                             const struct hull *theirs, const struct cr_place *how,
+                             struct cr_vec2 *pos, double *heading, struct cr_error *err) {
+    double front, rear, left, right, offset, moved;
+    struct face f = face_of(other, theirs, how->side);
+    extent(mine, &front, &rear, &left, &right);
+    double half = (left - right) / 2, size = hypot(front - rear, left - right);
+    extent(theirs, &front, &rear, &left, &right);
+    enum cr_err code = offset_of(how, &f, half, front, &offset, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    double far_off = 2 * (size + hypot(front - rear, left - right)) + how->gap;
+    align(how, &f, mine, offset, far_off, pos, heading);
+    struct hull there = hull_at(mine, *pos, *heading);
+    struct cr_vec2 to = cr_vec2_scale(f.normal, -1);
+    if (!bring_together(there, theirs, to, how->gap, far_off, &moved)) {
+        cr_err_set(err, CR_ERR_RANGE, "placed like this it passes \"%s\" by", other->id);
+        cr_err_hint(err, "change the overlap, or where along the side it hits");
+        return CR_ERR_RANGE;
+    }
+    *pos = cr_vec2_axpy(*pos, moved, to);
+    return CR_ERR_OK;
+}
+
+enum cr_err cr_scene_place(struct cr_scene *scene, const char *id, const char *other,
+                           const struct cr_place *how, struct cr_error *err) {
+    struct cr_participant *p = cr_scene_find(scene, id), *o = cr_scene_find(scene, other);
+    if (p == NULL || o == NULL) {
+        return cr_scene_unknown_id(scene, p == NULL ? id : other, err);
+    }
+    struct cr_place wish = normal_form(how);
+    struct hull mine, theirs;
+    struct cr_vec2 pos;
+    double heading;
+    hull_of(p, &mine);
+    hull_of(o, &theirs);
+    enum cr_err code = check_wish(p, o, &wish, err);
+    if (code == CR_ERR_OK) {
+        code = check_known(p, &mine, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = check_known(o, &theirs, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = find_pose(o, &mine, &theirs, &wish, &pos, &heading, err);
+    }
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    double c = cos(o->heading), s = sin(o->heading);
+    settle(p, cr_vec2_add(o->pos, cr_vec2_rotate(pos, c, s)), o->heading + heading);
+    return CR_ERR_OK;
+}

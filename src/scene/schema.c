@@ -1,0 +1,284 @@
+/* The JSON Schema of the scene file, from the same tables that read it. */
+#include "scene/scene_priv.h"
+
+#include <cjson/cJSON.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Everything that is built hangs on one tree; when memory runs out that is noted once. */
+struct build {
+    cJSON *root;
+    bool failed;
+};
+
+static cJSON *add(struct build *b, cJSON *to, const char *name, cJSON *item) {
+    bool done =
+        item != NULL && to != NULL &&
+        (name != NULL ? cJSON_AddItemToObject(to, name, item) : cJSON_AddItemToArray(to, item));
+    if (!done) {
+        cJSON_Delete(item);
+        b->failed = true;
+        return NULL;
+    }
+    return item;
+}
+
+static cJSON *object(struct build *b, cJSON *to, const char *name) {
+    return add(b, to, name, cJSON_CreateObject());
+}
+
+static cJSON *array(struct build *b, cJSON *to, const char *name) {
+    return add(b, to, name, cJSON_CreateArray());
+}
+
+static void text(struct build *b, cJSON *to, const char *name, const char *value) {
+    add(b, to, name, cJSON_CreateString(value));
+}
+
+static void number(struct build *b, cJSON *to, const char *name, double value) {
+    add(b, to, name, cJSON_CreateNumber(value));
+}
+
+static void number_schema(struct build *b, cJSON *to, const struct cr_key *key) {
+    text(b, to, "type", "number");
+    number(b, to, "minimum", key->lo);
+    number(b, to, "maximum", key->hi);
+}
+
+static void number_or_auto(struct build *b, cJSON *to, const struct cr_key *key) {
+    cJSON *any = array(b, to, "anyOf");
+    text(b, object(b, any, NULL), "const", "auto");
+    number_schema(b, object(b, any, NULL), key);
+}
+
+static void list_of(struct build *b, cJSON *to, int least, int most) {
+    text(b, to, "type", "array");
+    number(b, to, "minItems", least);
+    number(b, to, "maxItems", most);
+}
+
+static void numbers_schema(struct build *b, cJSON *to, const struct cr_key *key, int n) {
+    list_of(b, to, n, n);
+    number_schema(b, object(b, to, "items"), key);
+}
+
+static void words_schema(struct build *b, cJSON *to, const struct cr_key *key) {
+    cJSON *list = array(b, to, "enum");
+    for (size_t i = 0; i < key->aux; i++) {
+        text(b, list, NULL, key->words[i]);
+    }
+}
+
+static void text_schema(struct build *b, cJSON *to, const struct cr_key *key) {
+    text(b, to, "type", "string");
+    number(b, to, "maxLength", (double)key->aux - 1);
+    if (strcmp(key->name, "id") == 0) {
+        /* letters, digits, _ and -: all other ASCII is refused */
+        text(b, to, "pattern", "^[^\\u0000-,./:-@\\[-\\^`{-\\u007f]+$");
+        text(b, object(b, to, "not"), "const", "t_s");
+    }
+}
+
+static void wheels_schema(struct build *b, cJSON *to, const struct cr_key *key) {
+    cJSON *any = array(b, to, "anyOf");
+    number_schema(b, object(b, any, NULL), key);
+    numbers_schema(b, object(b, any, NULL), key, CR_WHEELS);
+}
+
+static void locked_schema(struct build *b, cJSON *to) {
+    cJSON *any = array(b, to, "anyOf");
+    text(b, object(b, any, NULL), "type", "boolean");
+    cJSON *four = object(b, any, NULL);
+    list_of(b, four, CR_WHEELS, CR_WHEELS);
+    text(b, object(b, four, "items"), "type", "boolean");
+}
+
+static void value_schema(struct build *b, cJSON *to, const struct cr_key *key) {
+    switch (key->type) {
+    case CR_KEY_NUMBER:
+        key->aux != 0 ? number_or_auto(b, to, key) : number_schema(b, to, key);
+        break;
+    case CR_KEY_SWITCH:
+    case CR_KEY_BOOL:
+        text(b, to, "type", "boolean");
+        break;
+    case CR_KEY_WORD:
+        words_schema(b, to, key);
+        break;
+    case CR_KEY_TEXT:
+        text_schema(b, to, key);
+        break;
+    case CR_KEY_PAIR:
+    case CR_KEY_RANGE:
+        numbers_schema(b, to, key, 2);
+        break;
+    case CR_KEY_WHEELS:
+        wheels_schema(b, to, key);
+        break;
+    case CR_KEY_LOCKED:
+        locked_schema(b, to);
+        break;
+    case CR_KEY_PDOF:
+        number_or_auto(b, to, key);
+        break;
+    case CR_KEY_VERTICES:
+        list_of(b, to, 3, CR_VERTEX_MAX);
+        numbers_schema(b, object(b, to, "items"), key, 2);
+        break;
+    default:
+        list_of(b, to, 2, CR_WAYPOINT_MAX);
+        text(b, object(b, to, "items"), "$ref", "#/$defs/waypoint");
+        break;
+    }
+}
+
+/* An object that has the properties added to what is returned, x_ keys, and no others. */
+static cJSON *closed(struct build *b, cJSON *to) {
+    text(b, to, "type", "object");
+    cJSON *properties = object(b, to, "properties");
+    object(b, object(b, to, "patternProperties"), "^x_");
+    add(b, to, "additionalProperties", cJSON_CreateBool(0));
+    return properties;
+}
+
+/* what a face and a model ask for beyond their single keys */
+static void group_rules(struct build *b, cJSON *group, const char *name) {
+    if (strcmp(name, "model") == 0) {
+        cJSON *both = array(b, object(b, group, "not"), "required");
+        text(b, both, NULL, "file");
+        text(b, both, NULL, "stiffness");
+    } else if (strcmp(name, "front") == 0 || strcmp(name, "side") == 0 ||
+               strcmp(name, "rear") == 0) {
+        cJSON *needs = array(b, object(b, group, "dependentRequired"), "A_N_per_m");
+        text(b, needs, NULL, "B_N_per_m2");
+    }
+}
+
+static void key_schema(struct build *b, cJSON *properties, const struct cr_key *key) {
+    const char *name = key->name, *dot;
+    while ((dot = strchr(name, '.')) != NULL) {
+        char inner[64];
+        snprintf(inner, sizeof inner, "%.*s", (int)(dot - name), name);
+        cJSON *group = cJSON_GetObjectItemCaseSensitive(properties, inner);
+        if (group == NULL) {
+            group = object(b, properties, inner);
+            closed(b, group);
+            group_rules(b, group, inner);
+        }
+        properties = cJSON_GetObjectItemCaseSensitive(group, "properties");
+        name = dot + 1;
+    }
+    cJSON *schema = object(b, properties, name);
+    text(b, schema, "description", key->help);
+    value_schema(b, schema, key);
+    bool plain = key->type == CR_KEY_NUMBER && isfinite(key->def[0]);
+    if (plain && key->for_kinds == 0 && key->def[0] == key->def[1]) {
+        number(b, schema, "default", key->def[0]);
+    }
+}
+
+static void table_schema(struct build *b, cJSON *properties, enum cr_key_table table,
+                         unsigned mask) {
+    int n;
+    const struct cr_key *row = cr_scene_keys(table, &n);
+    for (int i = 0; i < n; i++) {
+        if (row[i].for_kinds == 0 || (row[i].for_kinds & mask) != 0) {
+            key_schema(b, properties, &row[i]);
+        }
+    }
+}
+
+/* position and motion, or a trajectory; what has no mass does not move */
+static void motion_rules(struct build *b, cJSON *to, bool vehicle) {
+    static const char *const rivals[] = {"position_m", "heading_deg", "course_deg", "speed_kmh",
+                                         "yaw_rate_deg_s"};
+    cJSON *all = array(b, to, "allOf"), *one = object(b, all, NULL);
+    text(b, array(b, object(b, one, "if"), "required"), NULL, "trajectory");
+    cJSON *then = object(b, object(b, one, "then"), "properties");
+    for (size_t i = 0; i < sizeof rivals / sizeof rivals[0]; i++) {
+        add(b, then, rivals[i], cJSON_CreateBool(0));
+    }
+    text(b, array(b, object(b, one, "else"), "required"), NULL, "position_m");
+    if (vehicle) {
+        return;
+    }
+    cJSON *two = object(b, all, NULL);
+    text(b, array(b, object(b, two, "if"), "required"), NULL, "mass_kg");
+    cJSON *fixed = object(b, object(b, two, "else"), "properties");
+    add(b, fixed, "trajectory", cJSON_CreateBool(0));
+    number(b, object(b, fixed, "speed_kmh"), "const", 0);
+    number(b, object(b, fixed, "yaw_rate_deg_s"), "const", 0);
+}
+
+static void required_keys(struct build *b, cJSON *to, enum cr_key_table table, unsigned mask) {
+    int n;
+    const struct cr_key *row = cr_scene_keys(table, &n);
+    cJSON *required = array(b, to, "required");
+    for (int i = 0; i < n; i++) {
+        /* a position may be missing beside a trajectory: motion_rules */
+        if ((row[i].required & mask) != 0 && row[i].type != CR_KEY_PAIR) {
+            text(b, required, NULL, row[i].name);
+        }
+    }
+}
+
+/* this word and no other of those the key may have */
+static void only(struct build *b, cJSON *properties, const char *key, const char *word) {
+    cJSON *schema = cJSON_GetObjectItemCaseSensitive(properties, key);
+    cJSON_DeleteItemFromObjectCaseSensitive(schema, "enum");
+    text(b, schema, "const", word);
+}
+
+static void participant_schema(struct build *b, cJSON *defs, unsigned mask) {
+    const char *name = cr_scene_kind_word(mask) + strlen("a ");
+    cJSON *to = object(b, defs, name), *properties = closed(b, to);
+    table_schema(b, properties, CR_KEYS_PARTICIPANT, mask);
+    bool vehicle = mask == CR_FOR_VEHICLE;
+    only(b, properties, "kind", vehicle ? "vehicle" : "object");
+    if (!vehicle) {
+        only(b, properties, "shape", name);
+    }
+    required_keys(b, to, CR_KEYS_PARTICIPANT, mask);
+    motion_rules(b, to, vehicle);
+}
+
+static void top_schema(struct build *b) {
+    cJSON *root = b->root;
+    text(b, root, "$schema", "https://json-schema.org/draft/2020-12/schema");
+    text(b, root, "title", "Crumple scene, version 1");
+    cJSON *properties = closed(b, root);
+    number(b, object(b, properties, "crumple"), "const", 1);
+    table_schema(b, properties, CR_KEYS_SCENE, 0);
+    text(b, object(b, properties, "settings"), "$ref", "#/$defs/settings");
+    cJSON *list = object(b, properties, "participants");
+    list_of(b, list, 2, CR_BODY_MAX);
+    cJSON *one = array(b, object(b, list, "items"), "oneOf");
+    cJSON *required = array(b, root, "required");
+    text(b, required, NULL, "crumple");
+    text(b, required, NULL, "participants");
+    cJSON *defs = object(b, root, "$defs");
+    table_schema(b, closed(b, object(b, defs, "settings")), CR_KEYS_SETTINGS, 0);
+    for (unsigned mask = CR_FOR_VEHICLE; mask <= CR_FOR_POLYGON; mask <<= 1) {
+        char ref[32];
+        snprintf(ref, sizeof ref, "#/$defs/%s", cr_scene_kind_word(mask) + strlen("a "));
+        text(b, object(b, one, NULL), "$ref", ref);
+        participant_schema(b, defs, mask);
+    }
+    cJSON *way = object(b, defs, "waypoint");
+    table_schema(b, closed(b, way), CR_KEYS_WAYPOINT, CR_FOR_ALL);
+    required_keys(b, way, CR_KEYS_WAYPOINT, CR_FOR_ALL);
+}
+
+enum cr_err cr_scene_schema(struct cr_str *out, struct cr_error *err) {
+    struct build b = {.root = cJSON_CreateObject()};
+    top_schema(&b);
+    char *printed = b.failed ? NULL : cJSON_Print(b.root);
+    if (printed != NULL) {
+        cr_str_addf(out, "%s\n", printed);
+    }
+    bool failed = printed == NULL || out->failed;
+    cJSON_free(printed);
+    cJSON_Delete(b.root);
+    return failed ? cr_err_set(err, CR_ERR_MEMORY, "no memory for the schema") : CR_ERR_OK;
+}
