@@ -8,8 +8,8 @@ static const double cosine_min = 0.15;
 /* Spread of the patch, in voxels, over which its axis takes over from the relative velocity. */
 static const double patch_from = 1.0, patch_to = 4.0;
 
-/* Time over which the normal between two deforming bodies is averaged, s. */
-const double cr_normal_memory = 4e-3;
+/* Time over which COE and the normal between two deforming bodies are averaged, s. */
+const double cr_force_memory = 8e-3;
 
 static double smoothstep(double x) {
     x = cr_clamp(x, 0, 1);
@@ -165,9 +165,20 @@ static void within_cone(struct cr_force *f, struct cr_vec2 v, double mu) {
     f->cosine = cr_vec2_dot(f->direction, n);
 }
 
-void cr_force_update(struct cr_solver *s, int a, int b, struct cr_force *force) {
+/* Mean of the COE of the last slices, weighted by energy and carried along with the bodies: which
+ * voxels give way in a slice is chance of where the grid lies, and would toss the moment about. */
+static struct cr_vec2 steady_coe(const struct cr_solver *s, int pair, double energy,
+                                 struct cr_vec2 coe) {
+    const struct cr_touch *t = &s->touch[pair];
+    double recent = t->record >= 0 ? t->energy_recent * exp(-s->dt / cr_force_memory) : 0;
+    double share = energy > 0 ? energy / (energy + recent) : 0;
+    return cr_vec2_add(cr_vec2_scale(coe, share), cr_vec2_scale(t->coe, 1 - share));
+}
+
+void cr_force_update(struct cr_solver *s, int pair, int a, int b, struct cr_force *force) {
     struct cr_force whole = *force;
     whole.energy = energy_and_coe(s, a, b, &whole.coe);
+    whole.coe = steady_coe(s, pair, whole.energy, whole.coe);
     struct cr_vec2 v = cr_vec2_unit(cr_relative_velocity(s, a, b, whole.coe), cr_vec2(0, 0));
     if (cr_vec2_dot(v, force->normal) < cosine_min) {
         force->energy = whole.energy; /* far out the bodies part: the force stays in the contact */
@@ -182,7 +193,7 @@ void cr_force_update(struct cr_solver *s, int a, int b, struct cr_force *force) 
 static struct cr_vec2 steady(const struct cr_solver *s, int pair, const struct cr_force *force) {
     struct cr_vec2 sum = cr_vec2_scale(force->normal, force->energy);
     if (s->touch[pair].record >= 0) {
-        sum = cr_vec2_axpy(sum, exp(-s->dt / cr_normal_memory), s->touch[pair].normal_recent);
+        sum = cr_vec2_axpy(sum, exp(-s->dt / cr_force_memory), s->touch[pair].normal_recent);
     }
     return cr_vec2_unit(sum, force->normal);
 }
@@ -193,6 +204,8 @@ bool cr_force_find(struct cr_solver *s, int pair, int a, int b, struct cr_force 
     if (!(force->energy > 0)) {
         return false;
     }
+    struct cr_vec2 patch = force->coe;
+    force->coe = steady_coe(s, pair, force->energy, patch);
     const struct cr_moving *ma = &s->m[a], *mb = &s->m[b];
     struct cr_vec2 rel = cr_relative_velocity(s, a, b, force->coe);
     struct cr_vec2 v = cr_vec2_unit(rel, cr_vec2(0, 0));
@@ -204,7 +217,7 @@ bool cr_force_find(struct cr_solver *s, int pair, int a, int b, struct cr_force 
         force->normal = cr_vec2_unit(cr_vec2_scale(n, -1), v);
     } else if (ma->body->grid.nx == 0) {
         force->normal = cr_vec2_unit(normal_of_shape(ma, mb, &s->losses[1]), v);
-    } else if (!normal_of_patch(s, a, b, force->coe, v, &force->normal)) {
+    } else if (!normal_of_patch(s, a, b, patch, v, &force->normal)) {
         return false;
     }
     if (cr_vec2_dot(force->normal, v) <= 0) {

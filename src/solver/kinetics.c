@@ -93,8 +93,9 @@ void cr_kinetics_slice(struct cr_solver *s, int pair, int a, int b, const struct
     }
     t->moment_coe = cr_vec2_axpy(t->moment_coe, j, f->coe);
     t->moment_weight += j;
-    t->normal_recent = cr_vec2_scale(t->normal_recent, exp(-s->dt / cr_normal_memory));
-    t->normal_recent = cr_vec2_axpy(t->normal_recent, f->energy, f->normal);
+    double fade = exp(-s->dt / cr_force_memory);
+    t->normal_recent = cr_vec2_axpy(cr_vec2_scale(t->normal_recent, fade), f->energy, f->normal);
+    t->energy_recent = t->energy_recent * fade + f->energy;
     t->normal_sum = cr_vec2_axpy(t->normal_sum, lambda * f->energy, f->normal);
     struct cr_slice *sl = cr_record_slice(s, pair);
     if (sl != NULL) {

@@ -5,7 +5,7 @@
 
 /* Approach at which two bodies that have parted are in the crash again, m/s: slower touches are
  * rubbing of cars that turn away from each other. */
-const double cr_rubbing_speed = 0.5;
+const double cr_rubbing_speed = 1.0;
 /* how long the bodies are watched for another touch after the last contact, s */
 static const double linger = 0.02;
 /* plan area that two bodies may share at the start without being called overlapping, m2: the
@@ -329,7 +329,7 @@ static bool crush(struct cr_solver *s, int pair, int a, int b, struct cr_force *
             !cr_string_pull(s, mb, a, f->normal, &s->losses[1])) {
             return false;
         }
-        cr_force_update(s, a, b, f);
+        cr_force_update(s, pair, a, b, f);
     }
     cr_kinetics_slice(s, pair, a, b, f);
     return true;

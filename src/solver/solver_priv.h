@@ -100,6 +100,7 @@ struct cr_touch {
     double moment_weight;
     struct cr_vec2 normal_sum;    /* energy-weighted, J */
     struct cr_vec2 normal_recent; /* the same with older slices fading, J */
+    double energy_recent;         /* the weight of that, J */
 };
 
 struct cr_solver {
@@ -176,7 +177,7 @@ bool cr_string_pull(struct cr_solver *s, struct cr_moving *m, int partner, struc
                     struct cr_losses *losses);
 
 /* step 2, force.c */
-extern const double cr_normal_memory, cr_rubbing_speed;
+extern const double cr_force_memory, cr_rubbing_speed;
 struct cr_force {
     struct cr_vec2 coe;       /* Eq. (3) */
     struct cr_vec2 normal;    /* from a to b */
@@ -187,7 +188,7 @@ struct cr_force {
 };
 bool cr_force_find(struct cr_solver *s, int pair, int a, int b, struct cr_force *force);
 /* energy and COE again once the string has added its losses */
-void cr_force_update(struct cr_solver *s, int a, int b, struct cr_force *force);
+void cr_force_update(struct cr_solver *s, int pair, int a, int b, struct cr_force *force);
 double cr_force_friction(const struct cr_solver *s, int a, int b);
 
 /* step 3, kinetics.c */

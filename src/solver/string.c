@@ -155,23 +155,20 @@ static struct cr_span relax(struct cr_string *st, const struct lines *l, double 
     return moved;
 }
 
-/* take the material between the old and the new depth of a line, from the surface inward */
-static bool take(const struct lines *l, int line, double by, struct cr_losses *losses) {
-    int step = 0, k = surface(l, line, &step);
-    bool row = l->face == CR_FACE_FRONT || l->face == CR_FACE_REAR;
-    struct cr_span span = row ? l->m->row[line] : l->m->col[line];
-    double want = by / l->g->h * l->m->share[l->face][line];
-    for (; k >= span.lo && k < span.hi && want > 1e-12; k += step) {
-        int v = voxel_at(l, line, k);
-        double amount = fmin(want, l->m->left[v]);
-        if (amount > 0) {
-            if (!cr_deform_add(losses, v, CR_CRUSH_INDUCED, amount, amount * l->unit[v])) {
-                return false;
-            }
-            want -= amount;
-        }
+/* Take the material between the old and the new depth of a line, within its surface voxel: the next
+ * one has another strength, and the next slice will know it. */
+static bool take(struct cr_string *st, const struct lines *l, int line, struct cr_losses *losses) {
+    const double *depth = l->m->depth[l->face];
+    double share = l->m->share[l->face][line];
+    int step, k = surface(l, line, &step);
+    if (k < 0) {
+        st->w[line] = depth[line];
+        return true;
     }
-    return true;
+    int v = voxel_at(l, line, k);
+    double amount = fmin((st->w[line] - depth[line]) / l->g->h * share, l->m->left[v]);
+    st->w[line] = depth[line] + amount * l->g->h / share;
+    return cr_deform_add(losses, v, CR_CRUSH_INDUCED, amount, amount * l->unit[v]);
 }
 
 /* of the segments in the window; those beyond are as they were made */
@@ -203,7 +200,7 @@ bool cr_string_pull(struct cr_solver *s, struct cr_moving *m, int partner, struc
     struct cr_span moved = relax(st, &l, tension);
     double before = losses->energy;
     for (int i = moved.lo; i <= moved.hi; i++) {
-        if (st->w[i] > depth[i] && !take(&l, i, st->w[i] - depth[i], losses)) {
+        if (st->w[i] > depth[i] && !take(st, &l, i, losses)) {
             return false;
         }
     }
