@@ -2,6 +2,15 @@
 # Words, options and the texts about them.
 . "$SRC/tests/cli/cli.sh"
 
+# undocumented WORD: options of its help that its section of the manual does not name
+undocumented() {
+    sed -n "/^\.SS crumple $1/,/^\.S[SH]/p" "$SRC/man/crumple.1" | tr -d '\\' >"$tmp/section"
+    printf '%s\n' "$out" | grep -oE -e '^ +(-[a-z], )?--[a-z-]+' | grep -oE -e '--[a-z-]+' |
+        while read -r option; do
+            [ "$option" = --help ] || grep -q -e "$option" "$tmp/section" || echo "$option"
+        done
+}
+
 run --version
 same "--version succeeds" "$status" 0
 has "--version names the program and its libraries" "$out" '^built with ncurses .*readline .*cJSON'
@@ -13,6 +22,7 @@ for word in run stack validate models; do
     run $word --help
     same "$word --help succeeds" "$status" 0
     has "$word --help begins with the usage" "$out" "^usage: crumple $word "
+    empty "the manual has every option of $word" "$(undocumented "$word")"
 done
 
 refused "unknown word" 2 'unknown .*rnu.*did you mean run' rnu
