@@ -37,7 +37,6 @@ struct word {
 static const struct word words[] = {
     {"run", cr_batch_run},
     {"stack", cr_batch_stack},
-    {"stack", cr_batch_stack},
 };
 enum { WORDS = sizeof words / sizeof *words };
 
