@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-enum { SUB = 4 }; /* samples per half cell and direction */
+enum { SUB_LEAST = 2, SUB_MOST = 4 }; /* samples per half cell and direction */
 
 /* Share of what was found in a half cell (square on the screen), counted over its samples. */
 struct pixel {
@@ -15,10 +15,12 @@ struct pixel {
 
 static void sample_pixel(const struct cr_pic *pic, const int *bodies, int n, double col, double row,
                          struct pixel *px) {
-    *px = (struct pixel){.n = SUB * SUB};
-    for (int j = 0; j < SUB * SUB; j++) {
+    /* about one sample per voxel of 25 mm: more would only cost time */
+    int sub = (int)cr_clamp(ceil(pic->m_per_col / 0.025), SUB_LEAST, SUB_MOST);
+    *px = (struct pixel){.n = sub * sub};
+    for (int j = 0; j < sub * sub; j++) {
         struct cr_vec2 p =
-            cr_pic_to_world(pic, col + (j % SUB + 0.5) / SUB, row + (j / SUB + 0.5) / (2.0 * SUB));
+            cr_pic_to_world(pic, col + (j % sub + 0.5) / sub, row + (j / sub + 0.5) / (2.0 * sub));
         struct cr_pic_hit hit;
         bool in = false, rigid = false, crushed = false, induced = false;
         double left = 0, value = 0;
@@ -177,7 +179,7 @@ static void draw_field(struct cr_pic *pic, struct cr_cells *cells, const struct 
 
 /* the outline as it was before the crash, dot by dot, where nothing else is drawn */
 static void draw_outline(const struct cr_pic *pic, const struct cr_pic_body *b,
-                         struct cr_dots *dots) {
+                         const struct cr_cells *cells, struct cr_dots *dots) {
     struct cr_rect r = cr_pic_cells_of(pic, b);
     static const int side[4][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
     int x0 = 2 * (r.x - pic->at.x), y0 = 4 * (r.y - pic->at.y);
@@ -185,6 +187,10 @@ static void draw_outline(const struct cr_pic *pic, const struct cr_pic_body *b,
         for (int x = x0; x < x0 + 2 * r.w; x++) {
             struct cr_pic_hit hit;
             double col = pic->at.x + (x + 0.5) / 2, row = pic->at.y + (y + 0.5) / 4;
+            const struct cr_cell *cell = cr_cells_at(cells, (int)col, (int)row);
+            if (cell == NULL || cell->ch != ' ') {
+                continue;
+            }
             if (!cr_pic_look(pic, b, cr_pic_to_world(pic, col, row), &hit)) {
                 continue;
             }
@@ -212,7 +218,7 @@ static enum cr_err draw_outlines(const struct cr_pic *pic, struct cr_cells *cell
         return code;
     }
     for (int i = 0; i < pic->n; i++) {
-        draw_outline(pic, &pic->body[i], &dots);
+        draw_outline(pic, &pic->body[i], cells, &dots);
     }
     cr_dots_draw(&dots, cells, pic->at.x, pic->at.y, look->ascii);
     cr_dots_fini(&dots);

@@ -90,7 +90,8 @@ void cr_pic_marks(struct cr_pic *pic, struct cr_cells *cells, const struct cr_lo
  * after it. */
 struct cr_sample cr_render_state(const struct cr_compiled *compiled, const struct cr_result *result,
                                  int body, double time);
-/* Time at which the crash is over: the end of the last restitution of all, s. */
+/* Time at which the crash is over: the end of the last restitution of all; while a contact goes on
+ * (a solve under way) the last time slice, s. */
 double cr_render_t_after(const struct cr_solution *sol);
 /* Time of the first contact; 0 when there was none. */
 double cr_render_t_contact(const struct cr_solution *sol);

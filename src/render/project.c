@@ -256,7 +256,7 @@ static void draw_frame(struct cr_cells *cells, struct cr_rect at, const struct c
     }
     snprintf(text, sizeof text, " %.0f+ km/h", EES_TOP);
     x += cr_cells_print(cells, x, y, at.x + at.w - x, CR_ROLE_TEXT, text) + 3;
-    if (p->grid != NULL && x + 24 < at.x + at.w) {
+    if (p->grid != NULL && x + 26 < at.x + at.w) {
         x += cr_cells_print(cells, x, y, 0, CR_ROLE_CRUSHED, "0..9") + 1;
         cr_cells_print(cells, x, y, 0, CR_ROLE_TEXT, "deformed, depth in dm");
     }

@@ -11,6 +11,11 @@ double cr_render_t_contact(const struct cr_solution *sol) {
 
 double cr_render_t_after(const struct cr_solution *sol) {
     double t = cr_render_t_contact(sol);
+    for (int i = 0; i < sol->contacts; i++) {
+        if (sol->contact[i].phase != CR_PHASE_APART && sol->samples > 0) {
+            return sol->t[sol->samples - 1]; /* still solving, or cut by its time limit */
+        }
+    }
     for (int i = 0; i < sol->bodies; i++) {
         if (isfinite(sol->body[i].t_last)) {
             t = fmax(t, sol->body[i].t_last);
