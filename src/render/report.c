@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { WIDTH_LEAST = 60, WIDTH_MOST = 300 };
+enum { WIDTH_LEAST = 60, WIDTH_MOST = 300, BESIDE = 150 };
 
 struct page {
     const struct cr_result *result;
@@ -24,7 +24,20 @@ static enum cr_err emit(const struct page *page, struct cr_cells *cells, struct 
                              : CR_ERR_OK;
 }
 
-/* "Title ------ note" */
+/* "-- Title ------ note --" in w columns */
+static void draw_heading(struct cr_cells *c, int x, int y, int w, const struct cr_look *look,
+                         const char *title, const char *note) {
+    int used = cr_glyph_width(title) + 2, n = cr_glyph_width(note), room = w - used - 6;
+    cr_cells_run(c, x, y, w, CR_ROLE_FRAME, look->ascii ? '-' : 0x2500);
+    cr_cells_run(c, x + 2, y, used, CR_ROLE_TEXT, ' ');
+    cr_cells_print(c, x + 3, y, w - 4, CR_ROLE_TITLE, title);
+    if (n > 0 && room > 8) {
+        n = n > room ? room : n;
+        cr_cells_run(c, x + w - n - 4, y, n + 2, CR_ROLE_TEXT, ' ');
+        cr_cells_print(c, x + w - n - 3, y, n, CR_ROLE_DIM, note);
+    }
+}
+
 static enum cr_err heading(const struct page *page, const char *title, const char *note,
                            struct cr_error *err) {
     struct cr_cells c;
@@ -32,16 +45,7 @@ static enum cr_err heading(const struct page *page, const char *title, const cha
     if (code != CR_ERR_OK) {
         return code;
     }
-    uint32_t line = page->look->ascii ? '-' : 0x2500;
-    cr_cells_run(&c, 0, 1, page->width, CR_ROLE_FRAME, line);
-    cr_cells_run(&c, 2, 1, cr_glyph_width(title) + 2, CR_ROLE_TEXT, ' ');
-    cr_cells_print(&c, 3, 1, page->width - 4, CR_ROLE_TITLE, title);
-    int w = cr_glyph_width(note), free = page->width - cr_glyph_width(title) - 8;
-    if (w > 0 && free > 8) {
-        w = w > free ? free : w;
-        cr_cells_run(&c, page->width - w - 4, 1, w + 2, CR_ROLE_TEXT, ' ');
-        cr_cells_print(&c, page->width - w - 3, 1, w, CR_ROLE_DIM, note);
-    }
+    draw_heading(&c, 0, 1, page->width, page->look, title, note);
     return emit(page, &c, err);
 }
 
@@ -123,17 +127,23 @@ static enum cr_err title(const struct page *page, struct cr_error *err) {
     return code == CR_ERR_OK ? summary(page, err) : code;
 }
 
-static enum cr_err picture(const struct page *page, const char *name, const char *note,
-                           const struct cr_scene_view *view, int rows, struct cr_error *err) {
+struct shot {
+    const char *name, *note;
+    struct cr_scene_view view;
+};
+
+/* pictures beside each other, with a heading each */
+static enum cr_err strip(const struct page *page, const struct shot *shot, int n, int rows,
+                         struct cr_error *err) {
     const struct cr_result *r = page->result;
-    struct cr_cells c = {0};
-    enum cr_err code = heading(page, name, note, err);
-    if (code == CR_ERR_OK) {
-        code = cr_cells_new(page->width, rows, &c, err);
-    }
-    if (code == CR_ERR_OK) {
-        code = cr_render_scene(&c, (struct cr_rect){0, 0, page->width, rows}, page->look,
-                               &r->compiled, &r->resolved, r, view, err);
+    struct cr_cells c;
+    enum cr_err code = cr_cells_new(page->width, rows + 2, &c, err);
+    int w = (page->width - 2 * (n - 1)) / n;
+    for (int i = 0; i < n && code == CR_ERR_OK; i++) {
+        int x = i * (w + 2);
+        draw_heading(&c, x, 1, w, page->look, shot[i].name, shot[i].note);
+        code = cr_render_scene(&c, (struct cr_rect){x, 2, w, rows}, page->look, &r->compiled,
+                               &r->resolved, r, &shot[i].view, err);
     }
     if (code != CR_ERR_OK) {
         cr_cells_fini(&c);
@@ -153,22 +163,24 @@ static enum cr_err pictures(const struct page *page, struct cr_error *err) {
                                  .centre = {NAN, NAN},
                                  .vectors = true,
                                  .selected = -1};
-    int rows = 0;
-    enum cr_err code =
-        cr_pic_frame(page->result, &view, page->width, page->width / 4 + 6, &rows, err);
+    int beside = page->width >= BESIDE ? 2 : 1, rows = 0;
+    int width = (page->width - 2 * (beside - 1)) / beside;
+    enum cr_err code = cr_pic_frame(page->result, &view, width, width / 4 + 6, &rows, err);
     if (code != CR_ERR_OK) {
         return code;
     }
-    char note[80];
-    snprintf(note, sizeof note, "%.0f ms before the first touch", lead * 1e3);
-    code = picture(page, "Before", lead > 0 ? note : "at the first touch", &view, rows, err);
-    if (code != CR_ERR_OK) {
-        return code;
-    }
-    snprintf(note, sizeof note, "end of the last contact, %.1f ms after the first touch",
+    char before[80], after[80];
+    snprintf(before, sizeof before, "%.0f ms before the first touch", lead * 1e3);
+    snprintf(after, sizeof after, "end of the last contact, %.1f ms after the first touch",
              (t1 - t0) * 1e3);
-    view.time = NAN;
-    return picture(page, "After", note, &view, rows, err);
+    struct shot shot[2] = {{"Before", lead > 0 ? before : "at the first touch", view},
+                           {"After", after, view}};
+    shot[1].view.time = NAN;
+    if (beside == 2) {
+        return strip(page, shot, 2, rows, err);
+    }
+    code = strip(page, &shot[0], 1, rows, err);
+    return code == CR_ERR_OK ? strip(page, &shot[1], 1, rows, err) : code;
 }
 
 static enum cr_err pulses(const struct page *page, struct cr_error *err) {

@@ -25,6 +25,7 @@ test_render_golden_LDADD = $(render_test_libs)
 EXTRA_DIST += tests/golden/render/report-80.txt \
 	tests/golden/render/report-80-ascii.txt \
 	tests/golden/render/report-120.txt \
+	tests/golden/render/report-160.txt \
 	tests/golden/render/report-wall-80.txt \
 	tests/golden/render/scene-ees.txt \
 	tests/golden/render/scene-256.txt \

@@ -112,6 +112,7 @@ static const struct golden CASES[] = {
     {"report-80", 80, 0, UTF8, false, NULL, NAN, CR_FIELD_EES},
     {"report-80-ascii", 80, 0, ASCII, false, NULL, NAN, CR_FIELD_EES},
     {"report-120", 120, 0, UTF8, false, NULL, NAN, CR_FIELD_EES},
+    {"report-160", 160, 0, UTF8, false, NULL, NAN, CR_FIELD_EES},
     {"report-wall-80", 80, 0, UTF8, true, NULL, NAN, CR_FIELD_EES},
     {"scene-ees", 80, 20, UTF8, false, draw_scene, 0.13, CR_FIELD_EES},
     {"scene-256", 80, 20, {.color = CR_COLOR_256}, false, draw_scene, 0.13, CR_FIELD_EES},
