@@ -8,17 +8,13 @@ static const double gap_time = 0.05; /* s */
 /* remaining share of the plastic impulse at which the threshold counts as reached */
 static const double reached = 1e-4;
 
-static double mass_along(const struct cr_solver *s, int a, int b, const struct cr_touch *t) {
-    return 1 / cr_vec2_dot(cr_compliance(s, a, b, t->coe, t->normal), t->normal);
-}
-
-/* Momentum of approach that is left above the threshold e/(1-e) of the plastic impulse, times
- * (1-e) so that a fully elastic contact has one too, N s. */
+/* Normal impulse that is left of the compression above the threshold e/(1-e) of the plastic one,
+ * times (1-e) so that a fully elastic contact has one too, N s. */
 static double momentum_left(const struct cr_solver *s, int a, int b, const struct cr_touch *t,
                             const struct cr_contact *c) {
-    double vn = cr_vec2_dot(cr_relative_velocity(s, a, b, t->coe), t->normal);
-    double e = c->restitution;
-    return (1 - e) * mass_along(s, a, b, t) * vn - e * c->plastic_impulse;
+    double e = c->restitution, cosine = cr_vec2_dot(t->direction, t->normal);
+    double left = cr_impulse_left(s, a, b, t->coe, t->normal, t->direction);
+    return (1 - e) * left * cosine - e * c->plastic_impulse;
 }
 
 void cr_abort_check(struct cr_solver *s, int pair, int a, int b, bool deformed) {

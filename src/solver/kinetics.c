@@ -42,18 +42,21 @@ void cr_impulse_apply(struct cr_solver *s, int a, int b, struct cr_vec2 p, struc
 /* time over which the force at the end of the plastic phase is averaged, s */
 static const double force_memory = 2e-3;
 
-/* Largest impulse along f before the remaining momentum of approach along the normal falls to
- * e/(1-e) of the plastic impulse so far: the plastic phase ends there (step 5), not up to a slice
- * later by chance of where the grid lies. */
+double cr_impulse_left(const struct cr_solver *s, int a, int b, struct cr_vec2 coe,
+                       struct cr_vec2 normal, struct cr_vec2 direction) {
+    double vn = cr_vec2_dot(cr_relative_velocity(s, a, b, coe), normal);
+    double give = cr_vec2_dot(cr_compliance(s, a, b, coe, direction), normal);
+    return give > 0 ? vn / give : vn > 0 ? (double)INFINITY : 0;
+}
+
+/* Largest impulse along f before what is left of the compression falls to e/(1-e) of the plastic
+ * impulse so far: the plastic phase ends there (step 5), not up to a slice later by chance of where
+ * the grid lies. */
 static double impulse_to_end(const struct cr_solver *s, int a, int b, const struct cr_force *f,
-                             const struct cr_contact *c, double vn) {
-    double mass = 1 / cr_vec2_dot(cr_compliance(s, a, b, f->coe, f->normal), f->normal);
-    double give = cr_vec2_dot(cr_compliance(s, a, b, f->coe, f->direction), f->normal);
+                             const struct cr_contact *c) {
+    double left = cr_impulse_left(s, a, b, f->coe, f->normal, f->direction);
     double e = c->restitution;
-    double per = (1 - e) * mass * give + e * f->cosine;
-    double left = (1 - e) * mass * vn - e * c->plastic_impulse;
-    /* an eccentric force can fail to slow the approach along the normal: then no end is near */
-    return per > 0 ? fmax(left / per, 0) : (double)INFINITY;
+    return fmax((1 - e) * left - e * c->plastic_impulse / f->cosine, 0);
 }
 
 /* Eq. (2), (4), (5) as an impulse: J v - J^2 / (2 m_eff) = W takes exactly the work W out of the
@@ -69,7 +72,7 @@ void cr_kinetics_slice(struct cr_solver *s, int pair, int a, int b, const struct
     double mass = 1 / cr_vec2_dot(cr_compliance(s, a, b, f->coe, f->direction), f->direction);
     double work = f->energy * vf / (vn * f->cosine), most = 0.5 * mass * vf * vf;
     double whole = work < most ? mass * (vf - sqrt(vf * vf - 2 * work / mass)) : mass * vf;
-    double j = fmin(whole, impulse_to_end(s, a, b, f, c, vn));
+    double j = fmin(whole, impulse_to_end(s, a, b, f, c));
     double lambda = fmin(j < whole || work > most ? j * (vf - 0.5 * j / mass) / work : 1, 1);
     cr_deform_settle(s, &s->m[a], &s->losses[0], lambda);
     cr_deform_settle(s, &s->m[b], &s->losses[1], lambda);

@@ -196,6 +196,10 @@ struct cr_vec2 cr_relative_velocity(const struct cr_solver *s, int a, int b, str
 /* change of the relative velocity at p per unit of impulse along f, both bodies */
 struct cr_vec2 cr_compliance(const struct cr_solver *s, int a, int b, struct cr_vec2 p,
                              struct cr_vec2 f);
+/* impulse along direction that ends the approach along the normal at p; infinite where an eccentric
+ * force does not slow it */
+double cr_impulse_left(const struct cr_solver *s, int a, int b, struct cr_vec2 coe,
+                       struct cr_vec2 normal, struct cr_vec2 direction);
 void cr_impulse_apply(struct cr_solver *s, int a, int b, struct cr_vec2 p, struct cr_vec2 impulse);
 void cr_kinetics_slice(struct cr_solver *s, int pair, int a, int b, const struct cr_force *force);
 void cr_tyres_apply(struct cr_solver *s, int body); /* tyre.c */

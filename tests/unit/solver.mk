@@ -2,10 +2,16 @@
 check_LIBRARIES += libcases.a
 libcases_a_SOURCES = tests/unit/solver_cases.c tests/unit/solver_cases.h tests/unit/test.h
 libcases_a_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
-solver_tests = test_solver_wall
+solver_tests = test_solver_wall test_solver_impact test_solver_oblique
 solver_test_libs = libcases.a libsolver.a libmodel.a libbase.a $(CMOCKA_LIBS) $(NETTLE_LIBS)
 check_PROGRAMS += $(solver_tests)
 TESTS += $(solver_tests)
 test_solver_wall_SOURCES = tests/unit/test_solver_wall.c
 test_solver_wall_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 test_solver_wall_LDADD = $(solver_test_libs)
+test_solver_impact_SOURCES = tests/unit/test_solver_impact.c
+test_solver_impact_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
+test_solver_impact_LDADD = $(solver_test_libs)
+test_solver_oblique_SOURCES = tests/unit/test_solver_oblique.c
+test_solver_oblique_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
+test_solver_oblique_LDADD = $(solver_test_libs)
