@@ -74,14 +74,14 @@ static enum cr_err run(const char *path, const struct run_options *opt, struct c
     if (code != CR_ERR_OK && strcmp(err->src, "-") == 0) {
         cr_err_place(err, name, err->line, err->col);
     }
+    /* until here ^C ends the program at once, also while it waits for input */
+    cr_batch_catch();
     if (code == CR_ERR_OK) {
         code = cr_batch_override(&scene, &opt->set, err);
     }
     if (code == CR_ERR_OK) {
         code = cr_batch_open(&shared, err);
     }
-    /* until here ^C ends the program at once, also while it waits for input */
-    cr_batch_catch();
     if (code == CR_ERR_OK) {
         code = cr_result_run(&scene, &shared.ctx, &result, err);
         /* faults of the whole scene have no line; name at least the file */
