@@ -3,7 +3,7 @@
 
 /* share of a voxel that two bodies may approach each other by in one slice */
 static const double approach_max = 0.5;
-/* free motion with nothing near: slices this many times longer */
+/* free motion after a contact: slices up to this many times longer */
 static const double free_stretch = 4;
 
 void cr_kinematics_place(struct cr_moving *m, struct cr_vec2 pos, double heading) {
@@ -106,37 +106,30 @@ static double gap(const struct cr_moving *a, const struct cr_moving *b) {
     return p.x - car->reach;
 }
 
-double cr_kinematics_slice_length(const struct cr_solver *s) {
-    double dt = s->cs->opts.dt, least_gap = INFINITY;
-    for (int p = 0, a = 0; a < s->cs->n; a++) {
-        for (int b = a + 1; b < s->cs->n; b++, p++) {
-            const struct cr_moving *ma = &s->m[a], *mb = &s->m[b];
-            if (ma->inv_mass == 0 && mb->inv_mass == 0) {
-                continue;
-            }
-            double near = gap(ma, mb), fast = closing_bound(ma, mb);
-            least_gap = fmin(least_gap, near);
-            double h = fmax(ma->body->grid.h, mb->body->grid.h);
-            if (near <= fast * s->cs->opts.dt && fast > 0 && h > 0) {
-                /* whole parts of dt, so that the slices of a crash are of one length */
-                double parts = ceil(fast * s->cs->opts.dt / (approach_max * h) - 1e-9);
-                dt = fmin(dt, s->cs->opts.dt / fmax(parts, 1));
-            }
-        }
+/* Longest slice in which a pair that may touch approaches by no more than half a voxel: a whole
+ * part of `most`, so that the slices of a crash are of one length. */
+static double within_reach(const struct cr_moving *a, const struct cr_moving *b, double most) {
+    double fast = closing_bound(a, b), h = fmax(a->body->grid.h, b->body->grid.h);
+    if ((a->inv_mass == 0 && b->inv_mass == 0) || !(fast > 0) || !(h > 0) ||
+        gap(a, b) > fast * most) {
+        return most;
     }
+    return most / fmax(ceil(fast * most / (approach_max * h) - 1e-9), 1);
+}
+
+double cr_kinematics_slice_length(const struct cr_solver *s) {
+    bool free = s->touched && !isnan(s->t_free);
+    for (int i = 0; i < s->cs->n; i++) {
+        free = free && !s->m[i].driven;
+    }
+    double most = s->cs->opts.dt * (free ? free_stretch : 1), dt = most;
     for (int p = 0, a = 0; a < s->cs->n; a++) {
         for (int b = a + 1; b < s->cs->n; b++, p++) {
+            dt = fmin(dt, within_reach(&s->m[a], &s->m[b], most));
             if (s->touch[p].record >= 0) {
                 dt = fmin(dt, cr_abort_within(s, p));
             }
         }
-    }
-    bool driven = false;
-    for (int i = 0; i < s->cs->n; i++) {
-        driven = driven || s->m[i].driven;
-    }
-    if (s->touched && least_gap > 0.5 && !driven) {
-        dt *= free_stretch;
     }
     return dt;
 }

@@ -4,6 +4,7 @@ libsolver_a_SOURCES = \
 	src/solver/case.h \
 	src/solver/deform.c \
 	src/solver/elastic.c \
+	src/solver/ending.c \
 	src/solver/force.c \
 	src/solver/kinematics.c \
 	src/solver/kinetics.c \

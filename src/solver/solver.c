@@ -6,17 +6,12 @@
 /* Approach at which two bodies that have parted are in the crash again, m/s: slower touches are
  * rubbing of cars that turn away from each other. */
 const double cr_rubbing_speed = 1.0;
-/* how long the bodies are watched for another touch after the last contact, s */
-static const double linger = 0.02;
 /* plan area that two bodies may share at the start without being called overlapping, m2: the
  * voxels of an outline stand out by up to half an edge */
 static const double overlap_area = 0.01;
 /* Least approach that begins a contact, m/s. What the last slice of a contact gave back still
  * overlaps, and would be crushed again and again by what rounding leaves of the approach. */
 static const double begin_speed = 1e-3;
-/* slower than this a body is at rest (literature.md 7.5) */
-static const double rest_speed = 0.05, rest_yaw = 0.02;
-
 const char *cr_stop_word(enum cr_stop stop) {
     static const char *const words[] = {
 #define X(name, word) [CR_STOP_##name] = word,
@@ -401,81 +396,6 @@ static void end_slice(struct cr_solver *s, const bool in_contact[]) {
     }
 }
 
-static void settle_rest(struct cr_solver *s, const bool in_contact[]) {
-    for (int i = 0; i < s->cs->n; i++) {
-        struct cr_moving *m = &s->m[i];
-        bool slow = cr_vec2_len(m->vel) < rest_speed && fabs(m->yaw_rate) < rest_yaw;
-        if (m->at_rest || m->driven || in_contact[i] || !slow || m->inv_mass == 0 ||
-            isnan(m->t_first)) {
-            continue;
-        }
-        double mass = 1 / m->inv_mass, inertia = m->inv_inertia > 0 ? 1 / m->inv_inertia : 0;
-        s->tyre +=
-            0.5 * mass * cr_vec2_dot(m->vel, m->vel) + 0.5 * inertia * m->yaw_rate * m->yaw_rate;
-        s->p_ground = cr_vec2_axpy(s->p_ground, mass, m->vel);
-        s->l_ground += mass * cr_vec2_cross(m->pos, m->vel) + inertia * m->yaw_rate;
-        m->vel = cr_vec2(0, 0);
-        m->yaw_rate = 0;
-        m->at_rest = true;
-        m->t_rest = s->t;
-    }
-}
-
-static void remember(struct cr_solver *s) {
-    struct cr_snapshot *f = s->freed;
-    f->t = s->t;
-    f->tyre = s->tyre;
-    f->samples = s->samples;
-    f->p_ground = s->p_ground;
-    f->l_ground = s->l_ground;
-    for (int i = 0; i < s->cs->n; i++) {
-        f->m[i].pos = s->m[i].pos;
-        f->m[i].vel = s->m[i].vel;
-        f->m[i].heading = s->m[i].heading;
-        f->m[i].yaw_rate = s->m[i].yaw_rate;
-    }
-}
-
-static void go_back(struct cr_solver *s) {
-    const struct cr_snapshot *f = s->freed;
-    s->t = f->t;
-    s->tyre = f->tyre;
-    s->samples = f->samples;
-    s->p_ground = f->p_ground;
-    s->l_ground = f->l_ground;
-    for (int i = 0; i < s->cs->n; i++) {
-        cr_kinematics_place(&s->m[i], f->m[i].pos, f->m[i].heading);
-        s->m[i].vel = f->m[i].vel;
-        s->m[i].yaw_rate = f->m[i].yaw_rate;
-    }
-}
-
-static void check_end(struct cr_solver *s, bool any_contact) {
-    s->done = s->t - s->contact[0].t_begin > s->cs->opts.rest_time;
-    if (any_contact) {
-        s->t_free = NAN;
-        return;
-    }
-    if (isnan(s->t_free)) {
-        s->t_free = s->t;
-        remember(s);
-    }
-    if (s->cs->opts.end == CR_END_SEPARATION) {
-        if (s->t - s->t_free >= linger) {
-            s->done = true;
-            go_back(s);
-        }
-        return;
-    }
-    bool moving = false;
-    for (int i = 0; i < s->cs->n; i++) {
-        const struct cr_moving *m = &s->m[i];
-        /* what nothing has touched need not stop for the crash to be over */
-        moving = moving || (m->inv_mass > 0 && !m->at_rest && !isnan(m->t_first));
-    }
-    s->done = s->done || !moving;
-}
-
 static enum cr_status failed(struct cr_error *err, enum cr_err code, const char *text) {
     cr_err_set(err, code, "%s", text);
     return CR_STATUS_FAILED;
@@ -529,12 +449,12 @@ enum cr_status cr_solver_step(struct cr_solver *s, struct cr_error *err) {
         return CR_STATUS_RUNNING;
     }
     if (s->cs->opts.end == CR_END_REST) {
-        settle_rest(s, in_contact);
+        cr_ending_rest(s, in_contact);
     }
     if (!cr_record_sample(s)) {
         return failed(err, CR_ERR_MEMORY, "no memory for the trace");
     }
-    check_end(s, any);
+    cr_ending_check(s, any);
     return s->done ? CR_STATUS_DONE : CR_STATUS_RUNNING;
 }
 

@@ -217,6 +217,10 @@ double cr_abort_within(const struct cr_solver *s, int pair);
 void cr_elastic_begin(struct cr_solver *s, int pair, int a, int b);
 void cr_elastic_slice(struct cr_solver *s, int pair, int a, int b);
 
+/* ending.c */
+void cr_ending_rest(struct cr_solver *s, const bool in_contact[]);
+void cr_ending_check(struct cr_solver *s, bool any_contact);
+
 /* record.c: contacts, trace, ledger, outcome */
 bool cr_record_contact(struct cr_solver *s, int pair, int a, int b, const struct cr_force *force);
 bool cr_record_sample(struct cr_solver *s);
