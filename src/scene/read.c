@@ -129,10 +129,14 @@ static enum cr_err read_member(struct cr_reader *r, enum cr_key_table table, uns
     const struct cr_key *row = cr_scene_keys(table, &n);
     bool fits = snprintf(full, sizeof full, "%s%s", prefix, m->string) < (int)sizeof full;
     const struct cr_key *key = fits ? cr_scene_key_find(table, full, mask) : NULL;
-    /* files have the full name with its unit; short names are for commands */
+    /* files have the full name with its unit; short names are for commands. Keys come before those
+     * of one's own: the x_m of a trajectory is a key. */
     if (key != NULL && strcmp(key->name, full) == 0) {
         *given |= (uint64_t)1 << (key - row);
         return cr_scene_value_read(r, key, m, base);
+    }
+    if (is_extra(m->string)) {
+        return keep_extra(r, m);
     }
     if (fits && is_group(table, mask, full)) {
         char inner[sizeof full + 1];
@@ -153,8 +157,7 @@ enum cr_err cr_scene_members_read(struct cr_reader *r, enum cr_key_table table, 
         size_t up = cr_scene_enter(r, m->string);
         enum cr_err code = check_twice(r, json, m);
         if (code == CR_ERR_OK) {
-            code = is_extra(m->string) ? keep_extra(r, m)
-                                       : read_member(r, table, mask, m, prefix, base, given);
+            code = read_member(r, table, mask, m, prefix, base, given);
         }
         cr_scene_leave(r, up);
         if (code != CR_ERR_OK) {
