@@ -237,7 +237,8 @@ static enum cr_err scan_key(struct scan *s) {
         return c == '}' ? bad_at(s, s->at, "comma after the last member", "take it away")
                : c == '/' || c == '#' || c < 0
                    ? bad_value(s)
-                   : bad_at(s, s->at, "a key in double quotes should stand here", NULL);
+                   : bad_at(s, s->at, "a key in double quotes should stand here",
+                            isdigit(c) ? "numbers have a decimal point, not a comma" : NULL);
     }
     enum cr_err code = scan_string(s);
     if (code != CR_ERR_OK) {

@@ -41,10 +41,10 @@ static const struct cr_unit units[] = {
     {"deg/s", CR_DIM_YAW_RATE, CR_PI / 180, 1, "_deg_s"},
     {"N/m", CR_DIM_STIFFNESS_A, 1, 1, "_N_per_m"},
     {"kN/m", CR_DIM_STIFFNESS_A, 1000, 1, ""},
-    {"lb/in", CR_DIM_STIFFNESS_A, 175.126835, 1, ""}, /* 4.4482216 N / 0.0254 m */
+    {"lb/in", CR_DIM_STIFFNESS_A, 175.126835246, 1, ""}, /* 4.4482216 N / 0.0254 m */
     {"N/m2", CR_DIM_STIFFNESS_B, 1, 1, "_N_per_m2"},
     {"kN/m2", CR_DIM_STIFFNESS_B, 1000, 1, ""},
-    {"psi", CR_DIM_STIFFNESS_B, 6894.75729, 1, ""}, /* 4.4482216 N / (0.0254 m)^2 */
+    {"psi", CR_DIM_STIFFNESS_B, 6894.757293168, 1, ""}, /* 4.4482216 N / (0.0254 m)^2 */
     {"m2", CR_DIM_AREA, 1, 1, "_m2"},
 };
 enum { UNITS = sizeof units / sizeof units[0] };
@@ -156,10 +156,11 @@ enum cr_err cr_unit_parse(const char *text, enum cr_dim dim, const struct cr_uni
         hint_units(err, dim);
         return CR_ERR_NAME;
     }
-    *si = cr_unit_to_si(used, x);
-    if (!isfinite(*si)) {
+    x = cr_unit_to_si(used, x);
+    if (!isfinite(x)) {
         return cr_err_set(err, CR_ERR_RANGE, "'%.60s' is beyond what a computer holds", text);
     }
+    *si = x;
     if (unit != NULL) {
         *unit = used;
     }

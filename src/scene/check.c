@@ -60,8 +60,13 @@ enum cr_err cr_scene_polygon_check(struct cr_reader *r, struct cr_vec2 *v, int n
         /* neighbours share a corner; they may not fold back onto each other */
         bool folded =
             side_of(a, b, c) == 0 && cr_vec2_dot(cr_vec2_sub(b, a), cr_vec2_sub(c, b)) < 0;
-        if ((a.x == b.x && a.y == b.y) || folded) {
-            return cr_scene_fail(r, CR_ERR_RANGE, "corner %d of the polygon lies on another", i);
+        if (a.x == b.x && a.y == b.y) {
+            return cr_scene_fail(r, CR_ERR_RANGE, "corners %d and %d of the polygon are the same",
+                                 i, (i + 1) % n);
+        }
+        if (folded) {
+            return cr_scene_fail(r, CR_ERR_RANGE, "the polygon folds back on itself at corner %d",
+                                 (i + 1) % n);
         }
         for (int k = i + 2; k < n - (i == 0); k++) {
             if (edges_meet(a, b, v[k], v[(k + 1) % n])) {
@@ -106,32 +111,36 @@ static enum cr_err at_key(struct cr_reader *r, const char *key, const char *hint
 /* one quantity must be less than another; NaN, what is not known, is never too much */
 struct limit {
     double value, most;
-    const char *key, *text, *most_text;
+    const char *key, *text, *most_text, *unit, *hint;
 };
 
 static enum cr_err check_limit(struct cr_reader *r, const struct limit *l) {
     if (!(l->value >= l->most)) {
         return CR_ERR_OK;
     }
-    char text[160], hint[120];
-    snprintf(text, sizeof text, "%s of %.4g is not below %s of %.4g", l->text, l->value,
-             l->most_text, l->most);
-    snprintf(hint, sizeof hint, "mend %s or what it is compared with", l->key);
-    return at_key(r, l->key, hint, text);
+    char text[160];
+    snprintf(text, sizeof text, "%s of %.6g %s is not below %s of %.6g %s", l->text, l->value,
+             l->unit, l->most_text, l->most, l->unit);
+    return at_key(r, l->key, l->hint, text);
 }
 
 static enum cr_err check_vehicle(struct cr_reader *r, const struct cr_participant *p) {
     /* the radius of gyration is below half the length even with all mass at both ends */
     const struct limit limits[] = {
-        {p->wheelbase, p->length, "wheelbase_m", "wheelbase", "the length"},
+        {p->wheelbase, p->length, "wheelbase_m", "wheelbase", "the length", "m",
+         "both axles lie within the length"},
         {p->front_overhang + p->wheelbase, p->length, "front_overhang_m",
-         "front overhang and wheelbase", "the length"},
+         "front overhang and wheelbase", "the length", "m",
+         "the length is the wheelbase and both overhangs"},
         {p->cg_behind_front_axle, p->wheelbase, "cg.behind_front_axle_m",
-         "centre of gravity behind the front axle", "the wheelbase"},
-        {p->track, p->width, "track_m", "track", "the width"},
-        {p->cg_height, p->height, "cg.height_m", "height of the centre of gravity", "the height"},
+         "centre of gravity behind the front axle", "the wheelbase", "m",
+         "the centre of gravity lies between the axles"},
+        {p->track, p->width, "track_m", "track", "the width", "m",
+         "the wheels lie within the width"},
+        {p->cg_height, p->height, "cg.height_m", "height of the centre of gravity", "the height",
+         "m", "the centre of gravity lies below the roof"},
         {p->yaw_inertia, p->mass * p->length * p->length / 4, "yaw_inertia_kgm2", "yaw inertia",
-         "the mass at both ends"},
+         "the utmost", "kgm2", "0.137 mass length wheelbase is usual"},
     };
     for (size_t i = 0; i < sizeof limits / sizeof limits[0]; i++) {
         enum cr_err code = check_limit(r, &limits[i]);
@@ -207,6 +216,22 @@ enum cr_err cr_scene_part_check(struct cr_reader *r, const struct cr_participant
     return code;
 }
 
+static void hint_missing(struct cr_reader *r, const struct cr_key *key) {
+    char list[160] = "";
+    const char *unit = key->unit != NULL ? key->unit : "";
+    for (size_t i = 0; key->type == CR_KEY_WORD && i < key->aux; i++) {
+        size_t n = strlen(list);
+        snprintf(list + n, sizeof list - n, "%s%s", i > 0 ? ", " : "", key->words[i]);
+    }
+    if (key->type == CR_KEY_WORD) {
+        cr_err_hint(r->err, "one of: %s", list);
+    } else if (key->type == CR_KEY_PAIR) {
+        cr_err_hint(r->err, "[x, y] in m, or give a \"trajectory\"");
+    } else {
+        cr_err_hint(r->err, "%s%s%s", key->help, unit[0] != '\0' ? ", in " : "", unit);
+    }
+}
+
 enum cr_err cr_scene_part_complete(struct cr_reader *r, const struct cr_participant *p) {
     unsigned mask = cr_scene_kind_mask(p);
     int n;
@@ -221,11 +246,7 @@ enum cr_err cr_scene_part_complete(struct cr_reader *r, const struct cr_particip
         }
         cr_scene_fail(r, CR_ERR_MISSING, "%s \"%s\" has no \"%s\"", cr_scene_kind_word(mask) + 2,
                       p->id, key->name);
-        cr_err_hint(r->err, "%s%s%s%s", key->help, key->unit && key->unit[0] ? " (" : "",
-                    key->unit && key->unit[0] ? key->unit : "",
-                    placed                      ? ") or a \"trajectory\""
-                    : key->unit && key->unit[0] ? ")"
-                                                : "");
+        hint_missing(r, key);
         return CR_ERR_MISSING;
     }
     return CR_ERR_OK;

@@ -4,14 +4,39 @@
 #include <stdio.h>
 #include <string.h>
 
-#define TOP(field)  offsetof(struct cr_scene, field)
-#define SET(field)  offsetof(struct cr_settings, field)
-#define PART(field) offsetof(struct cr_participant, field)
-#define COUNT(a)    (sizeof(a) / sizeof(a)[0])
-#define WORDS(list) .words = list, .aux = COUNT(list)
-#define V           CR_FOR_VEHICLE
-#define O           CR_FOR_OBJECT
-#define ANY         CR_FOR_ALL
+#define COUNT(a) (sizeof(a) / sizeof(a)[0])
+#define V        CR_FOR_VEHICLE
+#define O        CR_FOR_OBJECT
+#define ANY      CR_FOR_ALL
+
+/* rows: k kinds it is for, r kinds that require it, u unit, l and h range, f its field */
+#define ROW(n, t, k, r, f, text)                                                                   \
+    .name = n, .type = t, .for_kinds = k, .required = r, .at = f, .help = text
+#define RANGED(u, d, l, h) .unit = u, .dim = CR_DIM_##d, .lo = l, .hi = h
+#define IN(record, f)      offsetof(struct record, f)
+#define TEXT(n, k, record, f, size, text)                                                          \
+    { ROW(n, CR_KEY_TEXT, k, k, IN(record, f), text), .aux = size }
+#define WORD(n, k, record, f, list, text)                                                          \
+    { ROW(n, CR_KEY_WORD, k, k, IN(record, f), text), .words = list, .aux = COUNT(list) }
+#define SETTING(n, u, d, l, h, extended, paper, f, text)                                           \
+    {                                                                                              \
+        ROW(n, CR_KEY_NUMBER, 0, 0, IN(cr_settings, f), text), RANGED(u, d, l, h), .def = {        \
+            extended,                                                                              \
+            paper                                                                                  \
+        }                                                                                          \
+    }
+#define SWITCH(n, extended, paper, f, text)                                                        \
+    {                                                                                              \
+        ROW(n, CR_KEY_SWITCH, 0, 0, IN(cr_settings, f), text), .def = { extended, paper }          \
+    }
+#define NUMBER(n, k, r, u, d, l, h, from, f, text)                                                 \
+    {                                                                                              \
+        ROW(n, CR_KEY_NUMBER, k, r, IN(cr_participant, f), text), RANGED(u, d, l, h), .def = {     \
+            from                                                                                   \
+        }                                                                                          \
+    }
+#define OTHER(n, t, k, r, u, d, l, h, f, text)                                                     \
+    { ROW(n, CR_KEY_##t, k, r, IN(cr_participant, f), text), RANGED(u, d, l, h) }
 
 static const char *const method_words[] = {"extended", "paper"};
 static const char *const end_words[] = {"separation", "rest"};
@@ -24,411 +49,116 @@ static const char *const type_words[] = {
 };
 
 static const struct cr_key scene_keys[] = {
-    {"name", CR_KEY_TEXT, .at = TOP(name), .aux = CR_NAME_MAX, .help = "name of the scene"},
-    {"pair", CR_KEY_TEXT, .at = TOP(pair), .aux = CR_NAME_MAX,
-     .help = "scenes of one pair are the same crash with and without a safety system"},
+    {ROW("name", CR_KEY_TEXT, 0, 0, IN(cr_scene, name), "name of the scene"), .aux = CR_NAME_MAX},
+    {ROW("pair", CR_KEY_TEXT, 0, 0, IN(cr_scene, pair),
+         "scenes of one pair are the same crash with and without a safety system"),
+     .aux = CR_NAME_MAX},
 };
 
 /* Ranges: dt and voxel as far as the convergence tests go; restitution below 1, so that every crash
  * ends; friction up to 2, beyond which no published value lies (literature.md 7.1). */
 static const struct cr_key settings_keys[] = {
-    {"method", CR_KEY_WORD, .at = SET(method), WORDS(method_words),
-     .help = "profile: the paper alone, or extended (method.md 4)"},
-    {"restitution", CR_KEY_NUMBER, .unit = "", .lo = 0, .hi = 0.95, .def = {0.1, 0.1},
-     .at = SET(restitution), .aux = SET(restitution_auto),
-     .help = "restitution impulse over compression impulse, or auto from the closing speed"},
-    {"friction", CR_KEY_NUMBER, .unit = "", .lo = 0, .hi = 2, .def = {0.5, 0}, .at = SET(friction),
-     .help = "Coulomb friction between bodies"},
-    {"road_friction", CR_KEY_NUMBER, .unit = "", .lo = 0, .hi = 2, .def = {0.8, 0.8},
-     .at = SET(road_friction), .help = "friction of the tyres on the road"},
-    {"dt_ms", CR_KEY_NUMBER, .unit = "ms", .dim = CR_DIM_TIME, .lo = 0.001, .hi = 5,
-     .def = {0.5, 0.5}, .at = SET(dt), .help = "longest time slice"},
-    {"voxel_mm", CR_KEY_NUMBER, .unit = "mm", .dim = CR_DIM_LENGTH, .lo = 5, .hi = 100,
-     .def = {25, 25}, .at = SET(voxel), .help = "edge of the voxels"},
-    {"elastic_ms", CR_KEY_NUMBER, .unit = "ms", .dim = CR_DIM_TIME, .lo = 0.1, .hi = 100,
-     .def = {NAN, 5}, .at = SET(elastic), .aux = SET(elastic_auto),
-     .help = "length of the elastic compression, and of the restitution, or auto from the force"},
-    {"end", CR_KEY_WORD, .at = SET(end), WORDS(end_words), .help = "where the solve ends"},
-    {"induced", CR_KEY_SWITCH, .def = {1, 0}, .at = SET(induced),
-     .help = "induced deformation beside the contact (method.md 5)"},
-    {"heights", CR_KEY_SWITCH, .def = {1, 0}, .at = SET(heights),
-     .help = "only the heights in which both partners have material meet"},
-    {"residual_curve", CR_KEY_SWITCH, .def = {0, 1}, .at = SET(residual_curve),
-     .help = "voxels hold the residual crush curve, not the dynamic one"},
+    WORD("method", 0, cr_settings, method, method_words,
+         "profile: the paper alone, or extended (method.md 4)"),
+    {ROW("restitution", CR_KEY_NUMBER, 0, 0, IN(cr_settings, restitution),
+         "restitution impulse over compression impulse, or auto from the closing speed"),
+     RANGED("", NUMBER, 0, 0.95), .def = {0.1, 0.1}, .aux = IN(cr_settings, restitution_auto)},
+    SETTING("friction", "", NUMBER, 0, 2, 0.5, 0, friction, "Coulomb friction between bodies"),
+    SETTING("road_friction", "", NUMBER, 0, 2, 0.8, 0.8, road_friction,
+            "friction of the tyres on the road"),
+    SETTING("dt_ms", "ms", TIME, 0.001, 5, 0.5, 0.5, dt, "longest time slice"),
+    SETTING("voxel_mm", "mm", LENGTH, 5, 100, 25, 25, voxel, "edge of the voxels"),
+    {ROW("elastic_ms", CR_KEY_NUMBER, 0, 0, IN(cr_settings, elastic),
+         "length of the elastic compression, and of the restitution, or auto from the force"),
+     RANGED("ms", TIME, 0.1, 100), .def = {NAN, 5}, .aux = IN(cr_settings, elastic_auto)},
+    WORD("end", 0, cr_settings, end, end_words, "where the solve ends"),
+    SWITCH("induced", 1, 0, induced, "induced deformation beside the contact (method.md 5)"),
+    SWITCH("heights", 1, 0, heights, "only the heights in which both partners have material meet"),
+    SWITCH("residual_curve", 0, 1, residual_curve,
+           "voxels hold the residual crush curve, not the dynamic one"),
 };
+
+#define FACE(word, i)                                                                              \
+    NUMBER("model.stiffness." word ".A_N_per_m", V, 0, "N/m", STIFFNESS_A, 0, 1e7, 0,              \
+           model.face[i].a, "CRASH3 A of the " word),                                              \
+        NUMBER("model.stiffness." word ".B_N_per_m2", V, 0, "N/m2", STIFFNESS_B, 1000, 1e8, 0,     \
+               model.face[i].b, "CRASH3 B of the " word)
 
 /* Ranges are wide enough for a quadricycle and a loaded lorry; they catch slips of unit and of the
  * decimal point. Objects may be anything from a post to a building. */
 static const struct cr_key participant_keys[] = {
-    {"id", CR_KEY_TEXT, ANY, ANY, .at = PART(id), .aux = CR_NAME_MAX, .help = "name, unique"},
-    {"kind", CR_KEY_WORD, ANY, ANY, .at = PART(kind), WORDS(kind_words),
-     .help = "vehicle or object"},
-    {"shape", CR_KEY_WORD, O, O, .at = PART(shape), WORDS(shape_words), .help = "rigid outline"},
-    {"type", CR_KEY_WORD, V, V, .at = PART(type), WORDS(type_words),
-     .help = "which of the six EES models"},
-    {"mass_kg",
-     CR_KEY_NUMBER,
-     V,
-     V,
-     "kg",
-     CR_DIM_MASS,
-     100,
-     60000,
-     {NAN},
-     PART(mass),
-     .help = "mass as crashed, with load"},
-    {"mass_kg",
-     CR_KEY_NUMBER,
-     O,
-     0,
-     "kg",
-     CR_DIM_MASS,
-     0.1,
-     1e7,
-     {NAN},
-     PART(mass),
-     .help = "mass; without one the object is fixed to the ground"},
-    {"length_m",
-     CR_KEY_NUMBER,
-     V,
-     0,
-     "m",
-     CR_DIM_LENGTH,
-     1,
-     30,
-     {NAN},
-     PART(length),
-     .help = "overall length"},
-    {"width_m",
-     CR_KEY_NUMBER,
-     V,
-     0,
-     "m",
-     CR_DIM_LENGTH,
-     0.4,
-     4,
-     {NAN},
-     PART(width),
-     .help = "overall width without mirrors"},
-    {"length_m",
-     CR_KEY_NUMBER,
-     CR_FOR_BOX,
-     CR_FOR_BOX,
-     "m",
-     CR_DIM_LENGTH,
-     0.01,
-     1000,
-     {NAN},
-     PART(length),
-     .help = "extent along its heading"},
-    {"width_m",
-     CR_KEY_NUMBER,
-     CR_FOR_BOX,
-     CR_FOR_BOX,
-     "m",
-     CR_DIM_LENGTH,
-     0.01,
-     1000,
-     {NAN},
-     PART(width),
-     .help = "extent across its heading"},
-    {"height_m",
-     CR_KEY_NUMBER,
-     V,
-     0,
-     "m",
-     CR_DIM_LENGTH,
-     0.5,
-     5,
-     {NAN},
-     PART(height),
-     .help = "overall height"},
-    {"height_m",
-     CR_KEY_RANGE,
-     O,
-     0,
-     "m",
-     CR_DIM_LENGTH,
-     -1,
-     100,
-     {NAN},
-     PART(z_lo),
-     .help = "lower and upper edge above the road"},
-    {"wheelbase_m",
-     CR_KEY_NUMBER,
-     V,
-     0,
-     "m",
-     CR_DIM_LENGTH,
-     0.5,
-     20,
-     {NAN},
-     PART(wheelbase),
-     .help = "front axle to rear axle"},
-    {"track_m",
-     CR_KEY_NUMBER,
-     V,
-     0,
-     "m",
-     CR_DIM_LENGTH,
-     0.2,
-     4,
-     {NAN},
-     PART(track),
-     .help = "left wheel to right wheel"},
-    {"front_overhang_m",
-     CR_KEY_NUMBER,
-     V,
-     0,
-     "m",
-     CR_DIM_LENGTH,
-     0.05,
-     5,
-     {NAN},
-     PART(front_overhang),
-     .help = "front end to front axle"},
-    {"cg.behind_front_axle_m",
-     CR_KEY_NUMBER,
-     V,
-     0,
-     "m",
-     CR_DIM_LENGTH,
-     0.05,
-     20,
-     {NAN},
-     PART(cg_behind_front_axle),
-     .help = "front axle to centre of gravity"},
-    {"cg.height_m",
-     CR_KEY_NUMBER,
-     V,
-     0,
-     "m",
-     CR_DIM_LENGTH,
-     0.1,
-     4,
-     {NAN},
-     PART(cg_height),
-     .help = "centre of gravity above the road"},
-    {"yaw_inertia_kgm2",
-     CR_KEY_NUMBER,
-     V,
-     0,
-     "kgm2",
-     CR_DIM_INERTIA,
-     10,
-     5e6,
-     {NAN},
-     PART(yaw_inertia),
-     .help = "about the vertical axis through the centre of gravity"},
-    {"model.pdof",
-     CR_KEY_PDOF,
-     V,
-     0,
-     "deg",
-     CR_DIM_ANGLE,
-     -360,
-     720,
-     {NAN},
-     PART(model),
-     .help = "direction of force of its model: auto, o'clock 1 to 12, or degrees"},
-    {"model.blend", CR_KEY_BOOL, V, 0, .at = PART(model.blend),
-     .help = "mix the models of the two nearest directions"},
-    {"model.file", CR_KEY_TEXT, V, 0, .at = PART(model.file), .aux = CR_PATH_MAX,
-     .help = "own voxel model, JSON or CSV"},
-#define FACE(word, i)                                                                              \
-    {"model.stiffness." word ".A_N_per_m",                                                         \
-     CR_KEY_NUMBER,                                                                                \
-     V,                                                                                            \
-     0,                                                                                            \
-     "N/m",                                                                                        \
-     CR_DIM_STIFFNESS_A,                                                                           \
-     0,                                                                                            \
-     1e7,                                                                                          \
-     {0},                                                                                          \
-     PART(model.face[i].a),                                                                        \
-     .help = "CRASH3 A of the " word},                                                             \
-    {                                                                                              \
-        "model.stiffness." word ".B_N_per_m2", CR_KEY_NUMBER, V, 0, "N/m2", CR_DIM_STIFFNESS_B,    \
-            1000, 1e8, {0}, PART(model.face[i].b), .help = "CRASH3 B of the " word                 \
-    }
+    TEXT("id", ANY, cr_participant, id, CR_NAME_MAX, "name, unique"),
+    WORD("kind", ANY, cr_participant, kind, kind_words, "vehicle or object"),
+    WORD("shape", O, cr_participant, shape, shape_words, "rigid outline"),
+    WORD("type", V, cr_participant, type, type_words, "which of the six EES models"),
+    NUMBER("mass_kg", V, V, "kg", MASS, 100, 60000, NAN, mass, "mass as crashed, with load"),
+    NUMBER("mass_kg", O, 0, "kg", MASS, 0.1, 1e7, NAN, mass,
+           "mass; without one the object is fixed to the ground"),
+    NUMBER("length_m", V, 0, "m", LENGTH, 1, 30, NAN, length, "overall length"),
+    NUMBER("width_m", V, 0, "m", LENGTH, 0.4, 4, NAN, width, "overall width without mirrors"),
+    NUMBER("length_m", CR_FOR_BOX, CR_FOR_BOX, "m", LENGTH, 0.01, 1000, NAN, length,
+           "extent along its heading"),
+    NUMBER("width_m", CR_FOR_BOX, CR_FOR_BOX, "m", LENGTH, 0.01, 1000, NAN, width,
+           "extent across its heading"),
+    NUMBER("height_m", V, 0, "m", LENGTH, 0.5, 5, NAN, height, "overall height"),
+    {ROW("height_m", CR_KEY_RANGE, O, 0, IN(cr_participant, z_lo),
+         "lower and upper edge above the road"),
+     RANGED("m", LENGTH, -1, 100), .def = {NAN}},
+    NUMBER("wheelbase_m", V, 0, "m", LENGTH, 0.5, 20, NAN, wheelbase, "front axle to rear axle"),
+    NUMBER("track_m", V, 0, "m", LENGTH, 0.2, 4, NAN, track, "left wheel to right wheel"),
+    NUMBER("front_overhang_m", V, 0, "m", LENGTH, 0.05, 5, NAN, front_overhang,
+           "front end to front axle"),
+    NUMBER("cg.behind_front_axle_m", V, 0, "m", LENGTH, 0.05, 20, NAN, cg_behind_front_axle,
+           "front axle to centre of gravity"),
+    NUMBER("cg.height_m", V, 0, "m", LENGTH, 0.1, 4, NAN, cg_height,
+           "centre of gravity above the road"),
+    NUMBER("yaw_inertia_kgm2", V, 0, "kgm2", INERTIA, 10, 5e6, NAN, yaw_inertia,
+           "about the vertical axis through the centre of gravity"),
+    OTHER("model.pdof", PDOF, V, 0, "deg", ANGLE, -360, 720, model,
+          "direction of force of its model: auto, o'clock 1 to 12, or degrees"),
+    OTHER("model.blend", BOOL, V, 0, "", NUMBER, 0, 1, model.blend,
+          "mix the models of the two nearest directions"),
+    {ROW("model.file", CR_KEY_TEXT, V, 0, IN(cr_participant, model.file),
+         "own voxel model, JSON or CSV"),
+     .aux = CR_PATH_MAX},
     FACE("front", 0),
     FACE("side", 1),
     FACE("rear", 2),
-#undef FACE
-    {"brake",
-     CR_KEY_WHEELS,
-     V,
-     0,
-     "",
-     CR_DIM_NUMBER,
-     0,
-     1,
-     {0},
-     PART(brake),
-     .help = "share of the friction used for braking, or one per wheel fl fr rl rr"},
-    {"steer_deg",
-     CR_KEY_WHEELS,
-     V,
-     0,
-     "deg",
-     CR_DIM_ANGLE,
-     -90,
-     90,
-     {0},
-     PART(steer),
-     .help = "steer angle to the left, or one per wheel fl fr rl rr"},
-    {"locked", CR_KEY_LOCKED, V, 0, .at = PART(locked),
-     .help = "wheels that do not turn, or one per wheel fl fr rl rr"},
-    {"radius_m",
-     CR_KEY_NUMBER,
-     CR_FOR_POLE,
-     CR_FOR_POLE,
-     "m",
-     CR_DIM_LENGTH,
-     0.01,
-     50,
-     {NAN},
-     PART(radius),
-     .help = "of the pole"},
-    {"edge_radius_m",
-     CR_KEY_NUMBER,
-     CR_FOR_BOX,
-     0,
-     "m",
-     CR_DIM_LENGTH,
-     0,
-     50,
-     {0},
-     PART(edge_radius),
-     .help = "of its upright edges"},
-    {"vertices_m",
-     CR_KEY_VERTICES,
-     CR_FOR_POLYGON,
-     CR_FOR_POLYGON,
-     "m",
-     CR_DIM_LENGTH,
-     -1000,
-     1000,
-     {NAN},
-     PART(vertex),
-     .help = "corners about its position"},
-    {"friction",
-     CR_KEY_NUMBER,
-     ANY,
-     0,
-     "",
-     CR_DIM_NUMBER,
-     0,
-     2,
-     {NAN},
-     PART(friction),
-     .help = "of its surface instead of the setting"},
-    {"position_m",
-     CR_KEY_PAIR,
-     ANY,
-     ANY,
-     "m",
-     CR_DIM_LENGTH,
-     -1e5,
-     1e5,
-     {0},
-     PART(pos),
-     .help = "x east, y north: centre of gravity of a vehicle, reference point of an object"},
-    {"heading_deg",
-     CR_KEY_NUMBER,
-     ANY,
-     0,
-     "deg",
-     CR_DIM_ANGLE,
-     -3600,
-     3600,
-     {0},
-     PART(heading),
-     .help = "counter-clockwise from x; outward normal of a wall"},
-    {"course_deg",
-     CR_KEY_NUMBER,
-     ANY,
-     0,
-     "deg",
-     CR_DIM_ANGLE,
-     -3600,
-     3600,
-     {NAN},
-     PART(course),
-     .help = "direction of travel where it is not the heading"},
-    {"speed_kmh",
-     CR_KEY_NUMBER,
-     ANY,
-     0,
-     "km/h",
-     CR_DIM_SPEED,
-     -500,
-     500,
-     {0},
-     PART(speed),
-     .help = "along the course, negative in reverse"},
-    {"yaw_rate_deg_s",
-     CR_KEY_NUMBER,
-     ANY,
-     0,
-     "deg/s",
-     CR_DIM_YAW_RATE,
-     -2000,
-     2000,
-     {0},
-     PART(yaw_rate),
-     .help = "counter-clockwise"},
-    {"trajectory", CR_KEY_TRAJECTORY, ANY, 0, .at = PART(waypoint),
-     .help = "rows that are followed until the first contact, instead of position and speed"},
+    OTHER("brake", WHEELS, V, 0, "", NUMBER, 0, 1, brake,
+          "share of the friction used for braking, or one per wheel fl fr rl rr"),
+    OTHER("steer_deg", WHEELS, V, 0, "deg", ANGLE, -90, 90, steer,
+          "steer angle to the left, or one per wheel fl fr rl rr"),
+    OTHER("locked", LOCKED, V, 0, "", NUMBER, 0, 1, locked,
+          "wheels that do not turn, or one per wheel fl fr rl rr"),
+    NUMBER("radius_m", CR_FOR_POLE, CR_FOR_POLE, "m", LENGTH, 0.01, 50, NAN, radius, "of the pole"),
+    NUMBER("edge_radius_m", CR_FOR_BOX, 0, "m", LENGTH, 0, 50, 0, edge_radius,
+           "of its upright edges"),
+    OTHER("vertices_m", VERTICES, CR_FOR_POLYGON, CR_FOR_POLYGON, "m", LENGTH, -1000, 1000, vertex,
+          "corners about its position"),
+    NUMBER("friction", ANY, 0, "", NUMBER, 0, 2, NAN, friction,
+           "of its surface instead of the setting"),
+    OTHER("position_m", PAIR, ANY, ANY, "m", LENGTH, -1e5, 1e5, pos,
+          "x east, y north: centre of gravity of a vehicle, reference point of an object"),
+    NUMBER("heading_deg", ANY, 0, "deg", ANGLE, -3600, 3600, 0, heading,
+           "counter-clockwise from x; outward normal of a wall"),
+    NUMBER("course_deg", ANY, 0, "deg", ANGLE, -3600, 3600, NAN, course,
+           "direction of travel where it is not the heading"),
+    NUMBER("speed_kmh", ANY, 0, "km/h", SPEED, -500, 500, 0, speed,
+           "along the course, negative in reverse"),
+    NUMBER("yaw_rate_deg_s", ANY, 0, "deg/s", YAW_RATE, -2000, 2000, 0, yaw_rate,
+           "counter-clockwise"),
+    OTHER("trajectory", TRAJECTORY, ANY, 0, "", NUMBER, 0, 0, waypoint,
+          "rows that are followed until the first contact, instead of position and speed"),
 };
 
-#define WAY(field) offsetof(struct cr_waypoint, field)
+#define WAY(n, u, d, l, h, f, text)                                                                \
+    { ROW(n, CR_KEY_NUMBER, ANY, ANY, IN(cr_waypoint, f), text), RANGED(u, d, l, h) }
 static const struct cr_key waypoint_keys[] = {
-    {"t_s", CR_KEY_NUMBER, ANY, ANY, "s", CR_DIM_TIME, -1e4, 1e4, {0}, WAY(t), .help = "time"},
-    {"x_m",
-     CR_KEY_NUMBER,
-     ANY,
-     ANY,
-     "m",
-     CR_DIM_LENGTH,
-     -1e5,
-     1e5,
-     {0},
-     WAY(pos.x),
-     .help = "east"},
-    {"y_m",
-     CR_KEY_NUMBER,
-     ANY,
-     ANY,
-     "m",
-     CR_DIM_LENGTH,
-     -1e5,
-     1e5,
-     {0},
-     WAY(pos.y),
-     .help = "north"},
-    {"heading_deg",
-     CR_KEY_NUMBER,
-     ANY,
-     ANY,
-     "deg",
-     CR_DIM_ANGLE,
-     -3600,
-     3600,
-     {0},
-     WAY(heading),
-     .help = "counter-clockwise from x"},
-    {"speed_kmh",
-     CR_KEY_NUMBER,
-     ANY,
-     ANY,
-     "km/h",
-     CR_DIM_SPEED,
-     -500,
-     500,
-     {0},
-     WAY(speed),
-     .help = "along the path"},
+    WAY("t_s", "s", TIME, -1e4, 1e4, t, "time"),
+    WAY("x_m", "m", LENGTH, -1e5, 1e5, pos.x, "east"),
+    WAY("y_m", "m", LENGTH, -1e5, 1e5, pos.y, "north"),
+    WAY("heading_deg", "deg", ANGLE, -3600, 3600, heading, "counter-clockwise from x"),
+    WAY("speed_kmh", "km/h", SPEED, -500, 500, speed, "along the path"),
 };
 
 static const struct {
@@ -471,12 +201,16 @@ static bool applies(const struct cr_key *key, unsigned mask) {
     return key->for_kinds == 0 || (key->for_kinds & mask) != 0;
 }
 
-/* the name without the suffix of its unit: "speed" for "speed_kmh" */
-static bool is_short_name(const struct cr_key *key, const char *name) {
+/* the length of a name without the suffix of its unit: "speed" of "speed_kmh" */
+static size_t short_length(const struct cr_key *key) {
     const char *suffix = cr_scene_key_unit(key)->suffix;
     size_t n = strlen(key->name), k = strlen(suffix);
-    return k > 0 && n > k && strcmp(key->name + n - k, suffix) == 0 && strlen(name) == n - k &&
-           strncmp(name, key->name, n - k) == 0;
+    return k > 0 && n > k && strcmp(key->name + n - k, suffix) == 0 ? n - k : n;
+}
+
+static bool is_short_name(const struct cr_key *key, const char *name) {
+    size_t n = short_length(key);
+    return strlen(name) == n && strncmp(name, key->name, n) == 0;
 }
 
 const struct cr_key *cr_scene_key_find(enum cr_key_table table, const char *name, unsigned mask) {
@@ -496,31 +230,46 @@ const struct cr_key *cr_scene_key_find(enum cr_key_table table, const char *name
     return shorter;
 }
 
+/* the key of an inner object that the rest of a name begins with, as a text of its own */
+static const char *group_word(const char *rest, size_t len) {
+    static const char *const groups[] = {"cg", "model", "stiffness", "front", "side", "rear"};
+    for (size_t g = 0; g < COUNT(groups); g++) {
+        if (strlen(groups[g]) == len && strncmp(groups[g], rest, len) == 0) {
+            return groups[g];
+        }
+    }
+    return rest;
+}
+
 const char *cr_scene_key_nearest(enum cr_key_table table, const char *name, const char *prefix,
                                  unsigned mask) {
-    /* one level of names: rows of inner objects stand for the inner object's own key */
-    static const char *const groups[] = {"cg", "model", "stiffness", "front", "side", "rear"};
-    const char *list[64 + COUNT(groups)];
+    enum { LIST_MAX = 64, NAME_SIZE = 48 };
+    char without[LIST_MAX][NAME_SIZE];
+    const char *full[2 * LIST_MAX] = {0}, *list[2 * LIST_MAX] = {0};
     int n = 0;
     size_t skip = strlen(prefix);
-    for (int i = 0; i < tables[table].n && n < 64; i++) {
+    for (int i = 0; i < tables[table].n && i < LIST_MAX; i++) {
         const struct cr_key *key = &tables[table].row[i];
         if (!applies(key, mask) || strncmp(key->name, prefix, skip) != 0) {
             continue;
         }
         const char *rest = key->name + skip;
         size_t len = strcspn(rest, ".");
+        full[n] = list[n] = rest[len] == '.' ? group_word(rest, len) : rest;
+        n++;
         if (rest[len] == '\0') {
-            list[n++] = rest;
-            continue;
-        }
-        for (size_t g = 0; g < COUNT(groups); g++) {
-            if (strlen(groups[g]) == len && strncmp(groups[g], rest, len) == 0) {
-                list[n++] = groups[g];
-            }
+            snprintf(without[i], NAME_SIZE, "%.*s", (int)(short_length(key) - skip), rest);
+            full[n] = rest;
+            list[n++] = without[i];
         }
     }
-    return cr_str_nearest(name, list, n);
+    const char *near = cr_str_nearest(name, list, n);
+    for (int i = 0; i < n && near != NULL; i++) {
+        if (list[i] == near) {
+            return full[i];
+        }
+    }
+    return NULL;
 }
 
 bool cr_scene_key_given(const struct cr_scene *scene, enum cr_key_table table,

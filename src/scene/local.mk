@@ -18,4 +18,15 @@ libscene_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)
 
 scenesdir = $(pkgdatadir)/share/scenes
 dist_scenes_DATA = \
-	share/scenes/q7-fiat500.json
+	share/scenes/moving-box.json \
+	share/scenes/oblique-wall.json \
+	share/scenes/offset-car.json \
+	share/scenes/pole-side.json \
+	share/scenes/q7-fiat500.json \
+	share/scenes/rest.json \
+	share/scenes/sideswipe.json \
+	share/scenes/three-cars.json \
+	share/scenes/trajectory.json \
+	share/scenes/wall-56.json
+sceneschemadir = $(pkgdatadir)/share/schema
+dist_sceneschema_DATA = share/schema/scene.schema.json

@@ -165,13 +165,13 @@ static void resolve_settings(struct cr_settings *set) {
     int n;
     const struct cr_key *row = cr_scene_keys(CR_KEYS_SETTINGS, &n);
     for (int i = 0; i < n; i++) {
-        int on = (int)row[i].def[set->method];
         if ((set->given >> i & 1) != 0) {
             continue;
         }
         if (row[i].type == CR_KEY_NUMBER) {
             cr_scene_value_reset(&row[i], set, (int)set->method);
         } else if (row[i].type == CR_KEY_SWITCH && !cr_scene_value_known(&row[i], set)) {
+            int on = row[i].def[set->method] != 0;
             memcpy((char *)set + row[i].at, &on, sizeof on);
         }
     }

@@ -1,0 +1,36 @@
+#!/bin/sh
+# share/schema/scene.schema.json is a valid schema, accepts every scene of the tree and refuses the
+# bad ones that a schema can see; those that only the program can see are listed by name.
+. "$SRC/tests/tap.sh"
+if ! python3 -c 'import jsonschema; jsonschema.Draft202012Validator' 2>/dev/null; then
+    echo "1..0 # SKIP no python3 with jsonschema for drafts of 2020-12"
+    exit 0
+fi
+check() {
+    python3 - "$SRC/share/schema/scene.schema.json" "$@" <<'PY'
+import json, sys
+import jsonschema
+schema = json.load(open(sys.argv[1]))
+jsonschema.Draft202012Validator.check_schema(schema)
+validator = jsonschema.Draft202012Validator(schema)
+for path in sys.argv[3:]:
+    good = validator.is_valid(json.load(open(path)))
+    if good != (sys.argv[2] == "accept"):
+        print(path, "is accepted" if good else "is refused")
+PY
+}
+cases=$SRC/tests/cases/scene
+empty "good scenes are accepted" "$(check accept "$SRC"/share/scenes/*.json 2>&1)"
+for case in "$cases"/*.json; do
+    name=$(basename "$case" .json)
+    case $name in syntax-*) continue ;; esac
+    if grep -qx "$name" "$cases/schema-accepts"; then
+        accepted="$accepted $case"
+    else
+        set -- "$@" "$case"
+    fi
+done
+empty "bad scenes are refused" "$(check refuse "$@" 2>&1)"
+# shellcheck disable=SC2086
+empty "what is listed as out of reach is accepted" "$(check accept $accepted 2>&1)"
+finish

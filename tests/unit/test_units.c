@@ -1,0 +1,121 @@
+#include "test.h"
+
+#include "base/units.h"
+
+#include <string.h>
+
+static void check_value(const char *text, enum cr_dim dim, const char *plain, double want) {
+    struct cr_error err = {0};
+    double si = NAN;
+    if (cr_unit_parse(text, dim, cr_unit_find(plain, dim), &si, NULL, &err) != CR_ERR_OK) {
+        fail_msg("%s: %s", text, err.text);
+    }
+    check_near(si, want, 1e-9 * fabs(want));
+}
+
+static void test_numbers_with_units(void **state) {
+    (void)state;
+    check_value("36km/h", CR_DIM_SPEED, "m/s", 10);
+    check_value("10 m/s", CR_DIM_SPEED, "km/h", 10);
+    check_value("36", CR_DIM_SPEED, "km/h", 10);
+    check_value("25mph", CR_DIM_SPEED, "km/h", 11.176);
+    check_value("2.26t", CR_DIM_MASS, "kg", 2260);
+    check_value("1000g", CR_DIM_MASS, "kg", 1);
+    check_value("100lb", CR_DIM_MASS, "kg", 45.359237);
+    check_value("2g", CR_DIM_ACCELERATION, "m/s2", 19.6133);
+    check_value("180deg", CR_DIM_ANGLE, "rad", 3.14159265358979);
+    check_value("-90", CR_DIM_ANGLE, "deg", -1.570796326794897);
+    check_value("0.5ms", CR_DIM_TIME, "s", 5e-4);
+    check_value("40%", CR_DIM_NUMBER, "", 0.4);
+    check_value("0.4", CR_DIM_NUMBER, "", 0.4);
+    check_value("10in", CR_DIM_LENGTH, "m", 0.254);
+    check_value("1e2mm", CR_DIM_LENGTH, "m", 0.1);
+    check_value("2ft", CR_DIM_LENGTH, "m", 0.6096);
+    check_value("1.5kN", CR_DIM_FORCE, "N", 1500);
+    check_value(".2kJ", CR_DIM_ENERGY, "J", 200);
+    check_value("3000kgm2", CR_DIM_INERTIA, "kgm2", 3000);
+    check_value("90deg/s", CR_DIM_YAW_RATE, "rad/s", 1.570796326794897);
+    /* a pound-force is 4.4482216152605 N, an inch 0.0254 m */
+    check_value("356lb/in", CR_DIM_STIFFNESS_A, "N/m", 356 * 4.4482216152605 / 0.0254);
+    check_value("34psi", CR_DIM_STIFFNESS_B, "N/m2", 34 * 4.4482216152605 / (0.0254 * 0.0254));
+}
+
+static void check_refused(const char *text, enum cr_dim dim, enum cr_err want, const char *part) {
+    struct cr_error err = {0};
+    double si = -1;
+    assert_int_equal(cr_unit_parse(text, dim, NULL, &si, NULL, &err), want);
+    assert_true(si == -1);
+    if (strstr(err.text, part) == NULL && strstr(err.hint, part) == NULL) {
+        fail_msg("%s: '%s' (%s) does not name %s", text, err.text, err.hint, part);
+    }
+}
+
+static void test_what_is_no_value_is_refused(void **state) {
+    (void)state;
+    check_refused("fast", CR_DIM_SPEED, CR_ERR_TYPE, "a speed");
+    check_refused("", CR_DIM_SPEED, CR_ERR_TYPE, "km/h");
+    check_refused("inf", CR_DIM_SPEED, CR_ERR_TYPE, "inf");
+    check_refused("nan", CR_DIM_NUMBER, CR_ERR_TYPE, "nan");
+    check_refused("60kmh", CR_DIM_SPEED, CR_ERR_NAME, "km/h");
+    check_refused("60kg", CR_DIM_SPEED, CR_ERR_NAME, "'kg'");
+    check_refused("2g", CR_DIM_LENGTH, CR_ERR_NAME, "mm");
+    check_refused("0x10m", CR_DIM_LENGTH, CR_ERR_NAME, "x10m");
+    check_refused("4,5m", CR_DIM_LENGTH, CR_ERR_NAME, ",5m");
+    check_refused("1e999", CR_DIM_LENGTH, CR_ERR_RANGE, "1e999");
+}
+
+static void test_units_go_back_to_the_shortest_number(void **state) {
+    (void)state;
+    static const struct {
+        const char *unit;
+        enum cr_dim dim;
+        double x;
+    } row[] = {{"km/h", CR_DIM_SPEED, 56},      {"km/h", CR_DIM_SPEED, 64.4},
+               {"deg", CR_DIM_ANGLE, 75},       {"deg", CR_DIM_ANGLE, -0.1},
+               {"mm", CR_DIM_LENGTH, 25},       {"ms", CR_DIM_TIME, 0.35},
+               {"deg/s", CR_DIM_YAW_RATE, 150}, {"m", CR_DIM_LENGTH, 1.0 / 3}};
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+        const struct cr_unit *unit = cr_unit_find(row[i].unit, row[i].dim);
+        double si = cr_unit_to_si(unit, row[i].x);
+        assert_true(cr_unit_from_si(unit, si) == row[i].x);
+    }
+}
+
+static void test_every_dimension_has_its_si_unit_first(void **state) {
+    (void)state;
+    for (int dim = 0; dim < CR_DIMS; dim++) {
+        const struct cr_unit *si = cr_unit_nth(dim, 0);
+        assert_non_null(si);
+        assert_ptr_equal(si, cr_unit_find("", dim));
+        assert_true(cr_unit_to_si(si, 7) == 7);
+        assert_true(strlen(cr_dim_word(dim)) > 0);
+        assert_null(cr_unit_find("furlong", dim));
+    }
+}
+
+static void test_numbers_are_scanned_without_their_tail(void **state) {
+    (void)state;
+    static const struct {
+        const char *text;
+        int used;
+        double x;
+    } row[] = {{"12abc", 2, 12}, {"-.5,", 3, -0.5}, {"1e3e", 3, 1000}, {"2em", 1, 2},
+               {"5.", 2, 5},     {"abc", 0, 0},     {"-", 0, 0},       {".", 0, 0}};
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+        const char *end;
+        double x = cr_number_scan(row[i].text, &end);
+        assert_int_equal(end - row[i].text, row[i].used);
+        assert_true(x == row[i].x);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_numbers_with_units),
+        cmocka_unit_test(test_what_is_no_value_is_refused),
+        cmocka_unit_test(test_units_go_back_to_the_shortest_number),
+        cmocka_unit_test(test_every_dimension_has_its_si_unit_first),
+        cmocka_unit_test(test_numbers_are_scanned_without_their_tail),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
