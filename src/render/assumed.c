@@ -30,7 +30,9 @@ static void add_value(const struct cr_participant *part, const char *key, struct
         if (strcmp(VALUES[i].key, key) == 0) {
             double x;
             memcpy(&x, (const char *)part + VALUES[i].at, sizeof x);
-            cr_str_addf(out, "%s %.*f %s", VALUES[i].word, VALUES[i].decimals, x, VALUES[i].unit);
+            /* no-break spaces keep number and unit together */
+            cr_str_addf(out, "%s\u00a0%.*f\u00a0%s", VALUES[i].word, VALUES[i].decimals, x,
+                        VALUES[i].unit);
             return;
         }
     }

@@ -75,7 +75,7 @@ int cr_cells_print(struct cr_cells *cells, int x, int y, int w, enum cr_role rol
         if (used + columns > room - (cut ? 1 : 0)) {
             break;
         }
-        cr_cells_put(cells, x + used, y, role, ch);
+        cr_cells_put(cells, x + used, y, role, ch == 0xA0 ? ' ' : ch);
         if (columns == 2) {
             cr_cells_put(cells, x + used + 1, y, role, 0);
         }

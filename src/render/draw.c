@@ -9,7 +9,7 @@ enum { SUB_LEAST = 2, SUB_MOST = 4 }; /* samples per half cell and direction */
 
 /* Share of what was found in a half cell (square on the screen), counted over its samples. */
 struct pixel {
-    int n, in, rigid, crushed, induced, solid;
+    int n, in, rigid, post, crushed, induced, solid;
     double value; /* sum over solid samples */
 };
 
@@ -22,7 +22,7 @@ static void sample_pixel(const struct cr_pic *pic, const int *bodies, int n, dou
         struct cr_vec2 p =
             cr_pic_to_world(pic, col + (j % sub + 0.5) / sub, row + (j / sub + 0.5) / (2.0 * sub));
         struct cr_pic_hit hit;
-        bool in = false, rigid = false, crushed = false, induced = false;
+        bool in = false, rigid = false, post = false, crushed = false, induced = false;
         double left = 0, value = 0;
         for (int k = 0; k < n; k++) {
             if (!cr_pic_look(pic, &pic->body[bodies[k]], p, &hit)) {
@@ -30,6 +30,7 @@ static void sample_pixel(const struct cr_pic *pic, const int *bodies, int n, dou
             }
             in = true;
             rigid |= hit.rigid;
+            post |= hit.post;
             crushed |= hit.crushed && !hit.induced;
             induced |= hit.induced;
             /* of the bodies here the one with most material is seen */
@@ -40,6 +41,7 @@ static void sample_pixel(const struct cr_pic *pic, const int *bodies, int n, dou
         }
         px->in += in;
         px->rigid += rigid;
+        px->post += post;
         px->crushed += crushed;
         px->induced += induced && !crushed;
         bool counts = left >= 0.25 || (in && !rigid && pic->field != CR_FIELD_EES);
@@ -49,13 +51,9 @@ static void sample_pixel(const struct cr_pic *pic, const int *bodies, int n, dou
 }
 
 static struct pixel both(const struct pixel *a, const struct pixel *b) {
-    return (struct pixel){a->n + b->n,
-                          a->in + b->in,
-                          a->rigid + b->rigid,
-                          a->crushed + b->crushed,
-                          a->induced + b->induced,
-                          a->solid + b->solid,
-                          a->value + b->value};
+    return (struct pixel){a->n + b->n,         a->in + b->in,           a->rigid + b->rigid,
+                          a->post + b->post,   a->crushed + b->crushed, a->induced + b->induced,
+                          a->solid + b->solid, a->value + b->value};
 }
 
 static bool most(int part, const struct pixel *px) {
@@ -76,7 +74,7 @@ static bool draw_crushed(struct cr_pic *pic, struct cr_cell *cell, const struct 
                          const struct cr_look *look) {
     int hurt = px->crushed + px->induced;
     bool field_of_crush = pic->field != CR_FIELD_EES && pic->field != CR_FIELD_NONE;
-    if (field_of_crush || 5 * hurt < 2 * px->n) {
+    if (field_of_crush || 5 * hurt < 2 * px->n || 3 * px->post >= px->n) {
         return false;
     }
     bool induced = px->induced > px->crushed;
@@ -138,7 +136,7 @@ static void draw_cell(struct cr_pic *pic, struct cr_cells *cells, const struct c
     if (draw_crushed(pic, cell, &px, look)) {
         return;
     }
-    if (most(px.rigid, &px)) {
+    if (most(px.rigid, &px) || 3 * px.post >= px.n) {
         *cell = (struct cr_cell){.ch = '/', .role = CR_ROLE_OBJECT};
         pic->any_rigid = true;
         return;

@@ -114,24 +114,48 @@ static void draw_letter(const struct ink *ink, const struct cr_pic_body *b, bool
     }
 }
 
+static bool hatched(const struct ink *ink, int x, int y) {
+    const struct cr_cell *cell = cr_cells_at(ink->cells, x, y);
+    return in_field(ink->pic, x, y) && cell != NULL && cell->ch == '/' &&
+           cell->role == CR_ROLE_OBJECT;
+}
+
+/* Place nearest to the middle of a box where n cells in a row, along or down, show a rigid object.
+ */
+static bool find_run(const struct ink *ink, struct cr_rect box, int n, bool along, int at[2]) {
+    int best = 1 << 30;
+    for (int y = box.y; y < box.y + box.h; y++) {
+        for (int x = box.x; x < box.x + box.w; x++) {
+            int run = 0;
+            while (run < n && hatched(ink, x + (along ? run : 0), y + (along ? 0 : run))) {
+                run++;
+            }
+            int far = abs(2 * x + (along ? n : 0) - 2 * box.x - box.w) +
+                      2 * abs(2 * y + (along ? 0 : n) - 2 * box.y - box.h);
+            if (run == n && far < best) {
+                best = far;
+                at[0] = x;
+                at[1] = y;
+            }
+        }
+    }
+    return best < 1 << 30;
+}
+
 /* Name of a rigid object on it, along or down; false when it is too small for that. */
 static bool draw_object_name(const struct ink *ink, const struct cr_pic_body *b) {
     struct cr_rect box = cr_pic_cells_of(ink->pic, b);
-    int w = cr_glyph_width(b->id);
-    bool along = box.w >= w + 4, down = box.h >= w + 2 && box.w >= 3;
-    if (!along && !down) {
+    int n = cr_glyph_width(b->id) + 2, at[2];
+    bool along = find_run(ink, box, n, true, at);
+    if (!along && !find_run(ink, box, n, false, at)) {
         return false;
     }
     const char *s = b->id;
-    int x = box.x + (along ? (box.w - w) / 2 : box.w / 2);
-    int y = box.y + (along ? box.h / 2 : (box.h - w) / 2);
-    put(ink, along ? x - 1 : x, along ? y : y - 1, b->role, ' ');
-    while (*s != '\0') {
-        put(ink, x, y, CR_ROLE_TITLE, cr_glyph_next(&s));
-        x += along;
-        y += !along;
+    for (int i = 0; i < n; i++) {
+        bool end = i == 0 || *s == '\0';
+        put(ink, at[0] + (along ? i : 0), at[1] + (along ? 0 : i), CR_ROLE_TITLE,
+            end ? ' ' : cr_glyph_next(&s));
     }
-    put(ink, x, y, b->role, ' ');
     return true;
 }
 

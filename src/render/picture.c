@@ -7,6 +7,7 @@
 #include <string.h>
 
 /* rows kept free of bodies: a label above, a label below, scale and legend */
+static const double POST = 1.0; /* m: rigid objects below this stand out of crushed voxels */
 enum { ROWS_ABOVE = 1, ROWS_BELOW = 2, COLS_SIDE = 1 };
 
 static void set_box(struct cr_pic_body *b) {
@@ -58,6 +59,7 @@ static void init_body(struct cr_pic_body *b, int i, const struct cr_compiled *co
         b->outline_n = cr_scene_outline(part, b->outline, CR_PIC_OUTLINE);
     }
     set_box(b);
+    b->small = b->grid->nx == 0 && b->hi.x - b->lo.x < POST && b->hi.y - b->lo.y < POST;
 }
 
 static double left_at(const struct cr_pic *pic, const struct cr_pic_body *b, int i) {
@@ -89,6 +91,7 @@ bool cr_pic_look(const struct cr_pic *pic, const struct cr_pic_body *b, struct c
     *hit = (struct cr_pic_hit){0};
     if (b->grid->nx == 0) {
         hit->rigid = inside_outline(b, p);
+        hit->post = hit->rigid && b->small;
         return hit->rigid;
     }
     int ix = (int)((p.x - b->lo.x) / b->grid->h), iy = (int)((p.y - b->lo.y) / b->grid->h);

@@ -10,7 +10,7 @@ struct cr_pic_body {
     const char *id, *type;
     char letter;
     enum cr_role role;
-    bool moves;
+    bool moves, small; /* small: a pole, seen also where it stands in crushed voxels */
     double mass;
     struct cr_sample now;           /* pose, velocity, force at the time of the picture */
     double c, s;                    /* cosine and sine of the heading */
@@ -46,9 +46,9 @@ struct cr_pic {
 
 /* What one body has at a world point. */
 struct cr_pic_hit {
-    bool rigid, crushed, induced;
-    double left;  /* share of material */
-    double value; /* of the field, in its unit */
+    bool rigid, post, crushed, induced; /* post: rigid and small */
+    double left;                        /* share of material */
+    double value;                       /* of the field, in its unit */
 };
 
 /* Bodies at the time of the view; scale and centre fitted to the rectangle where the view leaves
