@@ -37,6 +37,7 @@ struct word {
 static const struct word words[] = {
     {"run", cr_batch_run},
     {"stack", cr_batch_stack},
+    {"validate", cr_batch_validate},
 };
 enum { WORDS = sizeof words / sizeof *words };
 

@@ -1,0 +1,275 @@
+/* crumple validate: crash tests against computed crashes. */
+#include "base/file.h"
+#include "batch/batch.h"
+#include "batch/batch_priv.h"
+#include "batch/pool.h"
+#include "batch/verdict.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+static const char about[] =
+    "Solves crash tests and compares: mean percentage error, its spread and the mean amount, by\n"
+    "class, speed and vehicle type, for both methods, beside the fleet's own scatter and the\n"
+    "published figures of impactEES. Classes: wall, pole, car-to-car, small-overlap, pulse,\n"
+    "low-speed (default: all). A FILE with own tests: .csv with the columns of the tables in\n"
+    "share/validation/data, or a scene .json with x_expect; see crumple-validation(7).\n"
+    "Exit status: 0 done; 1 with --targets and one of them missed; 2, 3 as for run.\n";
+
+#define FORMATS "text|json|csv"
+#define METHODS "both|extended|paper"
+
+struct options {
+    int format, method, jobs, worst;
+    bool cases, plot, targets, progress;
+    const char *out, *scenes, *models;
+};
+
+struct batch {
+    struct cr_test_list tests;
+    struct cr_context ctx;
+    unsigned methods;
+    int next;        /* number of the next pair of test and method */
+    struct job *job; /* [2 * tests] */
+    long done, all;
+    bool progress;
+};
+
+struct job {
+    struct cr_test *test;
+    enum cr_method method;
+};
+
+static void *take(void *user) {
+    struct batch *b = user;
+    while (b->next < 2 * b->tests.n && !cr_batch_cancelled(NULL)) {
+        struct job *j = &b->job[b->next];
+        *j = (struct job){&b->tests.item[b->next / 2], (enum cr_method)(b->next % 2)};
+        b->next++;
+        if (b->methods >> j->method & 1) {
+            return j;
+        }
+    }
+    return NULL;
+}
+
+static void work(void *user, void *item) {
+    const struct batch *b = user;
+    struct job *j = item;
+    cr_test_solve(j->test, j->method, &b->ctx);
+}
+
+static bool give(void *user, void *item) {
+    struct batch *b = user;
+    (void)item;
+    b->done++;
+    if (b->progress && (b->done % 50 == 0 || b->done == b->all)) {
+        fprintf(stderr, "%ld of %ld\n", b->done, b->all);
+    }
+    return true;
+}
+
+static int find_class(const char *word) {
+    for (int c = 0; c < CR_TEST_OWN; c++) {
+        if (!strcmp(word, cr_test_class_word((enum cr_test_class)c))) {
+            return c;
+        }
+    }
+    return -1;
+}
+
+static enum cr_err load(char **name, int n, struct cr_test_list *list, struct cr_error *err) {
+    char dir[4200];
+    enum cr_err rc = cr_batch_data("share/validation", dir, sizeof dir, err);
+    for (int c = 0; n == 0 && c < CR_TEST_OWN && !rc; c++) {
+        rc = cr_test_load(dir, (enum cr_test_class)c, list, err);
+    }
+    for (int i = 0; i < n && !rc; i++) {
+        int c = find_class(name[i]);
+        if (c >= 0) {
+            rc = cr_test_load(dir, (enum cr_test_class)c, list, err);
+        } else if (strchr(name[i], '.') || strchr(name[i], '/')) {
+            rc = cr_test_load_own(name[i], list, err);
+        } else {
+            const char *word[CR_TEST_OWN];
+            for (int k = 0; k < CR_TEST_OWN; k++) {
+                word[k] = cr_test_class_word((enum cr_test_class)k);
+            }
+            const char *near = cr_str_nearest(name[i], word, CR_TEST_OWN);
+            rc = cr_err_set(err, CR_ERR_USAGE, "no class of tests is called '%s'", name[i]);
+            cr_err_hint(err, near ? "did you mean %s?" : "crumple validate --help lists them",
+                        near);
+        }
+    }
+    return rc;
+}
+
+/* all scenes as files, to be opened and looked at */
+static enum cr_err write_scenes(const struct cr_test_list *list, const char *dir,
+                                struct cr_error *err) {
+    if (mkdir(dir, 0777) != 0 && errno != EEXIST) {
+        cr_err_set(err, CR_ERR_IO, "cannot make the folder: %s", strerror(errno));
+        cr_err_place(err, dir, 0, 0);
+        return CR_ERR_IO;
+    }
+    enum cr_err rc = CR_ERR_OK;
+    for (int i = 0; i < list->n && !rc; i++) {
+        struct cr_str path = {0};
+        cr_str_addf(&path, "%s/%s.json", dir, list->item[i].id);
+        rc =
+            cr_file_write(cr_str_get(&path), list->item[i].scene, strlen(list->item[i].scene), err);
+        cr_str_fini(&path);
+    }
+    return rc;
+}
+
+static enum cr_err solve_all(struct batch *b, int jobs, struct cr_error *err) {
+    const struct cr_pool_work pool = {.take = take, .work = work, .give = give, .user = b};
+    b->job = calloc(2 * (size_t)b->tests.n + 1, sizeof *b->job);
+    if (!b->job) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for %d tests", b->tests.n);
+    }
+    b->all = (long)b->tests.n * (b->methods == 3 ? 2 : 1);
+    enum cr_err rc = cr_pool_run(&pool, jobs, err);
+    if (!rc && cr_batch_cancelled(NULL)) {
+        rc = cr_err_set(err, CR_ERR_INTERRUPTED, "interrupted");
+    }
+    free(b->job);
+    return rc;
+}
+
+static enum cr_err report(const struct batch *b, const struct options *opt, bool *missed,
+                          struct cr_error *err) {
+    const struct cr_verdict_form form = {.methods = b->methods,
+                                         .cases = opt->cases,
+                                         .plot = opt->plot,
+                                         .worst = opt->worst,
+                                         .scenes = opt->scenes};
+    struct cr_verdict verdict;
+    struct cr_str text = {0};
+    enum cr_err rc = cr_verdict_make(&b->tests, b->methods, &verdict, err);
+    if (rc) {
+        return rc;
+    }
+    if (opt->format == 1) {
+        rc = cr_verdict_json(&verdict, &b->tests, &form, &text, err);
+    } else {
+        (opt->format == 2 ? cr_verdict_csv : cr_verdict_text)(&verdict, &b->tests, &form, &text);
+    }
+    for (int i = 0; i < verdict.targets; i++) {
+        *missed = *missed || !verdict.target[i].met;
+    }
+    rc = rc ? rc : cr_batch_emit(opt->out, &text, err);
+    cr_str_fini(&text);
+    cr_verdict_fini(&verdict);
+    return rc;
+}
+
+static enum cr_err validate(char **name, int n, const struct options *opt, bool *missed,
+                            struct cr_error *err) {
+    static const unsigned MASK[] = {3, 1u << CR_METHOD_EXTENDED, 1u << CR_METHOD_PAPER};
+    struct batch b = {.methods = MASK[opt->method], .progress = opt->progress};
+    struct cr_batch_shared shared = {0};
+    struct cr_model_lib *own = NULL;
+    enum cr_err rc = cr_batch_open(&shared, err);
+    if (!rc && opt->models) {
+        rc = cr_model_lib_open(opt->models, &own, err);
+    }
+    rc = rc ? rc : load(name, n, &b.tests, err);
+    if (!rc && opt->scenes) {
+        rc = write_scenes(&b.tests, opt->scenes, err);
+    }
+    if (!rc) {
+        b.ctx = shared.ctx;
+        b.ctx.models = own ? own : shared.models;
+        cr_batch_catch();
+        rc = solve_all(&b, opt->jobs, err);
+    }
+    rc = rc ? rc : report(&b, opt, missed, err);
+    cr_test_list_fini(&b.tests);
+    cr_model_lib_free(own);
+    cr_batch_close(&shared);
+    return rc;
+}
+
+/* options and operands; -1, or the exit status if that is all there is to do */
+static int read_options(int argc, char **argv, struct options *opt, int *operands) {
+    const struct cr_option table[] = {
+        {.name = "format",
+         .letter = 'f',
+         .arg = FORMATS,
+         .number = &opt->format,
+         .help = "form of the table (text)"},
+        {.name = "method",
+         .letter = 'm',
+         .arg = METHODS,
+         .number = &opt->method,
+         .help = "one method only (both)"},
+        {.name = "cases", .letter = 'c', .flag = &opt->cases, .help = "every test"},
+        {.name = "plot",
+         .letter = 'p',
+         .flag = &opt->plot,
+         .help = "scatter and histogram of the depth"},
+        {.name = "worst",
+         .arg = "N",
+         .number = &opt->worst,
+         .lo = 0,
+         .hi = 1000,
+         .help = "list the N greatest errors of each class (10)"},
+        {.name = "scenes",
+         .arg = "DIR",
+         .text = &opt->scenes,
+         .help = "write the tests' scenes into DIR, to run and look at"},
+        {.name = "models",
+         .arg = "DIR",
+         .text = &opt->models,
+         .help = "recipes of DIR instead of the installed ones"},
+        {.name = "targets", .flag = &opt->targets, .help = "status 1 if a target is missed"},
+        {.name = "output",
+         .letter = 'o',
+         .arg = "FILE",
+         .text = &opt->out,
+         .help = "write to FILE, whole or not at all"},
+        {.name = "jobs",
+         .letter = 'j',
+         .arg = "N",
+         .number = &opt->jobs,
+         .lo = 0,
+         .hi = CR_POOL_JOBS_MAX,
+         .help = "threads (0, the default: one per processor)"},
+        {.name = "progress",
+         .flag = &opt->progress,
+         .help = "tell on standard error how far it is"},
+    };
+    const struct cr_usage usage = {.word = "validate",
+                                   .operands = "[CLASS|FILE ...]",
+                                   .about = about,
+                                   .option = table,
+                                   .options = sizeof table / sizeof *table,
+                                   .least = 0,
+                                   .most = -1};
+    struct cr_error err = {0};
+    bool help;
+    if (cr_options_parse(&usage, argc, argv, operands, &help, &err) != CR_ERR_OK) {
+        return cr_batch_fail(&err);
+    }
+    return help ? cr_batch_help(&usage) : -1;
+}
+
+int cr_batch_validate(int argc, char **argv) {
+    struct options opt = {.worst = 10};
+    struct cr_error err = {0};
+    int operands;
+    bool missed = false;
+    int status = read_options(argc, argv, &opt, &operands);
+    if (status >= 0) {
+        return status;
+    }
+    if (validate(argv + 1, operands, &opt, &missed, &err) != CR_ERR_OK) {
+        return cr_batch_fail(&err);
+    }
+    return opt.targets && missed ? 1 : 0;
+}

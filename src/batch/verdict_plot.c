@@ -1,0 +1,98 @@
+/* Scatter and histogram of crash tests in ASCII. */
+#include "batch/verdict.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { WIDE = 60, HIGH = 20, BINS = 13, PLOT_LEAST = 5 };
+static const double BIN = 10; /* % */
+
+static bool pick(const struct cr_test *t, enum cr_test_class class, enum cr_measure m,
+                 enum cr_method method) {
+    return t->class == class && isfinite(t->reference[m]) && isfinite(t->of[method].value[m]);
+}
+
+/* least round number that is not below x: 1, 2 or 5 times a power of ten */
+static double round_up(double x) {
+    double power = pow(10, floor(log10(x)));
+    const double step[] = {1, 2, 5, 10};
+    for (int i = 0; i < 3; i++) {
+        if (x <= step[i] * power * (1 + 1e-12)) {
+            return step[i] * power;
+        }
+    }
+    return 10 * power;
+}
+
+static void scatter(const struct cr_test_list *tests, enum cr_test_class class, enum cr_measure m,
+                    enum cr_method method, double top, struct cr_str *out) {
+    static const char MARK[] = " .:+*#@";
+    int count[HIGH][WIDE] = {{0}};
+    for (int i = 0; i < tests->n; i++) {
+        const struct cr_test *t = &tests->item[i];
+        if (pick(t, class, m, method)) {
+            int x = (int)(t->reference[m] / top * (WIDE - 1) + 0.5);
+            int y = (int)(t->of[method].value[m] / top * (HIGH - 1) + 0.5);
+            x = x < 0 ? 0 : x > WIDE - 1 ? WIDE - 1 : x;
+            y = y < 0 ? 0 : y > HIGH - 1 ? HIGH - 1 : y;
+            count[y][x]++;
+        }
+    }
+    cr_str_addf(out, "  %s computed over measured, %s, in %s; / is equality\n", cr_measure_label(m),
+                method == CR_METHOD_PAPER ? "paper" : "extended", cr_measure_unit(m));
+    for (int y = HIGH - 1; y >= 0; y--) {
+        char line[WIDE + 1];
+        for (int x = 0; x < WIDE; x++) {
+            int n = count[y][x] < 6 ? count[y][x] : 6;
+            bool equal = (int)((double)x / (WIDE - 1) * (HIGH - 1) + 0.5) == y;
+            line[x] = n > 0 ? MARK[n] : equal ? '/' : ' ';
+        }
+        line[WIDE] = '\0';
+        char label[16] = "";
+        if (y == HIGH - 1) {
+            snprintf(label, sizeof label, "%.3g", top);
+        }
+        cr_str_addf(out, "  %6s |%s|\n", label, line);
+    }
+    cr_str_addf(out, "         0%*.3g\n", WIDE, top);
+}
+
+static void histogram(const struct cr_test_list *tests, enum cr_test_class class, enum cr_measure m,
+                      enum cr_method method, struct cr_str *out) {
+    int count[BINS] = {0}, most = 1;
+    for (int i = 0; i < tests->n; i++) {
+        const struct cr_test *t = &tests->item[i];
+        if (pick(t, class, m, method)) {
+            double e = cr_verdict_error(t, m, method);
+            int k = (int)floor(e / BIN + BINS / 2.0);
+            k = k < 0 ? 0 : k > BINS - 1 ? BINS - 1 : k;
+            most = ++count[k] > most ? count[k] : most;
+        }
+    }
+    cr_str_add(out, "  errors, %, in steps of 10; the outermost hold all beyond\n");
+    for (int k = 0; k < BINS; k++) {
+        double lo = (k - BINS / 2.0) * BIN;
+        cr_str_addf(out, "  %+4.0f..%+4.0f %4d ", lo, lo + BIN, count[k]);
+        cr_str_fill(out, '#', (int)(50.0 * count[k] / most + 0.5));
+        cr_str_add(out, "\n");
+    }
+}
+
+void cr_verdict_plot(const struct cr_test_list *tests, enum cr_test_class class, enum cr_measure m,
+                     enum cr_method method, struct cr_str *out) {
+    double top = 0;
+    int n = 0;
+    for (int i = 0; i < tests->n; i++) {
+        const struct cr_test *t = &tests->item[i];
+        if (pick(t, class, m, method)) {
+            top = fmax(top, fmax(t->reference[m], t->of[method].value[m]));
+            n++;
+        }
+    }
+    if (n >= PLOT_LEAST && top > 0 && cr_measure_is_relative(m)) {
+        scatter(tests, class, m, method, round_up(top), out);
+        histogram(tests, class, m, method, out);
+    }
+}
