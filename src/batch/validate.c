@@ -195,9 +195,10 @@ static enum cr_err validate(char **name, int n, const struct options *opt, bool 
     return rc;
 }
 
-/* options and operands; -1, or the exit status if that is all there is to do */
-static int read_options(int argc, char **argv, struct options *opt, int *operands) {
-    const struct cr_option table[] = {
+enum { OPTIONS = 11 };
+
+static void list_options(struct options *opt, struct cr_option list[OPTIONS]) {
+    const struct cr_option table[OPTIONS] = {
         {.name = "format",
          .letter = 'f',
          .arg = FORMATS,
@@ -244,11 +245,18 @@ static int read_options(int argc, char **argv, struct options *opt, int *operand
          .flag = &opt->progress,
          .help = "tell on standard error how far it is"},
     };
+    memcpy(list, table, sizeof table);
+}
+
+/* options and operands; -1, or the exit status if that is all there is to do */
+static int read_options(int argc, char **argv, struct options *opt, int *operands) {
+    struct cr_option table[OPTIONS];
+    list_options(opt, table);
     const struct cr_usage usage = {.word = "validate",
                                    .operands = "[CLASS|FILE ...]",
                                    .about = about,
                                    .option = table,
-                                   .options = sizeof table / sizeof *table,
+                                   .options = OPTIONS,
                                    .least = 0,
                                    .most = -1};
     struct cr_error err = {0};

@@ -24,16 +24,16 @@ static const struct {
 #undef X
 };
 
-bool cr_measure_is_relative(enum cr_measure measure) {
+bool cr_test_measure_is_relative(enum cr_measure measure) {
     return MEASURE[measure].relative;
 }
-const char *cr_measure_key(enum cr_measure measure) {
+const char *cr_test_measure_key(enum cr_measure measure) {
     return MEASURE[measure].key;
 }
-const char *cr_measure_label(enum cr_measure measure) {
+const char *cr_test_measure_label(enum cr_measure measure) {
     return MEASURE[measure].label;
 }
-const char *cr_measure_unit(enum cr_measure measure) {
+const char *cr_test_measure_unit(enum cr_measure measure) {
     return MEASURE[measure].unit;
 }
 const char *cr_test_class_word(enum cr_test_class class) {

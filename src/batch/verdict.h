@@ -37,10 +37,10 @@ void cr_verdict_fini(struct cr_verdict *verdict);
 
 /* Error of a test in a measure: percent, or difference in its unit; NaN without both values. */
 double cr_verdict_error(const struct cr_test *test, enum cr_measure measure, enum cr_method method);
-bool cr_measure_is_relative(enum cr_measure measure);
-const char *cr_measure_key(enum cr_measure measure);
-const char *cr_measure_label(enum cr_measure measure);
-const char *cr_measure_unit(enum cr_measure measure);
+bool cr_test_measure_is_relative(enum cr_measure measure);
+const char *cr_test_measure_key(enum cr_measure measure);
+const char *cr_test_measure_label(enum cr_measure measure);
+const char *cr_test_measure_unit(enum cr_measure measure);
 const char *cr_test_class_word(enum cr_test_class class);
 const char *cr_test_class_title(enum cr_test_class class);
 

@@ -43,11 +43,12 @@ static void csv_cases(const struct cr_test_list *tests, unsigned methods, struct
             text(out, t->title);
             cr_str_addf(out, ",%s", cr_type_word(t->type));
             field(out, t->speed_kmh);
-            cr_str_addf(out, ",%s,%s,%s", METHOD[method], cr_measure_key(m), cr_measure_unit(m));
+            cr_str_addf(out, ",%s,%s,%s", METHOD[method], cr_test_measure_key(m),
+                        cr_test_measure_unit(m));
             field(out, t->reference[m]);
             field(out, t->of[method].value[m]);
             field(out, cr_verdict_error(t, m, (enum cr_method)method));
-            cr_str_addf(out, ",%d\n", cr_measure_is_relative(m));
+            cr_str_addf(out, ",%d\n", cr_test_measure_is_relative(m));
         }
     }
 }
@@ -67,8 +68,8 @@ void cr_verdict_csv(const struct cr_verdict *v, const struct cr_test_list *tests
                 continue;
             }
             cr_str_addf(out, "%s,%s,%s,%s,%d,%s,%d", cr_test_class_word(r->class), r->group,
-                        cr_measure_key(r->measure), cr_measure_unit(r->measure),
-                        cr_measure_is_relative(r->measure), METHOD[m], r->of[m].n);
+                        cr_test_measure_key(r->measure), cr_test_measure_unit(r->measure),
+                        cr_test_measure_is_relative(r->measure), METHOD[m], r->of[m].n);
             const double x[] = {r->of[m].mpe, r->of[m].sd,     r->of[m].mape,   r->of[m].rms,
                                 r->fleet_sd,  r->published[0], r->published[1], r->published[2]};
             for (size_t k = 0; k < sizeof x / sizeof *x; k++) {
@@ -92,8 +93,8 @@ static void json_rows(const struct cr_verdict *v, unsigned methods, cJSON *json)
         cJSON_AddItemToArray(list, one);
         cJSON_AddStringToObject(one, "class", cr_test_class_word(r->class));
         cJSON_AddStringToObject(one, "group", r->group);
-        cJSON_AddStringToObject(one, "measure", cr_measure_key(r->measure));
-        cJSON_AddBoolToObject(one, "relative", cr_measure_is_relative(r->measure));
+        cJSON_AddStringToObject(one, "measure", cr_test_measure_key(r->measure));
+        cJSON_AddBoolToObject(one, "relative", cr_test_measure_is_relative(r->measure));
         for (int m = 1; m >= 0; m--) {
             if (methods >> m & 1) {
                 cJSON *e = cJSON_AddObjectToObject(one, METHOD[m]);
@@ -126,7 +127,7 @@ static void json_case(const struct cr_test *t, unsigned methods, cJSON *list) {
     cJSON *measured = cJSON_AddObjectToObject(one, "measured");
     for (int m = 0; m < CR_MEASURES; m++) {
         if (isfinite(t->reference[m])) {
-            put(measured, cr_measure_key((enum cr_measure)m), t->reference[m]);
+            put(measured, cr_test_measure_key((enum cr_measure)m), t->reference[m]);
         }
     }
     for (int k = 1; k >= 0; k--) {
@@ -135,7 +136,7 @@ static void json_case(const struct cr_test *t, unsigned methods, cJSON *list) {
         }
         cJSON *got = cJSON_AddObjectToObject(one, METHOD[k]);
         for (int m = 0; m < CR_MEASURES && !t->of[k].error[0]; m++) {
-            put(got, cr_measure_key((enum cr_measure)m), t->of[k].value[m]);
+            put(got, cr_test_measure_key((enum cr_measure)m), t->of[k].value[m]);
         }
         if (t->of[k].error[0]) {
             cJSON_AddStringToObject(got, "error", t->of[k].error);

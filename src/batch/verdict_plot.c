@@ -40,8 +40,9 @@ static void scatter(const struct cr_test_list *tests, enum cr_test_class class, 
             count[y][x]++;
         }
     }
-    cr_str_addf(out, "  %s computed over measured, %s, in %s; / is equality\n", cr_measure_label(m),
-                method == CR_METHOD_PAPER ? "paper" : "extended", cr_measure_unit(m));
+    cr_str_addf(out, "  %s computed over measured, %s, in %s; / is equality\n",
+                cr_test_measure_label(m), method == CR_METHOD_PAPER ? "paper" : "extended",
+                cr_test_measure_unit(m));
     for (int y = HIGH - 1; y >= 0; y--) {
         char line[WIDE + 1];
         for (int x = 0; x < WIDE; x++) {
@@ -91,7 +92,7 @@ void cr_verdict_plot(const struct cr_test_list *tests, enum cr_test_class class,
             n++;
         }
     }
-    if (n >= PLOT_LEAST && top > 0 && cr_measure_is_relative(m)) {
+    if (n >= PLOT_LEAST && top > 0 && cr_test_measure_is_relative(m)) {
         scatter(tests, class, m, method, round_up(top), out);
         histogram(tests, class, m, method, out);
     }

@@ -22,10 +22,10 @@ static void put_errors(struct cr_str *out, const struct cr_stats_error *e, int d
 
 static void put_row(const struct cr_verdict_row *r, unsigned methods, struct cr_str *out) {
     char label[64];
-    const char *unit = cr_measure_unit(r->measure);
-    bool all = !strcmp(r->group, "all"), percent = cr_measure_is_relative(r->measure);
+    const char *unit = cr_test_measure_unit(r->measure);
+    bool all = !strcmp(r->group, "all"), percent = cr_test_measure_is_relative(r->measure);
     int n = r->of[0].n > r->of[1].n ? r->of[0].n : r->of[1].n;
-    snprintf(label, sizeof label, "%s%s%s%s", all ? cr_measure_label(r->measure) : "  ",
+    snprintf(label, sizeof label, "%s%s%s%s", all ? cr_test_measure_label(r->measure) : "  ",
              all ? "" : r->group, percent ? "" : ", ", percent ? "" : unit);
     cr_str_addf(out, " %-26s%4d", label, n);
     for (int m = 1; m >= 0; m--) {
@@ -83,7 +83,7 @@ static void put_class(const struct cr_verdict *v, enum cr_test_class class, unsi
             continue;
         }
         if (strcmp(r->group, "all") != 0 && (int)r->measure != last) {
-            cr_str_addf(out, " %s by speed and type\n", cr_measure_label(r->measure));
+            cr_str_addf(out, " %s by speed and type\n", cr_test_measure_label(r->measure));
             last = (int)r->measure;
         }
         put_row(r, methods, out);
@@ -151,8 +151,8 @@ static void put_worst(const struct cr_test_list *tests, enum cr_test_class class
         const struct cr_test *t = list[i].test;
         enum cr_measure m = main_measure(t);
         cr_str_addf(out, "  %-14s %-10s %-34.34s %s %.4g, measured %.4g %s, %+.0f %%", t->id,
-                    t->part, t->title, cr_measure_label(m), t->of[method].value[m], t->reference[m],
-                    cr_measure_unit(m), cr_verdict_error(t, m, method));
+                    t->part, t->title, cr_test_measure_label(m), t->of[method].value[m],
+                    t->reference[m], cr_test_measure_unit(m), cr_verdict_error(t, m, method));
         if (form->scenes) {
             cr_str_addf(out, "  %s/%s.json", form->scenes, t->id);
         }
@@ -174,8 +174,9 @@ static void put_cases(const struct cr_test_list *tests, enum cr_test_class class
             if (!isfinite(t->reference[m])) {
                 continue;
             }
-            cr_str_addf(out, "    %-22s measured %8.4g %-5s", cr_measure_label((enum cr_measure)m),
-                        t->reference[m], cr_measure_unit((enum cr_measure)m));
+            cr_str_addf(out, "    %-22s measured %8.4g %-5s",
+                        cr_test_measure_label((enum cr_measure)m), t->reference[m],
+                        cr_test_measure_unit((enum cr_measure)m));
             for (int k = 1; k >= 0; k--) {
                 if (methods >> k & 1) {
                     cr_str_addf(out, "  %s %8.4g", k == CR_METHOD_PAPER ? "paper" : "extended",
