@@ -262,23 +262,29 @@ static int find_key(const struct cr_command *cmd, const char *name, enum cr_arg_
     return found;
 }
 
-static enum cr_err no_such_key(struct cr_call *call, const struct cr_token *tok,
+static enum cr_err no_such_key(struct cr_call *call, const struct cr_token *tok, const char *name,
                                enum cr_arg_place place, bool many, struct cr_error *err) {
-    const char *list[CR_CMD_ARGS] = {NULL};
-    const char *name = place == CR_ARG_KEY ? tok->key : tok->text;
+    const char *list[CR_CMD_ARGS] = {NULL}, *dashes = place == CR_ARG_KEY ? "" : "--";
+    char fitting[120] = "";
     int n = 0;
     for (int i = 0; call->cmd->arg[i].name != NULL; i++) {
         if (call->cmd->arg[i].place == place) {
             list[n++] = call->cmd->arg[i].name;
+            size_t used = strlen(fitting);
+            if (strncmp(call->cmd->arg[i].name, name, strlen(name)) == 0) {
+                snprintf(fitting + used, sizeof fitting - used, " %s%s", dashes,
+                         call->cmd->arg[i].name);
+            }
         }
     }
     call->blame = tok;
     const char *near = cr_str_nearest(name, list, n);
     cr_err_set(err, CR_ERR_KEY, "%s %s '%s%.60s' for '%s'", many ? "ambiguous" : "unknown",
-               place == CR_ARG_KEY ? "key" : "flag", place == CR_ARG_KEY ? "" : "--", name,
-               call->cmd->name);
-    if (near != NULL) {
-        cr_err_hint(err, "did you mean '%s%s'?", place == CR_ARG_KEY ? "" : "--", near);
+               place == CR_ARG_KEY ? "key" : "flag", dashes, name, call->cmd->name);
+    if (many) {
+        cr_err_hint(err, "one of:%s", fitting);
+    } else if (near != NULL) {
+        cr_err_hint(err, "did you mean '%s%s'?", dashes, near);
     } else {
         cr_err_hint(err, "help %s lists what it takes", call->cmd->name);
     }
@@ -308,7 +314,8 @@ static enum cr_err no_place(struct cr_call *call, const struct cr_token *tok,
     const char *list[CR_CMD_ARGS] = {NULL};
     int n = 0;
     for (int i = 0; call->cmd->arg[i].name != NULL; i++) {
-        if (call->cmd->arg[i].place == CR_ARG_KEY) {
+        if (call->cmd->arg[i].place == CR_ARG_KEY &&
+            strlen(call->cmd->arg[i].name) > 2) {
             list[n++] = call->cmd->arg[i].name;
         }
     }
@@ -350,16 +357,20 @@ static enum cr_err bind_word(struct cr_call *call, int *i, struct cr_error *err)
     if (tok->kind == CR_TOKEN_FLAG) {
         int at = find_key(cmd, tok->text, CR_ARG_FLAG);
         return at >= 0 ? take(call, at, tok, err)
-                       : no_such_key(call, tok, CR_ARG_FLAG, at == -2, err);
+                       : no_such_key(call, tok, tok->text, CR_ARG_FLAG, at == -2, err);
     }
     if (tok->kind == CR_TOKEN_PAIR) {
         int at = find_key(cmd, tok->key, CR_ARG_KEY);
         return at >= 0 ? take(call, at, tok, err)
-                       : no_such_key(call, tok, CR_ARG_KEY, at == -2, err);
+                       : no_such_key(call, tok, tok->key, CR_ARG_KEY, at == -2, err);
     }
     if ((cmd->flags & CR_CMD_PAIRS) != 0) {
         int at = find_key(cmd, tok->text, CR_ARG_KEY);
-        if (at >= 0 && *i + 1 < call->tokens->n) {
+        bool pair = *i + 1 < call->tokens->n && tok[1].kind == CR_TOKEN_WORD;
+        if (pair && at < 0) {
+            return no_such_key(call, tok, tok->text, CR_ARG_KEY, at == -2, err);
+        }
+        if (pair) {
             *i += 1;
             return take(call, at, &call->tokens->tok[*i], err);
         }

@@ -174,6 +174,11 @@ enum cr_err cr_cmd_set_key(struct cr_call *call, struct cr_scene *scene, const c
                            const char *name, struct cr_error *err);
 enum cr_err cr_cmd_set_keys(struct cr_call *call, struct cr_scene *scene, const char *id,
                             struct cr_error *err);
+/* cr_scene_resolve, but one participant alone is fine too. */
+enum cr_err cr_cmd_resolve(struct cr_scene *scene, const struct cr_model_lib *models,
+                           struct cr_assumed *assumed, struct cr_error *err);
+/* Turns the JSON pointer of an error into the participant's name and key. */
+void cr_cmd_name_place(const struct cr_session *s, struct cr_error *err);
 /* A participant in one line. */
 void cr_cmd_describe(const struct cr_participant *p, char *buf, int size);
 /* Time of a CR_VALUE_TIME argument (ms after the first contact, or its word) -> frame of the

@@ -167,6 +167,11 @@ static enum cr_err input_of(const struct cr_scene *scene, int part, const char *
     unsigned mask = part >= 0 ? cr_scene_kind_mask(&scene->part[part]) : 0;
     const struct cr_key *key = cr_scene_key_find(table, name, mask);
     struct cr_str text = {0};
+    if (part >= 0 && (strcmp(name, "x") == 0 || strcmp(name, "y") == 0)) {
+        out->si = name[0] == 'x' ? scene->part[part].pos.x : scene->part[part].pos.y;
+        out->unit = cr_unit_find("m", CR_DIM_LENGTH);
+        return CR_ERR_OK;
+    }
     if (key == NULL) {
         return no_measure(name, err);
     }

@@ -272,10 +272,11 @@ enum cr_err cr_cmd_move(struct cr_call *call, struct cr_error *err) {
         code = set_numbers(&draft->scene, id, "speed_kmh", cr_unit_from_si(kmh, p->speed + faster),
                            NAN, err);
     }
-    if (code == CR_ERR_OK) {
-        forget_place(draft, id);
-        cr_cmd_describe(p, line, sizeof line);
-        cr_say(call->s, "%s", line);
+    if (code != CR_ERR_OK) {
+        return cr_cmd_blame(call, "speed", code);
     }
-    return code;
+    forget_place(draft, id);
+    cr_cmd_describe(p, line, sizeof line);
+    cr_say(call->s, "%s", line);
+    return CR_ERR_OK;
 }

@@ -196,6 +196,21 @@ static enum cr_err run_call(struct cr_call *call, struct cr_error *err) {
     return code;
 }
 
+/* "/participants/1/mass_kg" -> "B.mass_kg", as it is called here */
+void cr_cmd_name_place(const struct cr_session *s, struct cr_error *err) {
+    int i, n = 0;
+    char rest[sizeof err->where];
+    if (err->src[0] != '\0' || sscanf(err->where, "/participants/%d%n", &i, &n) != 1 || i < 0 ||
+        i >= cr_session_scene(s)->n) {
+        return;
+    }
+    snprintf(rest, sizeof rest, "%s", err->where + n);
+    for (char *p = rest; *p != '\0'; p++) {
+        *p = *p == '/' ? '.' : *p;
+    }
+    snprintf(err->where, sizeof err->where, "%.60s%.60s", cr_session_scene(s)->part[i].id, rest);
+}
+
 static enum cr_err run_statement(struct cr_session *s, const struct source *src,
                                  const struct cr_tokens *tokens) {
     struct cr_error err = {0};
@@ -222,6 +237,7 @@ static enum cr_err run_statement(struct cr_session *s, const struct source *src,
         if (call.blame != NULL) {
             err.where[0] = '\0'; /* the caret says it better than a JSON pointer */
         }
+        cr_cmd_name_place(s, &err);
         bool value = tok->kind == CR_TOKEN_PAIR && code != CR_ERR_KEY && tok->value_len > 0;
         show_fault(s, src, &err, value ? tok->value_at : tok->at,
                    value ? tok->value_len : tok->len);

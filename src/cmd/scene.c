@@ -82,6 +82,23 @@ static void say_participant(struct cr_session *s, const struct cr_participant *p
     cr_say(s, "%s", line);
 }
 
+enum cr_err cr_cmd_resolve(struct cr_scene *scene, const struct cr_model_lib *models,
+                           struct cr_assumed *assumed, struct cr_error *err) {
+    struct cr_participant *other = NULL;
+    enum cr_err code = CR_ERR_OK;
+    if (scene->n == 1) { /* alone it is no whole scene, but it can be looked at */
+        const char *id = strcmp(scene->part[0].id, "other") == 0 ? "another" : "other";
+        code = cr_scene_add(scene, id, CR_KIND_OBJECT, &other, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_scene_resolve(scene, models, assumed, err);
+    }
+    if (other != NULL) {
+        scene->n--;
+    }
+    return code;
+}
+
 /* every key with its value; what was not given as the solver will assume it */
 static enum cr_err say_keys(struct cr_call *call, const char *id, struct cr_error *err) {
     struct cr_session *s = call->s;
@@ -93,7 +110,7 @@ static enum cr_err say_keys(struct cr_call *call, const char *id, struct cr_erro
         return code;
     }
     bool known = cr_session_need_models(s, &ignored) == CR_ERR_OK &&
-                 cr_scene_resolve(&resolved, s->models, &assumed, &ignored) == CR_ERR_OK;
+                 cr_cmd_resolve(&resolved, s->models, &assumed, &ignored) == CR_ERR_OK;
     for (int i = 0; call->cmd->arg[i].name != NULL && code == CR_ERR_OK; i++) {
         const struct cr_arg *arg = &call->cmd->arg[i];
         const struct cr_key *key = cr_arg_key(arg);
@@ -115,8 +132,9 @@ static enum cr_err say_keys(struct cr_call *call, const char *id, struct cr_erro
             if (key->type == CR_KEY_NUMBER && (known || !assumes)) {
                 cr_say(s, "%-10s %.5g %s%s", arg->name, x, key->unit, assumes ? "  (assumed)" : "");
             } else {
-                cr_say(s, "%-10s %s %s", arg->name, cr_str_get(&given),
-                       key->unit != NULL ? key->unit : "");
+                bool bare = assumes || key->unit == NULL || key->unit[0] == '\0';
+                cr_say(s, "%-10s %s%s%s", arg->name, cr_str_get(&given), bare ? "" : " ",
+                       bare ? "" : key->unit);
             }
         }
         cr_str_fini(&given);
@@ -147,15 +165,16 @@ static enum cr_err forget(struct cr_call *call, const char *id, struct cr_error 
     if (code == CR_ERR_OK) {
         code = cr_scene_remove(&draft->scene, id, err);
     }
-    for (int i = 0; i < CR_BODY_MAX && code == CR_ERR_OK; i++) {
+    if (code != CR_ERR_OK) {
+        return cr_cmd_blame(call, "NAME", code);
+    }
+    for (int i = 0; i < CR_BODY_MAX; i++) {
         if (strcmp(draft->placed[i].id, id) == 0 || strcmp(draft->placed[i].other, id) == 0) {
             draft->placed[i] = (struct cr_placed){.id = ""};
         }
     }
-    if (code == CR_ERR_OK) {
-        cr_say(call->s, "%s removed", id);
-    }
-    return code;
+    cr_say(call->s, "%s removed", id);
+    return CR_ERR_OK;
 }
 
 enum cr_err cr_cmd_remove(struct cr_call *call, struct cr_error *err) {
@@ -261,6 +280,10 @@ static enum cr_err object_extras(struct cr_call *call, struct cr_scene *scene,
     const struct cr_value *mass = cr_cmd_arg(call, "mass");
     char value[80];
     enum cr_err code = CR_ERR_OK;
+    if (cr_cmd_given(call, "diameter") && p->shape != CR_OBJECT_POLE) {
+        code = cr_err_set(err, CR_ERR_KEY, "diameter is for poles");
+        return cr_cmd_blame(call, "diameter", code);
+    }
     if (cr_cmd_given(call, "diameter") || (is_new && p->shape == CR_OBJECT_POLE)) {
         snprintf(value, sizeof value, "%.17g", cr_cmd_number(call, "diameter", 0.254) / 2);
         code = set_text(scene, p->id, "radius_m", err, value);
@@ -456,7 +479,7 @@ static enum cr_err model_info(struct cr_call *call, struct cr_error *err) {
         return no_model(call, text, err);
     }
     say_type(call->s, type);
-    cr_say(call->s, "recipe %s/models/%s.json", call->s->data_dir, cr_type_word(type));
+    cr_say(call->s, "recipe models/%s.json", cr_type_word(type));
     cr_say(call->s, "sha256 %s", cr_model_hash(call->s->models, type));
     cr_say(call->s, "crumple models %s prints curves, structures, source tests and scatter",
            cr_type_word(type));

@@ -45,6 +45,9 @@ enum cr_err cr_cmd_history(struct cr_call *call, struct cr_error *err) {
     struct cr_session *s = call->s;
     int count = (int)cr_cmd_number(call, "COUNT", s->lines);
     (void)err;
+    if (s->lines == 0) {
+        cr_say(s, "no line was typed in this session");
+    }
     for (int i = count < s->lines ? s->lines - count : 0; i < s->lines; i++) {
         cr_say(s, "%4d  %s", i + 1, s->line[i]);
     }

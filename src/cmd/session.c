@@ -259,7 +259,7 @@ static enum cr_err compile(struct cr_session *s, struct cr_compiled *out, struct
     if (code != CR_ERR_OK) {
         return code;
     }
-    code = cr_scene_resolve(&scene, s->models, &assumed, err);
+    code = cr_cmd_resolve(&scene, s->models, &assumed, err);
     if (code == CR_ERR_OK) {
         code = cr_scene_compile(&scene, s->models, pdof, out, err);
     }

@@ -141,7 +141,7 @@ static const char *remedy(const struct cr_error *err, char *buf, int size) {
     if (err->hint[0] != '\0') {
         snprintf(buf, (size_t)size, "%s", err->hint);
     } else {
-        snprintf(buf, (size_t)size, "see help vehicle and help place");
+        snprintf(buf, (size_t)size, "see help vehicle, help model and help place");
     }
     return buf;
 }
@@ -203,7 +203,9 @@ enum cr_err cr_cmd_check(struct cr_call *call, struct cr_error *err) {
     }
     if (cr_scene_resolve(&scene, s->models, &assumed, &found) != CR_ERR_OK ||
         cr_session_compiled(s, &found) == NULL) {
-        cr_say(s, "%s%s%s", found.where, found.where[0] != '\0' ? ": " : "", found.text);
+        cr_cmd_name_place(s, &found);
+        cr_say(s, "%s%s%s%s%s", found.where, found.where[0] != '\0' ? ": " : "", found.src,
+               found.src[0] != '\0' ? ": " : "", found.text);
         cr_say(s, "  %s", remedy(&found, how, sizeof how));
         faults++;
     } else {

@@ -161,12 +161,11 @@ static void explain_body(struct cr_session *s, int body, int sample) {
                tidy(x->yaw_acc, 0.01), cb->inertia, touched ? tidy(arm.x, 1e-3) : 0,
                touched ? tidy(arm.y, 1e-3) : 0);
     }
-    cr_say(s,
-           "then     %s: v = (%.2f, %.2f) m/s, %.1f km/h; yaw rate %.1f deg/s; "
-           "x = %.3f m, y = %.3f m, heading %.2f deg",
-           id, tidy(x->vel.x, 0.01), tidy(x->vel.y, 0.01), cr_kmh(cr_vec2_len(x->vel)),
-           tidy(cr_deg(x->yaw_rate), 0.1), tidy(x->pos.x, 1e-3), tidy(x->pos.y, 1e-3),
-           tidy(cr_deg(x->heading), 0.01));
+    cr_say(s, "then     %s: v = (%.2f, %.2f) m/s, %.1f km/h; yaw rate %.1f deg/s", id,
+           tidy(x->vel.x, 0.01), tidy(x->vel.y, 0.01), cr_kmh(cr_vec2_len(x->vel)),
+           tidy(cr_deg(x->yaw_rate), 0.1));
+    cr_say(s, "         x = %.3f m, y = %.3f m, heading %.2f deg", tidy(x->pos.x, 1e-3),
+           tidy(x->pos.y, 1e-3), tidy(cr_deg(x->heading), 0.01));
 }
 
 static void explain(struct cr_session *s, int sample) {

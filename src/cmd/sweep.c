@@ -73,7 +73,9 @@ static enum cr_err find_variable(const struct cr_session *s, const char *text, s
     if (dot != NULL) {
         snprintf(out->id, sizeof out->id, "%.*s", (int)(dot - text), text);
         if (cr_scene_find(&cr_session_now(s)->scene, out->id) == NULL) {
-            return unknown_variable(scene, text, err);
+            cr_err_set(err, CR_ERR_NAME, "there is no participant '%.60s'", out->id);
+            cr_err_hint(err, "list shows the participants");
+            return CR_ERR_NAME;
         }
     }
     for (int i = 0; cr_sweep_keys[i].name != NULL; i++) {

@@ -1,0 +1,424 @@
+#include "test.h"
+
+#include "cmd/cmd.h"
+#include "cmd/cmd_priv.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+/* what a session printed, for the tests to read */
+struct heard {
+    struct cr_str text, faults;
+    int pictures, asked;
+    char answer;
+};
+
+static void hear_text(void *user, enum cr_tone tone, const char *line) {
+    struct heard *h = user;
+    (void)tone;
+    cr_str_addf(&h->text, "%s\n", line);
+}
+
+static void hear_fault(void *user, const struct cr_fault *fault) {
+    struct heard *h = user;
+    cr_fault_text(fault, 9, &h->faults);
+}
+
+static void hear_cells(void *user, const struct cr_cells *cells, const struct cr_look *look) {
+    struct heard *h = user;
+    (void)look;
+    assert_true(cells->w > 0 && cells->h > 0);
+    h->pictures++;
+}
+
+static int hear_question(void *user, const char *question, const char *answers) {
+    struct heard *h = user;
+    assert_non_null(strstr(question, "unsaved"));
+    assert_non_null(strchr(answers, h->answer));
+    h->asked++;
+    return h->answer;
+}
+
+static struct cr_session *session(struct heard *h, const char *state_dir) {
+    struct cr_session *s;
+    struct cr_error err;
+    struct cr_session_opts opts = {.data_dir = getenv("SRC"),
+                                   .state_dir = state_dir,
+                                   .ask = true,
+                                   .out = {.user = h,
+                                           .text = hear_text,
+                                           .fault = hear_fault,
+                                           .cells = hear_cells,
+                                           .ask = hear_question}};
+    *h = (struct heard){.answer = 'c'};
+    assert_int_equal(cr_session_new(&opts, &s, &err), CR_ERR_OK);
+    return s;
+}
+
+static void end(struct cr_session *s, struct heard *h) {
+    cr_session_free(s);
+    cr_str_fini(&h->text);
+    cr_str_fini(&h->faults);
+}
+
+static void run(struct cr_session *s, const char *line) {
+    if (cr_session_run(s, line) != CR_ERR_OK) {
+        const struct cr_log_line *log;
+        int n = cr_session_log(s, &log);
+        fail_msg("%s: %s", line, n > 0 ? log[n - 1].text : "");
+    }
+}
+
+/* ---- tokens ---- */
+
+static void test_words_pairs_flags_and_quotes(void **state) {
+    (void)state;
+    struct cr_tokens t;
+    const char *text = "place B over=40% --step \"a b\\\"c\" A.ees==4 x=\"1 2\" # note; more";
+    assert_int_equal(cr_cmd_tokens(text, 0, &t, NULL), CR_ERR_OK);
+    assert_int_equal(t.n, 7);
+    assert_int_equal(t.tok[2].kind, CR_TOKEN_PAIR);
+    assert_string_equal(t.tok[2].key, "over");
+    assert_string_equal(t.tok[2].text, "40%");
+    assert_int_equal(t.tok[2].value_at, 13);
+    assert_int_equal(t.tok[3].kind, CR_TOKEN_FLAG);
+    assert_string_equal(t.tok[3].text, "step");
+    assert_string_equal(t.tok[4].text, "a b\"c");
+    assert_int_equal(t.tok[5].kind, CR_TOKEN_WORD);
+    assert_string_equal(t.tok[6].text, "1 2");
+    assert_int_equal(t.next, (int)strlen(text));
+    cr_cmd_tokens_fini(&t);
+}
+
+static void test_statements_end_at_semicolon_and_open_line_end(void **state) {
+    (void)state;
+    struct cr_tokens t;
+    const char *text = "a \\\n b ; c\nd";
+    assert_int_equal(cr_cmd_tokens(text, 0, &t, NULL), CR_ERR_OK);
+    assert_int_equal(t.n, 2);
+    int next = t.next;
+    cr_cmd_tokens_fini(&t);
+    assert_int_equal(cr_cmd_tokens(text, next, &t, NULL), CR_ERR_OK);
+    assert_int_equal(t.n, 1);
+    assert_string_equal(t.tok[0].text, "c");
+    assert_string_equal(text + t.next, "d");
+    cr_cmd_tokens_fini(&t);
+    assert_true(cr_line_open("a \\"));
+    assert_false(cr_line_open("a # \\"));
+    assert_false(cr_line_open("a"));
+}
+
+static void test_bytes_that_are_no_text_are_refused(void **state) {
+    (void)state;
+    static const char *const bad[] = {"a \xff", "\x1b[2J", "\"\xc2\x9b\"", "\xc3"};
+    for (int i = 0; i < 4; i++) {
+        struct cr_tokens t;
+        struct cr_error err;
+        assert_int_equal(cr_cmd_tokens(bad[i], 0, &t, &err), CR_ERR_SYNTAX);
+        cr_cmd_tokens_fini(&t);
+    }
+}
+
+/* ---- the table ---- */
+
+static void test_every_row_is_complete(void **state) {
+    (void)state;
+    int n;
+    const struct cr_command *table = cr_commands(&n);
+    for (int i = 0; i < n; i++) {
+        const struct cr_command *c = &table[i];
+        assert_non_null(c->help);
+        assert_non_null(c->see);
+        assert_ptr_equal(cr_command_find(c->name, NULL), c);
+        int args = 0;
+        for (; c->arg[args].name != NULL; args++) {
+            struct cr_str help = {0};
+            cr_arg_help(&c->arg[args], &help);
+            if (help.len == 0) {
+                fail_msg("%s %s: no help", c->name, c->arg[args].name);
+            }
+            if (c->arg[args].type == CR_VALUE_KEY && cr_arg_key(&c->arg[args]) == NULL) {
+                fail_msg("%s %s: no such key of a scene", c->name, c->arg[args].name);
+            }
+            cr_str_fini(&help);
+        }
+        assert_true(args < CR_CMD_ARGS);
+    }
+}
+
+static void test_prefixes(void **state) {
+    (void)state;
+    bool many;
+    assert_string_equal(cr_command_find("veh", &many)->name, "vehicle");
+    assert_null(cr_command_find("s", &many));
+    assert_true(many);
+    assert_null(cr_command_find("nothing", &many));
+    assert_false(many);
+    assert_null(cr_command_find("", &many));
+}
+
+/* ---- undo ---- */
+
+static void test_undo_gives_back_every_state(void **state) {
+    (void)state;
+    struct heard h;
+    struct cr_session *s = session(&h, NULL);
+    run(s, "vehicle A type=suv mass=2000kg speed=50km/h");
+    for (int i = 1; i <= 50; i++) {
+        char line[64];
+        snprintf(line, sizeof line, "vehicle A speed=%dkm/h", i);
+        run(s, line);
+    }
+    assert_int_equal(cr_session_undos(s), 51);
+    assert_int_equal(cr_session_unsaved(s), 51);
+    for (int i = 49; i >= 1; i--) {
+        run(s, "undo");
+        check_near(cr_session_scene(s)->part[0].speed * 3.6, i, 1e-9);
+    }
+    run(s, "undo 2");
+    assert_int_equal(cr_session_scene(s)->n, 0);
+    assert_int_equal(cr_session_unsaved(s), 0);
+    run(s, "redo 51");
+    check_near(cr_session_scene(s)->part[0].speed * 3.6, 50, 1e-9);
+    end(s, &h);
+}
+
+static void test_an_error_changes_nothing(void **state) {
+    (void)state;
+    struct heard h;
+    struct cr_session *s = session(&h, NULL);
+    run(s, "vehicle A type=suv mass=2000kg");
+    assert_int_equal(cr_session_run(s, "vehicle A speed=10km/h mass=-1"), CR_ERR_RANGE);
+    check_near(cr_session_scene(s)->part[0].speed, 0, 0);
+    assert_int_equal(cr_session_undos(s), 1);
+    /* the caret is below the value, behind the prompt */
+    assert_string_equal(h.faults.s, "                                     ^^\n"
+                                    "error: mass must be 100 to 60000 kg, got -1 kg\n");
+    end(s, &h);
+}
+
+static void test_result_follows_the_scene(void **state) {
+    (void)state;
+    struct heard h;
+    struct cr_session *s = session(&h, NULL);
+    assert_int_equal(cr_session_state(s), CR_STATE_EDITED);
+    run(s, "vehicle A type=suv mass=2000kg speed=50km/h");
+    run(s, "object wall kind=wall; place wall facing A; solve");
+    assert_int_equal(cr_session_state(s), CR_STATE_SOLVED);
+    assert_int_equal(cr_session_view(s)->frame, cr_session_frames(s));
+    run(s, "move A dx=-1m");
+    assert_int_equal(cr_session_state(s), CR_STATE_STALE);
+    run(s, "undo");
+    assert_int_equal(cr_session_state(s), CR_STATE_SOLVED);
+    run(s, "show frame=-3");
+    assert_int_equal(cr_session_view(s)->frame, cr_session_frames(s) - 3);
+    assert_int_equal(h.pictures, 1);
+    run(s, "show frame=0");
+    check_near(cr_session_time(s), cr_session_result(s)->solution->t_contact, 0);
+    run(s, "place A x=-30m heading=180deg");
+    assert_int_equal(cr_session_run(s, "solve"), CR_ERR_NO_CONTACT);
+    assert_int_equal(cr_session_state(s), CR_STATE_FAILED);
+    end(s, &h);
+}
+
+/* ---- completion ---- */
+
+/* the words that complete a line at its end, separated by blanks */
+static const char *completed(struct cr_session *s, const char *line, char *buf, size_t size) {
+    struct cr_completion c;
+    struct cr_error err;
+    buf[0] = '\0';
+    assert_int_equal(cr_session_complete(s, line, (int)strlen(line), &c, &err), CR_ERR_OK);
+    for (int i = 0; i < c.n; i++) {
+        size_t used = strlen(buf);
+        snprintf(buf + used, size - used, "%s%s", i > 0 ? " " : "", c.item[i].word);
+    }
+    cr_completion_fini(&c);
+    return buf;
+}
+
+static void test_completion_by_type_of_argument(void **state) {
+    (void)state;
+    char buf[4000];
+    struct heard h;
+    struct cr_session *s = session(&h, NULL);
+    run(s, "vehicle alpha type=suv mass=2000kg; object wall kind=wall");
+    static const char *const rows[][2] = {
+        {"ve", "vehicle"},
+        {"re", "remove redo"},
+        {"list; und", "undo"},
+        {"place w", "wall"},
+        {"place alpha f", "facing"},
+        {"place alpha facing ", "alpha wall overlap= side= at= angle= gap= x= y= heading= course= "
+                                "speed= v= yawrate="},
+        {"place alpha facing wall over", "overlap="},
+        {"place alpha facing wall overlap=4", "4%"},
+        {"place alpha facing wall overlap=40% ov", ""},
+        {"place alpha facing wall side=", "left right centre front rear"},
+        {"vehicle alpha type=s", "super-compact station-wagon sedan suv"},
+        {"vehicle alpha speed=50", "50m/s 50km/h 50mph"},
+        {"vehicle alpha --r", "--remove"},
+        {"vehicle alpha blend", ""},
+        {"model ", "alpha list info pdof= blend= front= side= rear="},
+        {"model alpha sedan/1", "sedan/1 sedan/10 sedan/11 sedan/12"},
+        {"set me", "method="},
+        {"set method=", "extended paper"},
+        {"set induced=", "on off"},
+        {"help ap", "apropos"},
+        {"solve until=", "compression end"},
+        {"sweep alpha.sp", "alpha.speed"},
+        {"sweep rest", "restitution"},
+        {"nonsense ", ""},
+        {"new \"half ope", ""},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        if (strcmp(completed(s, rows[i][0], buf, sizeof buf), rows[i][1]) != 0) {
+            fail_msg("'%s' -> '%s', want '%s'", rows[i][0], buf, rows[i][1]);
+        }
+    }
+    end(s, &h);
+}
+
+static void test_completion_of_files_by_suffix(void **state) {
+    (void)state;
+    char dir[] = "cr_cmd_XXXXXX", line[80], buf[400], path[80];
+    struct heard h;
+    struct cr_session *s = session(&h, NULL);
+    assert_non_null(mkdtemp(dir));
+    static const char *const files[] = {"a.json", "b.crumple", "c.csv"};
+    for (int i = 0; i < 3; i++) {
+        snprintf(path, sizeof path, "%s/%s", dir, files[i]);
+        fclose(fopen(path, "w"));
+    }
+    snprintf(line, sizeof line, "load %s/", dir);
+    snprintf(path, sizeof path, "%s/a.json", dir);
+    assert_string_equal(completed(s, line, buf, sizeof buf), path);
+    snprintf(line, sizeof line, "source %s/", dir);
+    snprintf(path, sizeof path, "%s/b.crumple", dir);
+    assert_string_equal(completed(s, line, buf, sizeof buf), path);
+    snprintf(line, sizeof line, "pulse all a vs=%s/", dir);
+    snprintf(path, sizeof path, "%s/c.csv", dir);
+    assert_string_equal(completed(s, line, buf, sizeof buf), path);
+    for (int i = 0; i < 3; i++) {
+        snprintf(path, sizeof path, "%s/%s", dir, files[i]);
+        unlink(path);
+    }
+    rmdir(dir);
+    end(s, &h);
+}
+
+static void test_hint_of_the_command_being_typed(void **state) {
+    (void)state;
+    struct heard h;
+    struct cr_str hint = {0};
+    struct cr_session *s = session(&h, NULL);
+    cr_session_hint(s, "move A turn=", 12, &hint);
+    assert_string_equal(hint.s, "move NAME [dx=m] [dy=m] [turn=deg] [speed=km/h]\n"
+                                "turn: counter-clockwise; -360 to 360 deg (0deg)");
+    cr_str_clear(&hint);
+    cr_session_hint(s, "", 0, &hint);
+    assert_int_equal(hint.len, 0);
+    cr_str_fini(&hint);
+    end(s, &h);
+}
+
+/* ---- quit and autosave ---- */
+
+static void test_quit_asks_when_changes_are_unsaved(void **state) {
+    (void)state;
+    struct heard h;
+    struct cr_session *s = session(&h, NULL);
+    run(s, "quit");
+    assert_int_equal(h.asked, 0);
+    assert_true(cr_session_over(s));
+    end(s, &h);
+    s = session(&h, NULL);
+    run(s, "vehicle A type=suv mass=2000kg");
+    run(s, "quit");
+    assert_int_equal(h.asked, 1);
+    assert_false(cr_session_over(s));
+    h.answer = 's'; /* without a file there is nothing to save to */
+    assert_int_equal(cr_session_run(s, "quit"), CR_ERR_MISSING);
+    h.answer = 'q';
+    run(s, "quit");
+    assert_true(cr_session_over(s));
+    end(s, &h);
+}
+
+static void test_autosave_outlives_a_crash(void **state) {
+    (void)state;
+    char dir[] = "cr_state_XXXXXX";
+    struct heard h;
+    assert_non_null(mkdtemp(dir));
+    pid_t child = fork();
+    if (child == 0) { /* a session that ends without a word */
+        struct cr_session *lost = session(&h, dir);
+        run(lost, "vehicle A type=suv mass=2000kg");
+        run(lost, "vehicle A speed=47km/h");
+        _exit(0);
+    }
+    waitpid(child, NULL, 0);
+    assert_true(cr_session_left_behind(dir));
+    struct cr_session *s = session(&h, dir);
+    run(s, "load --recover");
+    check_near(cr_session_scene(s)->part[0].speed * 3.6, 47, 1e-9);
+    assert_true(cr_session_unsaved(s) > 0);
+    assert_false(cr_session_left_behind(dir));
+    end(s, &h);
+    assert_int_equal(rmdir(dir), 0); /* a session that ends in order leaves nothing */
+}
+
+/* ---- sweep ---- */
+
+static void test_sweep_is_the_same_for_any_number_of_threads(void **state) {
+    (void)state;
+    struct heard h;
+    double one[9];
+    for (int jobs = 1; jobs <= 3; jobs += 2) {
+        struct cr_session *s = session(&h, NULL);
+        char line[80];
+        run(s, "vehicle A type=suv mass=2000kg; vehicle B type=sedan mass=1400kg speed=50km/h");
+        run(s, "place B facing A overlap=50%");
+        snprintf(line, sizeof line, "sweep A.speed 20:60:20km/h B.overlap 40%%:80%%:20%% jobs=%d",
+                 jobs);
+        run(s, line);
+        const struct cr_sweep *sweep = cr_session_sweep(s);
+        assert_int_equal(sweep->n, 9);
+        for (int i = 0; i < 9; i++) {
+            assert_true(sweep->run[i].done && !sweep->run[i].failed);
+            if (jobs == 1) {
+                one[i] = sweep->run[i].of[0].ees;
+            }
+            check_near(sweep->run[i].of[0].ees, one[i], 0);
+        }
+        check_near(sweep->run[5].at[0] * 3.6, 40, 1e-9);
+        check_near(sweep->run[5].at[1], 0.8, 1e-12);
+        /* a row is the scene of its run: solved again it gives the same bits */
+        run(s, "sweep row=6; solve");
+        check_near(cr_session_result(s)->of[0].ees, one[5], 0);
+        end(s, &h);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_words_pairs_flags_and_quotes),
+        cmocka_unit_test(test_statements_end_at_semicolon_and_open_line_end),
+        cmocka_unit_test(test_bytes_that_are_no_text_are_refused),
+        cmocka_unit_test(test_every_row_is_complete),
+        cmocka_unit_test(test_prefixes),
+        cmocka_unit_test(test_undo_gives_back_every_state),
+        cmocka_unit_test(test_an_error_changes_nothing),
+        cmocka_unit_test(test_result_follows_the_scene),
+        cmocka_unit_test(test_completion_by_type_of_argument),
+        cmocka_unit_test(test_completion_of_files_by_suffix),
+        cmocka_unit_test(test_hint_of_the_command_being_typed),
+        cmocka_unit_test(test_quit_asks_when_changes_are_unsaved),
+        cmocka_unit_test(test_autosave_outlives_a_crash),
+        cmocka_unit_test(test_sweep_is_the_same_for_any_number_of_threads),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
