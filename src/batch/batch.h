@@ -12,5 +12,6 @@ int cr_batch_run(int argc, char **argv);
 int cr_batch_stack(int argc, char **argv);
 int cr_batch_validate(int argc, char **argv);
 int cr_batch_models(int argc, char **argv);
+int cr_batch_calibrate(int argc, char **argv); /* not in the help: for who maintains models */
 
 #endif

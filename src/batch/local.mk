@@ -4,6 +4,8 @@ libbatch_a_SOURCES = \
 	src/batch/batch_priv.h \
 	src/batch/crashtest.c src/batch/crashtest.h \
 	src/batch/crashtest_solve.c \
+	src/batch/calibrate.c src/batch/calibrate.h \
+	src/batch/calibrate_data.c src/batch/calibrate_write.c \
 	src/batch/data.c \
 	src/batch/feed.c src/batch/feed.h \
 	src/batch/options.c src/batch/options.h \

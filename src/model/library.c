@@ -99,6 +99,16 @@ const char *cr_model_hash(const struct cr_model_lib *lib, enum cr_type type) {
     return lib->recipe[type].hash;
 }
 
+const struct cr_model_face *cr_model_face(const struct cr_model_lib *lib, enum cr_type type,
+                                          enum cr_model_end end) {
+    return &lib->recipe[type].face[end];
+}
+
+void cr_model_set_face(struct cr_model_lib *lib, enum cr_type type, enum cr_model_end end,
+                       const struct cr_model_face *face) {
+    lib->recipe[type].face[end] = *face;
+}
+
 /* Under the lock: body and whole plan of a type. */
 static enum cr_err build(const struct cr_model_recipe *r, struct kept *k, struct cr_error *err) {
     if (k->built) {

@@ -19,3 +19,11 @@ modelsdir = $(pkgdatadir)/models
 dist_models_DATA = \
 	models/compact.json models/mini-compact.json models/sedan.json \
 	models/station-wagon.json models/super-compact.json models/suv.json
+
+typesdir = $(pkgdatadir)/share/calibration
+dist_types_DATA = share/calibration/types.json
+
+# fit the faces of the recipes to these data again, in the source tree
+calibrate: crumple$(EXEEXT)
+	./crumple$(EXEEXT) calibrate --write $(srcdir)/models
+.PHONY: calibrate

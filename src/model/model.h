@@ -40,9 +40,25 @@ struct cr_dims {
     double cg_behind_front_axle, cg_height;
 };
 
-enum cr_curve {
-    CR_CURVE_DYNAMIC, /* depth while the force acts (profile `extended`) */
-    CR_CURVE_RESIDUAL /* depth that is left on the car (profile `paper`) */
+/* Faces of a recipe: both flanks are alike. */
+enum cr_model_end { CR_MODEL_FRONT, CR_MODEL_SIDE, CR_MODEL_REAR, CR_MODEL_ENDS };
+
+enum { CR_MODEL_KNOTS = 24 };
+
+/* Piecewise linear function of one variable. */
+struct cr_model_knots {
+    int n;
+    double x[CR_MODEL_KNOTS], y[CR_MODEL_KNOTS];
+};
+
+/* Energy that a whole face takes over depth. */
+struct cr_model_face {
+    struct cr_model_knots ees; /* depth m -> EES m/s, dynamic */
+    bool energy_linear;        /* between the knots EES^2 is linear (steady force), not EES */
+    bool own_metres;           /* depth in m of the vehicle itself, not of the reference vehicle */
+    double springback;         /* dynamic minus residual depth, m */
+    double spread;             /* residual curve: what the springback hides is spread over this, m */
+    double tension_per_kg;     /* string of the induced deformation, N/kg */
 };
 
 struct cr_model_lib;
@@ -62,6 +78,21 @@ void cr_model_pillars(const struct cr_model_lib *lib, enum cr_type type, double 
 
 /* SHA-256 of the recipe text, for the result's `input.models`. */
 const char *cr_model_hash(const struct cr_model_lib *lib, enum cr_type type);
+
+enum cr_curve {
+    CR_CURVE_DYNAMIC, /* depth while the force acts (profile `extended`) */
+    CR_CURVE_RESIDUAL /* depth that is left on the car (profile `paper`) */
+};
+
+/* Plastic energy per kg of vehicle mass (J/kg = EES^2/2) of the face crushed to a depth, m. */
+double cr_model_face_energy(const struct cr_model_face *face, enum cr_curve curve, double depth);
+
+/* A face of a type's recipe, and for the calibration another one in its place (not while other
+ * threads use the library). */
+const struct cr_model_face *cr_model_face(const struct cr_model_lib *lib, enum cr_type type,
+                                          enum cr_model_end end);
+void cr_model_set_face(struct cr_model_lib *lib, enum cr_type type, enum cr_model_end end,
+                       const struct cr_model_face *face);
 
 /* What a 2D substitute is asked for. */
 struct cr_model_query {

@@ -10,29 +10,9 @@
 
 #include <stddef.h>
 
-enum cr_model_end { CR_MODEL_FRONT, CR_MODEL_SIDE, CR_MODEL_REAR, CR_MODEL_ENDS };
+enum { CR_MODEL_BOXES = 64, CR_MODEL_NAME = 32 };
 
-enum { CR_MODEL_KNOTS = 24, CR_MODEL_BOXES = 64, CR_MODEL_NAME = 32 };
-
-/* Piecewise linear function of one variable. */
-struct cr_model_knots {
-    int n;
-    double x[CR_MODEL_KNOTS], y[CR_MODEL_KNOTS];
-};
 double cr_model_knots_at(const struct cr_model_knots *k, double x);
-
-/* Energy that a whole face takes over depth. */
-struct cr_model_face {
-    struct cr_model_knots ees; /* depth m -> EES m/s, dynamic */
-    bool energy_linear;        /* between the knots EES^2 is linear (steady force), not EES */
-    bool own_metres;           /* depth in m of the vehicle itself, not of the reference vehicle */
-    double springback;         /* dynamic minus residual depth, m */
-    double spread;         /* residual curve: what the springback hides is spread over this, m */
-    double tension_per_kg; /* string of the induced deformation, N/kg */
-};
-
-/* Plastic energy per kg of vehicle mass (J/kg = EES^2/2) of the face crushed to a depth, m. */
-double cr_model_face_energy(const struct cr_model_face *face, enum cr_curve curve, double depth);
 
 /* A structure: adds its weights to the plan inside its box. */
 struct cr_model_box {
@@ -97,6 +77,7 @@ struct cr_model_map {
     double own[CR_MODEL_LINES], ref[CR_MODEL_LINES];
 };
 double cr_model_map_ref(const struct cr_model_map *map, double own);
+double cr_model_map_own(const struct cr_model_map *map, double ref);
 
 /* The reference grid of a vehicle: x (from the front end), y (from the centre line), z. */
 struct cr_model_stretch {

@@ -122,9 +122,9 @@ static void read_structures(struct cr_model_json *j, const cJSON *root, struct c
 
 enum cr_err cr_model_recipe_read(const char *text, size_t len, const char *src,
                                  struct cr_model_recipe *r, struct cr_error *err) {
-    static const char *const known[] = {"crumple_recipe", "type",       "label",
-                                        "reference",      "shape",      "faces",
-                                        "body_weight",    "structures", "provenance"};
+    static const char *const known[] = {"crumple_recipe", "type",      "label",       "reference",
+                                        "shape",          "faces",     "body_weight", "structures",
+                                        "calibration",    "provenance"};
     *r = (struct cr_model_recipe){.boxes = 0};
     struct cr_model_json j;
     cJSON *root = cr_model_json_parse(&j, text, len, src, err);

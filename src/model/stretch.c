@@ -6,13 +6,21 @@
 
 #include "base/vec.h"
 
-double cr_model_map_ref(const struct cr_model_map *m, double own) {
+static double piecewise(const double *from, const double *to, int n, double x) {
     int i = 0;
-    while (i + 2 < m->n && own >= m->own[i + 1]) {
+    while (i + 2 < n && x >= from[i + 1]) {
         i++;
     }
-    double t = (own - m->own[i]) / (m->own[i + 1] - m->own[i]);
-    return t == 1 ? m->ref[i + 1] : m->ref[i] + t * (m->ref[i + 1] - m->ref[i]);
+    double t = (x - from[i]) / (from[i + 1] - from[i]);
+    return t == 1 ? to[i + 1] : to[i] + t * (to[i + 1] - to[i]);
+}
+
+double cr_model_map_ref(const struct cr_model_map *m, double own) {
+    return piecewise(m->own, m->ref, m->n, own);
+}
+
+double cr_model_map_own(const struct cr_model_map *m, double ref) {
+    return piecewise(m->ref, m->own, m->n, ref);
 }
 
 static enum cr_err check_order(const struct cr_model_map *m, const char *const *name,

@@ -31,6 +31,7 @@ struct work {
     const struct cr_model_query *q;
     int nx, half;
     double h, length, width;
+    double middle;      /* x at which the model's own middle comes to lie, m from the front end */
     double *row_budget; /* [nx] J of a layer at depth k, both halves */
     double *row_weight; /* [nx] */
     double *col_budget; /* [half] J of a layer at y, one half */
@@ -44,8 +45,8 @@ struct work {
 /* Energy per kg from the front end to x (m behind it), over front and rear half. */
 static double along(const struct work *w, double x) {
     const struct cr_model_face *front = &w->face[CR_MODEL_FRONT], *rear = &w->face[CR_MODEL_REAR];
-    double middle = w->length / 2; /* where the depths from both ends meet */
-    double ref_middle = cr_model_map_ref(&w->stretch->x, middle);
+    /* where the depths from both ends meet */
+    double ref_middle = w->r->dims.length / 2, middle = w->middle;
     double ref = cr_model_map_ref(&w->stretch->x, x), ref_end = w->r->dims.length;
     double at = x < middle ? x : middle, ref_at = x < middle ? ref : ref_middle;
     double e = cr_model_face_energy(front, w->q->curve, front->own_metres ? at : ref_at);
@@ -297,6 +298,7 @@ enum cr_err cr_model_resample(const struct cr_model_recipe *r,
                      .h = q->voxel,
                      .length = q->dims.length,
                      .width = q->dims.width};
+    w.middle = cr_model_map_own(&stretch->x, r->dims.length / 2);
     w.nx = (int)ceil(w.length / w.h - 1e-9);
     w.half = (int)ceil(w.width / 2 / w.h - 1e-9);
     struct cr_arena scratch = {0};

@@ -1,0 +1,55 @@
+/* `crumple calibrate`: the public tests the models are calibrated on, and which count as what. */
+#ifndef CR_BATCH_CALIBRATE_H
+#define CR_BATCH_CALIBRATE_H
+
+#include "base/err.h"
+#include "base/str.h"
+#include "model/model.h"
+
+enum { CR_CALIBRATE_TESTS = 1024 };
+
+/* A full-width rigid wall test of share/validation/data/frontal_wall.csv. */
+struct cr_wall_test {
+    int number, year;
+    enum cr_type type;
+    double mass, speed, width; /* kg, m/s, m */
+    double c[6];               /* residual crush, m */
+    double dynamic;            /* dynamic crush, m; NaN: not known or not to be trusted */
+    double peak_g;             /* NaN likewise */
+};
+
+/* A side pole test of share/validation/data/side_pole.csv. */
+struct cr_pole_test {
+    int number;
+    enum cr_type type;
+    double mass, speed, length, width, wheelbase, cg; /* kg, m/s, m; CG behind the front axle */
+    double crush;                                     /* greatest residual depth, m */
+};
+
+struct cr_calibration_data {
+    int walls, poles;
+    struct cr_wall_test *wall;
+    struct cr_pole_test *pole;
+    int borrows[CR_TYPES]; /* type whose tests count as well, -1: none */
+};
+
+/* Read the data and the table of types below the data folder. Errors: IO, SYNTAX, ... */
+CR_MUST_CHECK enum cr_err cr_calibration_read(const char *dir, struct cr_calibration_data *out,
+                                              struct cr_error *err);
+void cr_calibration_fini(struct cr_calibration_data *data);
+
+/* How well a face does in its tests: percentage errors of the residual depth. */
+struct cr_calibration_fit {
+    int tests, borrowed; /* own ones, and those of the neighbour */
+    double depth_mpe, depth_sd;
+    int dynamic_tests;
+    double dynamic_mpe, dynamic_sd; /* NaN without tests */
+};
+
+/* Replace faces and calibration of a recipe's text. Errors: MODEL if there are none to replace. */
+CR_MUST_CHECK enum cr_err cr_calibration_write(const char *recipe,
+                                               const struct cr_model_face face[CR_MODEL_ENDS],
+                                               const struct cr_calibration_fit fit[2],
+                                               struct cr_str *out, struct cr_error *err);
+
+#endif
