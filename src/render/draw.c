@@ -4,7 +4,9 @@
 #include "base/vec.h"
 
 #include <math.h>
+#include <stdlib.h>
 
+enum { FAR = 1 << 20 };               /* dots: trails are not followed further */
 enum { SUB_LEAST = 2, SUB_MOST = 4 }; /* samples per half cell and direction */
 
 /* Share of what was found in a half cell (square on the screen), counted over its samples. */
@@ -205,19 +207,39 @@ static void draw_outline(const struct cr_pic *pic, const struct cr_pic_body *b,
     }
 }
 
+/* the way of each CG since the first contact, as far as it is not under a body */
+static void draw_trails(const struct cr_pic *pic, struct cr_dots *dots) {
+    for (int i = 0; pic->sol != NULL && i < pic->n; i++) {
+        int last[2] = {0, 0}, phase = 0;
+        for (int k = 0; k < pic->sol->samples && pic->sol->t[k] <= pic->time; k++) {
+            struct cr_vec2 p = pic->sol->trace[k * pic->sol->bodies + i].pos;
+            p = cr_pic_to_cell(pic, p);
+            int to[2] = {(int)floor(2 * (p.x - pic->at.x)), (int)floor(4 * (p.y - pic->at.y))};
+            if (abs(to[0]) > FAR || abs(to[1]) > FAR) {
+                break;
+            }
+            if (pic->body[i].moves && k > 0) {
+                cr_dots_line(dots, last, to, pic->body[i].role, '.', true, &phase);
+            }
+            last[0] = to[0];
+            last[1] = to[1];
+        }
+    }
+}
+
 static enum cr_err draw_outlines(const struct cr_pic *pic, struct cr_cells *cells,
                                  const struct cr_look *look, struct cr_error *err) {
     struct cr_dots dots;
-    if (look->ascii && pic->field != CR_FIELD_NONE) {
-        return CR_ERR_OK; /* whole cells would thicken the bodies by up to a cell */
-    }
+    /* in ASCII whole cells would thicken the bodies by up to a cell */
+    bool outlines = !look->ascii || pic->field == CR_FIELD_NONE;
     enum cr_err code = cr_dots_new(pic->at.w, pic->at.h - 1, &dots, err);
     if (code != CR_ERR_OK) {
         return code;
     }
-    for (int i = 0; i < pic->n; i++) {
+    for (int i = 0; outlines && i < pic->n; i++) {
         draw_outline(pic, &pic->body[i], cells, &dots);
     }
+    draw_trails(pic, &dots);
     cr_dots_draw(&dots, cells, pic->at.x, pic->at.y, look->ascii);
     cr_dots_fini(&dots);
     return CR_ERR_OK;

@@ -107,7 +107,7 @@ static void two(struct cr_layout *l, struct cr_rect rest, enum cr_pane view) {
     l->hint = bottom(&rest, 1);
     l->prompt = bottom(&rest, 1);
     l->dialogue = bottom(&rest, 3);
-    l->pane[view == CR_PANE_SCENE ? CR_PANE_PULSE : view] = bottom(&rest, rest.h * 2 / 5);
+    l->pane[view == CR_PANE_SCENE ? CR_PANE_PULSE : view] = bottom(&rest, rest.h * 3 / 8);
     l->results = right(&rest, RESULTS_W);
     l->pane[CR_PANE_SCENE] = rest;
 }

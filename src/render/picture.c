@@ -261,6 +261,7 @@ enum cr_err cr_pic_init(struct cr_pic *pic, const struct cr_compiled *compiled,
     pic->field = view->field;
     pic->time = view->time;
     if (solved) {
+        pic->sol = result->solution;
         double after = cr_render_t_after(result->solution);
         pic->time = isnan(view->time) ? after : view->time;
         pic->done = pic->time >= after;

@@ -31,9 +31,10 @@ struct cr_pic {
     struct cr_arena arena; /* owns the fields of the bodies */
     int n;
     struct cr_pic_body body[CR_BODY_MAX];
-    double time; /* s; NaN: no result */
-    bool done;   /* at or after the end of the crash */
-    bool moved;  /* after the first contact: labels show before and now */
+    const struct cr_solution *sol; /* NULL: not solved */
+    double time;                   /* s; NaN: no result */
+    bool done;                     /* at or after the end of the crash */
+    bool moved;                    /* after the first contact: labels show before and now */
     enum cr_field field;
     double field_max; /* upper end of the scale, in the field's unit */
     double force_max; /* greatest contact force of the trace, N */

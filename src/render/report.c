@@ -152,6 +152,29 @@ static enum cr_err strip(const struct page *page, const struct shot *shot, int n
     return emit(page, &c, err);
 }
 
+/* where the bodies come to rest, with the ways they took */
+static enum cr_err rest_picture(const struct page *page, struct cr_error *err) {
+    const struct cr_solution *sol = page->result->solution;
+    double end = sol->t[sol->samples - 1];
+    struct cr_scene_view view = {
+        .field = CR_FIELD_EES, .time = end, .centre = {NAN, NAN}, .vectors = true, .selected = -1};
+    int rows = 0;
+    enum cr_err code =
+        cr_pic_frame(page->result, &view, page->width, page->width / 4 + 6, &rows, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    char note[80];
+    snprintf(note, sizeof note, "%.2f s after the first touch", end - cr_render_t_contact(sol));
+    struct shot shot = {"At rest", note, view};
+    for (int i = 0; i < sol->bodies; i++) {
+        if (cr_render_moves(page->result, i) && !isfinite(sol->body[i].t_rest)) {
+            shot.name = "At the end, not all at rest";
+        }
+    }
+    return strip(page, &shot, 1, rows, err);
+}
+
 static enum cr_err pictures(const struct page *page, struct cr_error *err) {
     const struct cr_solution *sol = page->result->solution;
     double t0 = cr_render_t_contact(sol), t1 = cr_render_t_after(sol);
@@ -176,11 +199,11 @@ static enum cr_err pictures(const struct page *page, struct cr_error *err) {
     struct shot shot[2] = {{"Before", lead > 0 ? before : "at the first touch", view},
                            {"After", after, view}};
     shot[1].view.time = NAN;
-    if (beside == 2) {
-        return strip(page, shot, 2, rows, err);
+    for (int i = 0; i < 2 && code == CR_ERR_OK; i += beside) {
+        code = strip(page, &shot[i], beside, rows, err);
     }
-    code = strip(page, &shot[0], 1, rows, err);
-    return code == CR_ERR_OK ? strip(page, &shot[1], 1, rows, err) : code;
+    bool rest = page->result->resolved.set.end == CR_END_REST && sol->samples > 0;
+    return code == CR_ERR_OK && rest ? rest_picture(page, err) : code;
 }
 
 static enum cr_err pulses(const struct page *page, struct cr_error *err) {
@@ -219,37 +242,48 @@ static enum cr_err tables(const struct page *page, struct cr_error *err) {
     return code;
 }
 
-/* C1..C6 as numbers and as a small bar each */
-static enum cr_err profiles(const struct page *page, struct cr_error *err) {
+static bool has_profile(const struct cr_result *r, int b) {
+    return r->compiled.cs.body[b].grid.nx > 0 && r->of[b].face < CR_FACES &&
+           r->of[b].deformation_max > 0;
+}
+
+static enum cr_err profile_line(const struct page *page, int b, double most, struct cr_error *err) {
     static const char *const faces[CR_FACES] = {"front", "left", "rear", "right"};
+    const struct cr_severity *of = &page->result->of[b];
+    struct cr_cells c;
+    enum cr_err code = cr_cells_new(page->width, 1, &c, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    char text[CR_NAME_MAX + 16];
+    snprintf(text, sizeof text, "%s %s", page->result->resolved.part[b].id, faces[of->face]);
+    cr_cells_print(&c, 1, 0, 16, cr_render_role_of(b), text);
+    for (int i = 0; i < CR_PROFILE; i++) {
+        int level = (int)ceil(of->profile[i] / most * 8 - 1e-9);
+        uint32_t bar = level < 1 ? ' ' : 0x2580u + (uint32_t)level;
+        cr_cells_run(&c, 18 + 3 * i, 0, 3, cr_render_role_of(b),
+                     page->look->ascii && level > 0 ? (uint8_t) " .:-=+*#@"[level] : bar);
+        cr_render_number(of->profile[i], 2, text, sizeof text);
+        cr_cells_print_right(&c, 46 + 5 * i, 0, 5, CR_ROLE_TEXT, text);
+    }
+    return emit(page, &c, err);
+}
+
+/* C1..C6 as numbers and as a small bar each, all bars to one scale */
+static enum cr_err profiles(const struct page *page, struct cr_error *err) {
     const struct cr_result *r = page->result;
+    double most = 0;
+    for (int b = 0; b < r->solution->bodies; b++) {
+        for (int i = 0; has_profile(r, b) && i < CR_PROFILE; i++) {
+            most = fmax(most, r->of[b].profile[i]);
+        }
+    }
+    if (!(most > 0)) {
+        return CR_ERR_OK;
+    }
     enum cr_err code = heading(page, "Crush profile", "residual, C1 to C6, m", err);
     for (int b = 0; b < r->solution->bodies && code == CR_ERR_OK; b++) {
-        const struct cr_severity *of = &r->of[b];
-        double most = 0;
-        for (int i = 0; i < CR_PROFILE; i++) {
-            most = fmax(most, of->profile[i]);
-        }
-        if (r->compiled.cs.body[b].grid.nx == 0 || of->face >= CR_FACES || !(most > 0)) {
-            continue;
-        }
-        struct cr_cells c;
-        code = cr_cells_new(page->width, 1, &c, err);
-        if (code != CR_ERR_OK) {
-            return code;
-        }
-        char text[CR_NAME_MAX + 16];
-        snprintf(text, sizeof text, "%s %s", r->resolved.part[b].id, faces[of->face]);
-        cr_cells_print(&c, 1, 0, 16, cr_render_role_of(b), text);
-        for (int i = 0; i < CR_PROFILE; i++) {
-            int level = (int)ceil(of->profile[i] / most * 8 - 1e-9);
-            uint32_t bar = level < 1 ? ' ' : 0x2580u + (uint32_t)level;
-            cr_cells_run(&c, 18 + 3 * i, 0, 3, cr_render_role_of(b),
-                         page->look->ascii && level > 0 ? (uint8_t) " .:-=+*#@"[level] : bar);
-            cr_render_number(of->profile[i], 2, text, sizeof text);
-            cr_cells_print_right(&c, 46 + 5 * i, 0, 5, CR_ROLE_TEXT, text);
-        }
-        code = emit(page, &c, err);
+        code = has_profile(r, b) ? profile_line(page, b, most, err) : CR_ERR_OK;
     }
     return code;
 }

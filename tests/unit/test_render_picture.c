@@ -192,6 +192,54 @@ static void test_report_fits_its_width(void **state) {
     render_double_fini(&d);
 }
 
+static char *report_of(const struct render_double *d) {
+    struct cr_str s = {0};
+    struct cr_error err;
+    assert_int_equal(cr_render_report(&d->result, &PLAIN, 80, &s, &err), CR_ERR_OK);
+    return s.s;
+}
+
+/* a scene that runs to rest has a picture of it, which says when not all are at rest */
+static void test_rest_picture(void **state) {
+    (void)state;
+    struct render_double d;
+    render_double_init(&d);
+    char *text = report_of(&d);
+    assert_null(strstr(text, "rest \u2500"));
+    free(text);
+    d.result.resolved.set.end = CR_END_REST;
+    text = report_of(&d);
+    assert_non_null(strstr(text, " At the end, not all at rest "));
+    free(text);
+    d.solution.body[0].t_rest = d.solution.body[1].t_rest = 0.19;
+    text = report_of(&d);
+    assert_non_null(strstr(text, " At rest "));
+    free(text);
+    render_double_fini(&d);
+}
+
+/* many light contacts are counted, not listed */
+static void test_many_contacts(void **state) {
+    (void)state;
+    struct render_double d;
+    render_double_init(&d);
+    struct cr_contact k[20];
+    for (int i = 0; i < 20; i++) {
+        k[i] = d.solution.contact[0];
+        k[i].impulse = cr_vec2(i < 3 ? 10000 : 100, 0);
+    }
+    d.solution.contact = k;
+    d.solution.contacts = 12;
+    char *text = report_of(&d);
+    assert_null(strstr(text, "light contacts"));
+    free(text);
+    d.solution.contacts = 20;
+    text = report_of(&d);
+    assert_non_null(strstr(text, "and 17 light contacts"));
+    free(text);
+    render_double_fini(&d);
+}
+
 static void test_table_values(void **state) {
     (void)state;
     struct render_double d;
@@ -326,6 +374,8 @@ int main(void) {
         cmocka_unit_test(test_forces_end_with_the_crash),
         cmocka_unit_test(test_ascii_everywhere),
         cmocka_unit_test(test_report_fits_its_width),
+        cmocka_unit_test(test_rest_picture),
+        cmocka_unit_test(test_many_contacts),
         cmocka_unit_test(test_table_values),
         cmocka_unit_test(test_plot_peak),
         cmocka_unit_test(test_plot_of_nothing),
