@@ -84,9 +84,9 @@ static enum cr_err run(const char *path, const struct run_options *opt, struct c
     }
     if (code == CR_ERR_OK) {
         code = cr_result_run(&scene, &shared.ctx, &result, err);
-        /* faults of the whole scene have no line; name at least the file */
+        /* faults that show once all is known have a pointer, which leads to the line */
         if (code != CR_ERR_OK && err->src[0] == '\0') {
-            cr_err_place(err, name, 0, 0);
+            cr_scene_locate_file(path, name, err);
         }
     }
     if (code == CR_ERR_OK) {

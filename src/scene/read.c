@@ -422,6 +422,20 @@ void cr_scene_locate(const char *text, size_t len, const char *src, struct cr_er
     cr_err_place(err, src, line, col);
 }
 
+void cr_scene_locate_file(const char *path, const char *src, struct cr_error *err) {
+    char *text = NULL;
+    size_t len;
+    cr_err_place(err, src, 0, 0);
+    if (err->where[0] == '\0' || strcmp(path, "-") == 0 ||
+        cr_file_read(path, &text, &len, NULL) != CR_ERR_OK) {
+        return;
+    }
+    if (cr_json_check(text, len, NULL, NULL) == CR_ERR_OK) {
+        cr_scene_locate(text, len, src, err);
+    }
+    free(text);
+}
+
 static enum cr_err parse(const char *text, size_t len, const char *src, bool draft,
                          struct cr_scene *scene, struct cr_error *err) {
     struct cr_error own;

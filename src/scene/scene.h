@@ -116,6 +116,8 @@ CR_MUST_CHECK enum cr_err cr_scene_load_draft(const char *path, struct cr_scene 
 /* Give an error that has a JSON pointer (from cr_scene_resolve, say) its line and column in the
  * text the scene was read from. */
 void cr_scene_locate(const char *text, size_t len, const char *src, struct cr_error *err);
+/* The same from the file it was read from; without line where that cannot be read again ("-"). */
+void cr_scene_locate_file(const char *path, const char *src, struct cr_error *err);
 /* Scene -> JSON object (caller deletes), exact inverse of parsing: what was given and nothing
  * else; with all = true every value, for `input.resolved`. NULL when memory is out. */
 struct cJSON *cr_scene_to_json(const struct cr_scene *scene, bool all);

@@ -250,6 +250,25 @@ static void test_model_files_are_found_from_a_new_folder(void **state) {
     cr_scene_fini(&again);
 }
 
+static void test_a_pointer_gets_its_line_from_the_file(void **state) {
+    (void)state;
+    struct cr_error err;
+    cr_err_set(&err, CR_ERR_RANGE, "too fast");
+    snprintf(err.where, sizeof err.where, "/participants/1/id");
+    const char *path = scene_path("tests/cases/scene/sense-track.json");
+    cr_scene_locate_file(path, "named", &err);
+    assert_string_equal(err.src, "named");
+    /* the line of the second participant there is `    { "id": "W", ...` */
+    assert_int_equal(err.line, 6);
+    assert_int_equal(err.col, 13);
+    cr_scene_locate_file("nowhere.json", "nowhere.json", &err);
+    assert_string_equal(err.src, "nowhere.json");
+    assert_int_equal(err.line, 0);
+    cr_scene_locate_file("-", "standard input", &err);
+    assert_string_equal(err.src, "standard input");
+    assert_int_equal(err.line, 0);
+}
+
 static void test_a_scene_out_of_a_stack(void **state) {
     (void)state;
     struct cr_scene s;
@@ -297,6 +316,7 @@ int main(void) {
         cmocka_unit_test(test_participants_come_and_go),
         cmocka_unit_test(test_a_scene_in_the_making_is_kept),
         cmocka_unit_test(test_model_files_are_found_from_a_new_folder),
+        cmocka_unit_test(test_a_pointer_gets_its_line_from_the_file),
         cmocka_unit_test(test_a_scene_out_of_a_stack),
         cmocka_unit_test(test_the_schema_is_the_one_of_the_tables),
     };
