@@ -11,7 +11,7 @@ enum { SUB_LEAST = 2, SUB_MOST = 4 }; /* samples per half cell and direction */
 
 /* Share of what was found in a half cell (square on the screen), counted over its samples. */
 struct pixel {
-    int n, in, rigid, post, crushed, induced, solid;
+    int n, in, rigid, post, crushed, induced, overlap, solid;
     double value; /* sum over solid samples */
 };
 
@@ -26,11 +26,13 @@ static void sample_pixel(const struct cr_pic *pic, const int *bodies, int n, dou
         struct cr_pic_hit hit;
         bool in = false, rigid = false, post = false, crushed = false, induced = false;
         double left = 0, value = 0;
+        int whole = 0;
         for (int k = 0; k < n; k++) {
             if (!cr_pic_look(pic, &pic->body[bodies[k]], p, &hit)) {
                 continue;
             }
             in = true;
+            whole += hit.rigid || hit.left > 0.5;
             rigid |= hit.rigid;
             post |= hit.post;
             crushed |= hit.crushed && !hit.induced;
@@ -46,6 +48,7 @@ static void sample_pixel(const struct cr_pic *pic, const int *bodies, int n, dou
         px->post += post;
         px->crushed += crushed;
         px->induced += induced && !crushed;
+        px->overlap += whole > 1;
         bool counts = left >= 0.25 || (in && !rigid && pic->field != CR_FIELD_EES);
         px->solid += counts;
         px->value += counts ? value : 0;
@@ -53,9 +56,15 @@ static void sample_pixel(const struct cr_pic *pic, const int *bodies, int n, dou
 }
 
 static struct pixel both(const struct pixel *a, const struct pixel *b) {
-    return (struct pixel){a->n + b->n,         a->in + b->in,           a->rigid + b->rigid,
-                          a->post + b->post,   a->crushed + b->crushed, a->induced + b->induced,
-                          a->solid + b->solid, a->value + b->value};
+    return (struct pixel){a->n + b->n,
+                          a->in + b->in,
+                          a->rigid + b->rigid,
+                          a->post + b->post,
+                          a->crushed + b->crushed,
+                          a->induced + b->induced,
+                          a->overlap + b->overlap,
+                          a->solid + b->solid,
+                          a->value + b->value};
 }
 
 static bool most(int part, const struct pixel *px) {
@@ -86,6 +95,16 @@ static bool draw_crushed(struct cr_pic *pic, struct cr_cell *cell, const struct 
                              .role = induced ? CR_ROLE_INDUCED : CR_ROLE_CRUSHED};
     pic->any_induced |= induced;
     pic->any_crushed |= !induced;
+    return true;
+}
+
+/* Bodies that stand in each other before they have met: not a crash, a mistake in the scene. */
+static bool draw_overlap(struct cr_pic *pic, struct cr_cell *cell, const struct pixel *px) {
+    if (pic->moved || !most(px->overlap, px)) {
+        return false;
+    }
+    *cell = (struct cr_cell){.ch = '!', .role = CR_ROLE_BAD};
+    pic->any_overlap = true;
     return true;
 }
 
@@ -135,7 +154,7 @@ static void draw_cell(struct cr_pic *pic, struct cr_cells *cells, const struct c
         return;
     }
     bool blocks = look->color == CR_COLOR_256 && !look->ascii;
-    if (draw_crushed(pic, cell, &px, look)) {
+    if (draw_overlap(pic, cell, &px) || draw_crushed(pic, cell, &px, look)) {
         return;
     }
     if (most(px.rigid, &px) || 3 * px.post >= px.n) {

@@ -331,6 +331,7 @@ static void draw_legend(const struct ink *ink, const struct cr_scene_view *view)
     write_ramp(&pen);
     write_entry(&pen, pic->any_crushed, CR_ROLE_CRUSHED, ascii ? "x" : "\u00d7", "crushed");
     write_entry(&pen, pic->any_induced, CR_ROLE_INDUCED, "~", "induced");
+    write_entry(&pen, pic->any_overlap, CR_ROLE_BAD, "!", "overlap");
     write_entry(&pen, pic->any_rigid, CR_ROLE_OBJECT, "/", "rigid");
     snprintf(force, sizeof force, "force %.0f kN", pic->force_now * 1e-3);
     write_entry(&pen, view->vectors && pic->force_now > 0.02 * pic->force_max, CR_ROLE_FORCE,

@@ -104,7 +104,8 @@ bool cr_pic_look(const struct cr_pic *pic, const struct cr_pic_body *b, struct c
         return false;
     }
     hit->left = left_at(pic, b, i);
-    hit->crushed = hit->left < 0.5 * fill;
+    /* where equal materials meet, each loses half */
+    hit->crushed = hit->left <= 0.501 * fill;
     hit->induced = hit->crushed && b->how != NULL && (b->how[i] & CR_CRUSH_CONTACT) == 0;
     hit->value = cr_pic_field_value(b, pic->field, ix, iy, hit->left);
     return true;
@@ -159,7 +160,7 @@ static void world_box(const struct cr_pic *pic, const struct cr_result *result,
     double times[2] = {0, 0};
     if (solved) {
         times[0] = result->solution->t_contact;
-        times[1] = cr_render_t_after(result->solution);
+        times[1] = cr_render_t_main(result->solution);
     }
     for (int pass = 0; pass < 2; pass++) {
         struct cr_vec2 near[2] = {box[0], box[1]};

@@ -42,7 +42,7 @@ struct cr_pic {
     double m_per_col;
     struct cr_vec2 centre;
     struct cr_rect at;
-    bool any_crushed, any_induced, any_rigid; /* set while drawing, for the legend */
+    bool any_crushed, any_induced, any_rigid, any_overlap; /* set while drawing, for the legend */
 };
 
 /* What one body has at a world point. */
@@ -94,10 +94,14 @@ struct cr_sample cr_render_state(const struct cr_compiled *compiled, const struc
 /* Time at which the crash is over: the end of the last restitution of all; while a contact goes on
  * (a solve under way) the last time slice, s. */
 double cr_render_t_after(const struct cr_solution *sol);
+/* End of the last contact that matters: light touches afterwards (below 5 % of the greatest
+ * impulse) are left out, s. */
+double cr_render_t_main(const struct cr_solution *sol);
 /* Time of the first contact; 0 when there was none. */
 double cr_render_t_contact(const struct cr_solution *sol);
 
-/* Samples that a plot over the crash shows: up to a little after the last contact. */
+/* Samples that a plot over the crash shows: up to a little after the last
+ * contact that matters. */
 int cr_render_samples(const struct cr_solution *sol);
 /* The first n values of a quantity as plots show it (g, km/h ...), accelerations filtered with CFC
  * 60 as the reported maxima are; what cannot be filtered (slices too long) is shown as it is. */

@@ -42,8 +42,8 @@ bool cr_render_moves(const struct cr_result *result, int body) {
 }
 
 int cr_render_samples(const struct cr_solution *sol) {
-    double t_end = cr_render_t_after(sol);
-    t_end += 0.05 * (t_end - sol->t_contact);
+    double t_end = cr_render_t_main(sol);
+    t_end += 0.1 * (t_end - sol->t_contact);
     int n = 0;
     while (n < sol->samples && (n < 2 || sol->t[n] <= t_end)) {
         n++;

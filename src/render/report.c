@@ -177,7 +177,7 @@ static enum cr_err rest_picture(const struct page *page, struct cr_error *err) {
 
 static enum cr_err pictures(const struct page *page, struct cr_error *err) {
     const struct cr_solution *sol = page->result->solution;
-    double t0 = cr_render_t_contact(sol), t1 = cr_render_t_after(sol);
+    double t0 = cr_render_t_contact(sol), t1 = cr_render_t_main(sol);
     /* a hand's breadth apart, so that one sees where one body ends and the other begins */
     double closing = sol->contacts > 0 ? sol->contact[0].closing : 0;
     double lead = closing > 1 ? fmin(0.3 / closing, t0) : 0;
@@ -194,11 +194,11 @@ static enum cr_err pictures(const struct page *page, struct cr_error *err) {
     }
     char before[80], after[80];
     snprintf(before, sizeof before, "%.0f ms before the first touch", lead * 1e3);
-    snprintf(after, sizeof after, "end of the last contact, %.1f ms after the first touch",
-             (t1 - t0) * 1e3);
+    snprintf(after, sizeof after, "end of the %s, %.1f ms after the first touch",
+             t1 < cr_render_t_after(sol) ? "main contact" : "contact", (t1 - t0) * 1e3);
     struct shot shot[2] = {{"Before", lead > 0 ? before : "at the first touch", view},
                            {"After", after, view}};
-    shot[1].view.time = NAN;
+    shot[1].view.time = t1;
     for (int i = 0; i < 2 && code == CR_ERR_OK; i += beside) {
         code = strip(page, &shot[i], beside, rows, err);
     }

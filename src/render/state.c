@@ -24,6 +24,23 @@ double cr_render_t_after(const struct cr_solution *sol) {
     return t;
 }
 
+double cr_render_t_main(const struct cr_solution *sol) {
+    double most = 0, t = cr_render_t_contact(sol);
+    for (int i = 0; i < sol->contacts; i++) {
+        most = fmax(most, cr_vec2_len(sol->contact[i].impulse));
+    }
+    for (int i = 0; i < sol->contacts; i++) {
+        const struct cr_contact *k = &sol->contact[i];
+        if (k->phase != CR_PHASE_APART || !isfinite(k->t_end)) {
+            return cr_render_t_after(sol);
+        }
+        if (cr_vec2_len(k->impulse) >= 0.05 * most) {
+            t = fmax(t, k->t_end);
+        }
+    }
+    return sol->contacts > 0 ? t : cr_render_t_after(sol);
+}
+
 static struct cr_sample start_of(const struct cr_body *body) {
     return (struct cr_sample){
         .pos = body->pos, .vel = body->vel, .heading = body->heading, .yaw_rate = body->yaw_rate};

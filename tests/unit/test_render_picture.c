@@ -130,6 +130,32 @@ static void test_crushed_only_when_it_happened(void **state) {
     render_double_fini(&d);
 }
 
+/* bodies placed into each other are marked while there is no result */
+static void test_overlap_before_the_crash(void **state) {
+    (void)state;
+    struct render_double d;
+    render_double_init(&d);
+    struct cr_scene_view view = view_at((double)NAN);
+    for (int i = 0; i < 2; i++) {
+        struct cr_cells c;
+        struct cr_error err;
+        assert_int_equal(cr_cells_new(120, 30, &c, &err), CR_ERR_OK);
+        assert_int_equal(cr_render_scene(&c, (struct cr_rect){0, 0, 120, 30}, &PLAIN,
+                                         &d.result.compiled, &d.result.resolved, NULL, &view, &err),
+                         CR_ERR_OK);
+        if (i == 0) {
+            assert_int_equal(count(&c, '!'), 0);
+        } else {
+            /* 0.5 m x 0.9 m or a little less at the round corners, cells of 0.1 x 0.2 m */
+            assert_in_range(count(&c, '!'), 12, 25);
+        }
+        cr_cells_fini(&c);
+        d.result.compiled.cs.body[0].pos = cr_vec2(-2.25, 0);
+        d.result.compiled.cs.body[1].pos = cr_vec2(1.55, 0.9);
+    }
+    render_double_fini(&d);
+}
+
 static void test_forces_end_with_the_crash(void **state) {
     (void)state;
     struct render_double d;
@@ -371,6 +397,7 @@ int main(void) {
         cmocka_unit_test(test_motion_between),
         cmocka_unit_test(test_size_on_the_screen),
         cmocka_unit_test(test_crushed_only_when_it_happened),
+        cmocka_unit_test(test_overlap_before_the_crash),
         cmocka_unit_test(test_forces_end_with_the_crash),
         cmocka_unit_test(test_ascii_everywhere),
         cmocka_unit_test(test_report_fits_its_width),
