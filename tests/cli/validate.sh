@@ -1,0 +1,60 @@
+#!/bin/sh
+# crumple validate: the installed crash tests, own ones, forms of the table, targets that can fail.
+. "$SRC/tests/cli/cli.sh"
+
+run validate car-to-car pulse
+same "the scenes of the tree are solved" "$status:$errs" "0:"
+has "both methods side by side" "$out" 'paper +extended'
+has "with the published figures" "$out" '^ delta-v +6 .* -1\.2 +14\.2 +10\.7'
+has "pulses are rated" "$out" 'camry-10146 Camry, extended: RMS error [0-9.]+ g, ISO/TS 18571 0\.'
+has "and have targets" "$out" '(met|missed) +camry-10146: ISO/TS 18571 rating'
+cp "$tmp/out" "$tmp/first"
+run validate --jobs 1 car-to-car pulse
+same "the same bytes with one thread" "$(cksum <"$tmp/out")" "$(cksum <"$tmp/first")"
+run validate pulse --format json --cases
+if command -v python3 >/dev/null 2>&1; then
+    same "JSON is JSON" "$(printf '%s' "$out" | python3 -c 'import json, sys
+d = json.load(sys.stdin); print(d["cases"][0]["id"], len(d["rows"]) > 5)')" "camry-10146 True"
+else
+    skip "JSON is JSON" "no python3"
+fi
+run validate pulse --format csv
+has "CSV has a row per measure and method" "$out" '^pulse,all,ees_kmh,km/h,1,paper,1,'
+run validate pulse --method paper
+same "one method alone has no targets" "$(printf '%s' "$out" | grep -c target)" 0
+
+# own tests
+cat >"$tmp/own.csv" <<'END'
+# two cars like the Camry
+test_no,make,model,year,body,mass_kg,speed_kmh,veh_width_mm,c1,c2,c3,c4,c5,c6
+1,Toyota,Camry,2018,S,1719,57.09,1837,380,466,511,518,489,370
+2,Toyota,Camry,2018,S,1719,40.2,1837,190,230,260,260,240,190
+END
+run validate "$tmp/own.csv" --cases
+has "a table of own walls" "$out" 'own tests: 2 measured'
+has "with its rows" "$out" '1 car \(2018 Toyota Camry, sedan, 57\.1 km/h\)'
+run validate "$tmp/own.csv" --scenes "$tmp/scenes" --worst 1
+has "scenes are written to be opened" "$out" 'scenes/[12]\.json'
+run run "$tmp/scenes/1.json"
+same "and can be solved" "$status" 0
+run validate "$SRC/share/validation/pulse/camry-10146.json"
+has "an own scene with expectations" "$out" 'own tests: 1 measured'
+sed 's/c1,/x1,/' "$tmp/own.csv" >"$tmp/bad.csv"
+refused "a table of something else" 3 'bad.csv.*neither.*c1 to c6' validate "$tmp/bad.csv"
+sed 's/57.09/fast/' "$tmp/own.csv" >"$tmp/bad.csv"
+refused "a text where a number belongs" 3 'bad.csv:3:.*fast.*speed_kmh' validate "$tmp/bad.csv"
+sed 's/1719,57/,57/' "$tmp/own.csv" >"$tmp/bad.csv"
+refused "a missing mass" 3 'bad.csv:3:.*mass_kg' validate "$tmp/bad.csv"
+refused "a scene without expectations" 3 'x_expect' validate "$demo"
+refused "an unknown class" 2 'did you mean pole' validate poles
+
+# a deliberately wrong model: without a string the pole goes in twice as deep (method.md 5)
+mkdir "$tmp/models"
+for recipe in "$SRC"/models/*.json; do
+    sed 's/"tension_N_per_kg": [0-9.]*/"tension_N_per_kg": 0/' "$recipe" \
+        >"$tmp/models/$(basename "$recipe")"
+done
+run validate pole --method extended --models "$tmp/models" --targets
+same "a wrong model fails" "$status" 1
+has "in the depth of the poles" "$out" 'missed +pole: MPE of depth residual'
+finish
