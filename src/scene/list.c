@@ -92,7 +92,7 @@ static enum cr_err read_waypoints(struct cr_reader *r, const cJSON *json, int n,
         code = cr_scene_extra_in(r, &outer);
         if (code == CR_ERR_OK) {
             code = read_waypoint(r, item, i, way);
-            cr_scene_extra_out(r, token, outer);
+            code = cr_scene_extra_out(r, token, outer, code);
         }
         cr_scene_leave(r, up);
     }
@@ -118,7 +118,7 @@ enum cr_err cr_scene_trajectory_read(struct cr_reader *r, const struct cr_key *k
     enum cr_err code = cr_scene_extra_in(r, &outer);
     if (code == CR_ERR_OK) {
         code = read_waypoints(r, json, n, way);
-        cr_scene_extra_out(r, key->name, outer);
+        code = cr_scene_extra_out(r, key->name, outer, code);
     }
     if (code != CR_ERR_OK) {
         free(way);

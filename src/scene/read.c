@@ -22,12 +22,19 @@ enum cr_err cr_scene_extra_in(struct cr_reader *r, cJSON **outer) {
     return CR_ERR_OK;
 }
 
-void cr_scene_extra_out(struct cr_reader *r, const char *token, cJSON *outer) {
+enum cr_err cr_scene_extra_out(struct cr_reader *r, const char *token, cJSON *outer,
+                               enum cr_err code) {
     cJSON *inner = r->extra;
     r->extra = outer;
-    if (inner->child == NULL || !cJSON_AddItemToObject(outer, token, inner)) {
+    if (inner->child == NULL) {
         cJSON_Delete(inner);
+        return code;
     }
+    if (!cJSON_AddItemToObject(outer, token, inner)) {
+        cJSON_Delete(inner);
+        return cr_scene_fail(r, CR_ERR_MEMORY, "no memory to read the scene");
+    }
+    return code;
 }
 
 static enum cr_err keep_extra(struct cr_reader *r, const cJSON *member) {
@@ -117,7 +124,7 @@ static enum cr_err read_inner(struct cr_reader *r, enum cr_key_table table, unsi
     enum cr_err code = cr_scene_extra_in(r, &outer);
     if (code == CR_ERR_OK) {
         code = cr_scene_members_read(r, table, mask, json, prefix, base, given);
-        cr_scene_extra_out(r, json->string, outer);
+        code = cr_scene_extra_out(r, json->string, outer, code);
     }
     return code;
 }

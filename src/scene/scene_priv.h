@@ -21,9 +21,10 @@ size_t cr_scene_enter(struct cr_reader *r, const char *token);
 void cr_scene_leave(struct cr_reader *r, size_t length);
 
 /* x_ keys of an inner object or array are kept apart, and joined to those of the outer one under
- * its token when it is left. Errors: MEMORY. */
+ * its token when it is left: the code so far, or MEMORY. */
 CR_MUST_CHECK enum cr_err cr_scene_extra_in(struct cr_reader *r, struct cJSON **outer);
-void cr_scene_extra_out(struct cr_reader *r, const char *token, struct cJSON *outer);
+CR_MUST_CHECK enum cr_err cr_scene_extra_out(struct cr_reader *r, const char *token,
+                                             struct cJSON *outer, enum cr_err code);
 
 /* All members of an object by a table, with those of inner objects ("cg."); `given` gets bits. */
 CR_MUST_CHECK enum cr_err cr_scene_members_read(struct cr_reader *r, enum cr_key_table table,
