@@ -91,21 +91,10 @@ static double number(const struct table *t, const char *name) {
     return end == s ? (double)NAN : x;
 }
 
-/* One row of the table of types: the first that fits decides. */
-struct rule {
-    enum cr_type type;
-    char body[16]; /* letters; "" for any */
-    double most_kg, most_m;
-};
-enum { RULES = 16 };
-struct rules {
-    int n;
-    struct rule row[RULES];
-};
-
-static int type_of(const struct rules *rules, const char *body, double mass, double length) {
+int cr_type_rules_find(const struct cr_type_rules *rules, const char *body, double mass,
+                       double length) {
     for (int i = 0; i < rules->n; i++) {
-        const struct rule *r = &rules->row[i];
+        const struct cr_type_rule *r = &rules->row[i];
         bool body_fits = r->body[0] == '\0' || (body[0] != '\0' && strchr(r->body, body[0]));
         if (body_fits && mass <= r->most_kg && (isnan(length) || length <= r->most_m)) {
             return (int)r->type;
@@ -124,8 +113,9 @@ static int type_member(const cJSON *row, const char *key) {
     return word != NULL ? cr_type_find(word) : -1;
 }
 
-static enum cr_err read_rules(const char *dir, struct rules *out, int borrows[CR_TYPES],
-                              struct cr_error *err) {
+enum cr_err cr_type_rules_read(const char *dir, struct cr_type_rules *out, struct cr_error *err) {
+    int *borrows = out->borrows;
+    out->n = 0;
     char path[600], *text = NULL;
     size_t len = 0;
     snprintf(path, sizeof path, "%s/share/calibration/types.json", dir);
@@ -139,12 +129,12 @@ static enum cr_err read_rules(const char *dir, struct rules *out, int borrows[CR
     cJSON_ArrayForEach(row, cJSON_GetObjectItem(root, "rules")) {
         int type = type_member(row, "type");
         const char *body = cJSON_GetStringValue(cJSON_GetObjectItem(row, "body"));
-        good = good && type >= 0 && out->n < RULES;
+        good = good && type >= 0 && out->n < CR_TYPE_RULES;
         if (good) {
-            struct rule *r = &out->row[out->n++];
-            *r = (struct rule){.type = (enum cr_type)type,
-                               .most_kg = limit(row, "most_kg"),
-                               .most_m = limit(row, "most_m")};
+            struct cr_type_rule *r = &out->row[out->n++];
+            *r = (struct cr_type_rule){.type = (enum cr_type)type,
+                                       .most_kg = limit(row, "most_kg"),
+                                       .most_m = limit(row, "most_m")};
             snprintf(r->body, sizeof r->body, "%s", body != NULL ? body : "");
         }
     }
@@ -167,7 +157,7 @@ static enum cr_err read_rules(const char *dir, struct rules *out, int borrows[CR
     return rc;
 }
 
-static enum cr_err read_walls(const char *dir, const struct rules *rules,
+static enum cr_err read_walls(const char *dir, const struct cr_type_rules *rules,
                               struct cr_calibration_data *d, struct cr_error *err) {
     struct table t;
     enum cr_err rc = open_table(dir, "frontal_wall.csv", &t, err);
@@ -184,7 +174,7 @@ static enum cr_err read_walls(const char *dir, const struct rules *rules,
             snprintf(name, sizeof name, "c%d", i + 1);
             w.c[i] = number(&t, name) / 1000;
         }
-        int type = type_of(rules, cell(&t, "body"), w.mass, NAN);
+        int type = cr_type_rules_find(rules, cell(&t, "body"), w.mass, NAN);
         if (type >= 0 && w.mass > 0 && w.speed > 0 && w.c[2] > 0) {
             w.type = (enum cr_type)type;
             d->wall[d->walls++] = w;
@@ -214,7 +204,7 @@ static enum cr_err read_pulses(const char *dir, struct cr_calibration_data *d,
     return rc;
 }
 
-static enum cr_err read_poles(const char *dir, const struct rules *rules,
+static enum cr_err read_poles(const char *dir, const struct cr_type_rules *rules,
                               struct cr_calibration_data *d, struct cr_error *err) {
     struct table t;
     enum cr_err rc = open_table(dir, "side_pole.csv", &t, err);
@@ -227,7 +217,7 @@ static enum cr_err read_poles(const char *dir, const struct rules *rules,
                                  .wheelbase = number(&t, "wheelbase_mm") / 1000,
                                  .cg = number(&t, "cg_mm") / 1000,
                                  .crush = number(&t, "crush_mm") / 1000};
-        int type = type_of(rules, cell(&t, "body"), p.mass, p.length);
+        int type = cr_type_rules_find(rules, cell(&t, "body"), p.mass, p.length);
         if (type >= 0 && p.mass > 0 && p.speed > 0 && p.crush > 0) {
             p.type = (enum cr_type)type;
             d->pole[d->poles++] = p;
@@ -239,14 +229,15 @@ static enum cr_err read_poles(const char *dir, const struct rules *rules,
 
 enum cr_err cr_calibration_read(const char *dir, struct cr_calibration_data *out,
                                 struct cr_error *err) {
-    struct rules rules = {.n = 0};
+    struct cr_type_rules rules;
     *out = (struct cr_calibration_data){.wall = calloc(CR_CALIBRATE_TESTS, sizeof *out->wall),
                                         .pole = calloc(CR_CALIBRATE_TESTS, sizeof *out->pole)};
     if (out->wall == NULL || out->pole == NULL) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for the tests");
     }
-    enum cr_err rc = read_rules(dir, &rules, out->borrows, err);
+    enum cr_err rc = cr_type_rules_read(dir, &rules, err);
     if (!rc) {
+        memcpy(out->borrows, rules.borrows, sizeof out->borrows);
         rc = read_walls(dir, &rules, out, err);
     }
     if (!rc) {

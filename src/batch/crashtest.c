@@ -21,27 +21,6 @@ void cr_test_list_fini(struct cr_test_list *list) {
     *list = (struct cr_test_list){0};
 }
 
-/* First row that fits; limits from the class medians of stiffness.md 7.1 (masses as tested). */
-static const struct {
-    const char *body;    /* letters it is for, "" for any */
-    double mass, length; /* below one of these */
-    enum cr_type type;
-} rules[] = {
-    {"UV", INFINITY, INFINITY, CR_TYPE_SUV}, {"W", INFINITY, INFINITY, CR_TYPE_STATION_WAGON},
-    {"", 1100, 3.7, CR_TYPE_SUPER_COMPACT},  {"", 1300, 0, CR_TYPE_MINI_COMPACT},
-    {"", 1550, 0, CR_TYPE_COMPACT},          {"", INFINITY, INFINITY, CR_TYPE_SEDAN},
-};
-
-enum cr_type cr_test_type(const char *body, double mass_kg, double length_m) {
-    for (size_t i = 0; i < sizeof rules / sizeof *rules; i++) {
-        bool fits = !rules[i].body[0] || (body[0] && strchr(rules[i].body, body[0]));
-        if (fits && (mass_kg < rules[i].mass || length_m < rules[i].length)) {
-            return rules[i].type;
-        }
-    }
-    return CR_TYPE_SEDAN;
-}
-
 /* new case without references; NULL without memory */
 static struct cr_test *add(struct cr_test_list *list, struct cr_error *err) {
     if (list->n == list->size) {
@@ -108,6 +87,30 @@ static void name_case(struct cr_test *c, const struct cr_records *r, int row) {
     snprintf(c->title, sizeof c->title, "%s %s %s", year, make, model);
 }
 
+/* where tests come from */
+struct source {
+    struct cr_records records;
+    const struct cr_type_rules *rules;
+    enum cr_test_class class;
+};
+
+/* class, names and type of the car in a row */
+static enum cr_err begin_case(const struct source *from, int row, double mass, double length,
+                              struct cr_test *c, struct cr_error *err) {
+    const struct cr_records *r = &from->records;
+    int type = cr_type_rules_find(from->rules, cr_records_text(r, row, "body"), mass, length);
+    if (type < 0) {
+        cr_err_set(err, CR_ERR_MODEL, "this car is none of the six types");
+        cr_err_place(err, r->src, r->line[row], 1);
+        cr_err_hint(err, "the rules stand in share/calibration/types.json");
+        return CR_ERR_MODEL;
+    }
+    name_case(c, r, row);
+    c->class = from->class;
+    c->type = (enum cr_type)type;
+    return CR_ERR_OK;
+}
+
 static void begin_scene(struct cr_str *s, const struct cr_test *c, double mass, double width) {
     cr_str_addf(s,
                 "{ \"crumple\": 1, \"name\": \"%s\", \"settings\": { \"restitution\": \"auto\" },\n"
@@ -123,21 +126,19 @@ static void begin_scene(struct cr_str *s, const struct cr_test *c, double mass, 
  * restitution of full walls, 0.17 (stiffness.md 6). */
 static const double WALL_RESTITUTION = 0.17, WALL_RESTITUTION_FROM = 36; /* -, km/h */
 
-static enum cr_err wall_case(const struct cr_records *r, int row, enum cr_test_class class,
-                             struct cr_test *c, struct cr_error *err) {
+static enum cr_err wall_case(const struct source *from, int row, struct cr_test *c,
+                             struct cr_error *err) {
     double mass, speed, width, crush[CR_PROFILE], length;
     const struct wish wish[] = {{"mass_kg", &mass, true},        {"speed_kmh", &speed, true},
                                 {"veh_width_mm", &width, false}, {"length_mm", &length, false},
                                 {"c1", &crush[0], true},         {"c2", &crush[1], true},
                                 {"c3", &crush[2], true},         {"c4", &crush[3], true},
                                 {"c5", &crush[4], true},         {"c6", &crush[5], true}};
-    enum cr_err rc = read_row(r, row, wish, sizeof wish / sizeof *wish, err);
+    enum cr_err rc = read_row(&from->records, row, wish, sizeof wish / sizeof *wish, err);
+    rc = rc ? rc : begin_case(from, row, mass, length / 1000, c, err);
     if (rc) {
         return rc;
     }
-    name_case(c, r, row);
-    c->class = class;
-    c->type = cr_test_type(cr_records_text(r, row, "body"), mass, length / 1000);
     c->speed_kmh = speed;
     double *ref = c->reference, top = 0;
     for (int i = 0; i < CR_PROFILE; i++) {
@@ -167,25 +168,23 @@ static enum cr_err wall_case(const struct cr_records *r, int row, enum cr_test_c
 
 /* The pole stands in line with the driver's head, this share of the wheelbase behind the front axle
  * (our assumption; FMVSS 214 gives the point by the seating procedure). */
-static const double HEAD = 0.53;
+static const double HEAD = 0.52;
 static const double POLE_RADIUS = 0.127, POLE_ANGLE = 75; /* m, deg to the direction of travel */
-static const double POLE_GAP = 0.1;                       /* m from the flank to the pole */
+static const double POLE_GAP = 0.05;                      /* m from the flank to the pole */
 
-static enum cr_err pole_case(const struct cr_records *r, int row, enum cr_test_class class,
-                             struct cr_test *c, struct cr_error *err) {
+static enum cr_err pole_case(const struct source *from, int row, struct cr_test *c,
+                             struct cr_error *err) {
     double mass, speed, length, width, base, cg, crush;
     const struct wish wish[] = {
         {"test_mass_kg", &mass, true}, {"speed_kmh", &speed, true},   {"length_mm", &length, true},
         {"width_mm", &width, true},    {"wheelbase_mm", &base, true}, {"cg_mm", &cg, false},
         {"crush_mm", &crush, true},
     };
-    enum cr_err rc = read_row(r, row, wish, sizeof wish / sizeof *wish, err);
+    enum cr_err rc = read_row(&from->records, row, wish, sizeof wish / sizeof *wish, err);
+    rc = rc ? rc : begin_case(from, row, mass, length / 1000, c, err);
     if (rc) {
         return rc;
     }
-    name_case(c, r, row);
-    c->class = class;
-    c->type = cr_test_type(cr_records_text(r, row, "body"), mass, length / 1000);
     c->speed_kmh = speed;
     c->reference[CR_MEASURE_DEPTH] = crush / 1000;
     bool has_cg = isfinite(cg) && cg > 0;
@@ -209,26 +208,31 @@ static enum cr_err pole_case(const struct cr_records *r, int row, enum cr_test_c
     return set_scene(c, &s, err);
 }
 
-static enum cr_err load_table(const char *path, enum cr_test_class class, struct cr_test_list *list,
+static enum cr_err load_table(const char *path, enum cr_test_class class,
+                              const struct cr_type_rules *rules, struct cr_test_list *list,
                               struct cr_error *err) {
-    struct cr_records r;
-    enum cr_err rc = cr_records_load(path, &r, err);
+    struct source from = {.rules = rules, .class = class};
+    struct cr_records *r = &from.records;
+    enum cr_err rc = cr_records_load(path, r, err);
     if (rc) {
         return rc;
     }
-    bool wall = cr_records_find(&r, "c1") >= 0, pole = cr_records_find(&r, "crush_mm") >= 0;
+    bool wall = cr_records_find(r, "c1") >= 0, pole = cr_records_find(r, "crush_mm") >= 0;
     if (!wall && !pole) {
         rc = cr_err_set(err, CR_ERR_MISSING, "neither a table of walls nor of side poles");
         cr_err_place(err, path, 1, 1);
         cr_err_hint(err, "walls have columns c1 to c6, side poles crush_mm; see validation.md");
     }
-    for (int row = 0; row < r.rows && !rc; row++) {
+    for (int row = 0; row < r->rows && !rc; row++) {
         struct cr_test *c = add(list, err);
-        rc = !c ? CR_ERR_MEMORY : (wall ? wall_case : pole_case)(&r, row, class, c, err);
+        rc = !c ? CR_ERR_MEMORY : (wall ? wall_case : pole_case)(&from, row, c, err);
     }
-    cr_records_fini(&r);
+    cr_records_fini(r);
     return rc;
 }
+
+/* a signal whose energy is further off than this, relative, is not trusted */
+static const double ENERGY_OFF = 0.05;
 
 /* dynamic crush and peak of the walls, by test number; only rows that the source calls valid */
 static enum cr_err add_pulses(const char *path, struct cr_test_list *list, int from,
@@ -236,10 +240,13 @@ static enum cr_err add_pulses(const char *path, struct cr_test_list *list, int f
     struct cr_records r;
     enum cr_err rc = cr_records_load(path, &r, err);
     for (int row = 0; !rc && row < r.rows; row++) {
-        double crush, peak;
-        const struct wish wish[] = {{"calc_crush_mm", &crush, true}, {"calc_peak_g", &peak, true}};
-        rc = read_row(&r, row, wish, 2, err);
-        bool valid = !strcmp(cr_records_text(&r, row, "status"), "Valid");
+        double crush, peak, ratio;
+        const struct wish wish[] = {{"calc_crush_mm", &crush, true},
+                                    {"calc_peak_g", &peak, true},
+                                    {"energy_ratio", &ratio, true}};
+        rc = read_row(&r, row, wish, 3, err);
+        bool valid = !strcmp(cr_records_text(&r, row, "status"), "Valid") &&
+                     fabs(ratio - 1) <= ENERGY_OFF + 1e-9;
         for (int i = from; !rc && valid && i < list->n; i++) {
             struct cr_test *c = &list->item[i];
             if (!strcmp(c->id, cr_records_text(&r, row, "test_id"))) {
@@ -385,7 +392,18 @@ static enum cr_err load_folder(const char *dir, enum cr_test_class class, struct
     return rc;
 }
 
-enum cr_err cr_test_load(const char *dir, enum cr_test_class class, struct cr_test_list *list,
+static enum cr_err load_walls(const char *dir, const struct cr_type_rules *rules,
+                              struct cr_test_list *list, struct cr_error *err) {
+    char path[4200];
+    int from = list->n;
+    snprintf(path, sizeof path, "%s/share/validation/data/frontal_wall.csv", dir);
+    enum cr_err rc = load_table(path, CR_TEST_WALL, rules, list, err);
+    snprintf(path, sizeof path, "%s/share/validation/data/frontal_wall_pulse.csv", dir);
+    return rc ? rc : add_pulses(path, list, from, err);
+}
+
+enum cr_err cr_test_load(const char *dir, enum cr_test_class class,
+                         const struct cr_type_rules *rules, struct cr_test_list *list,
                          struct cr_error *err) {
     static const char *const WORD[] = {
 #define X(name, word, title) word,
@@ -393,23 +411,21 @@ enum cr_err cr_test_load(const char *dir, enum cr_test_class class, struct cr_te
 #undef X
     };
     char path[4200];
-    int from = list->n;
     if (class == CR_TEST_WALL) {
-        snprintf(path, sizeof path, "%s/data/frontal_wall.csv", dir);
-        enum cr_err rc = load_table(path, class, list, err);
-        snprintf(path, sizeof path, "%s/data/frontal_wall_pulse.csv", dir);
-        return rc ? rc : add_pulses(path, list, from, err);
+        return load_walls(dir, rules, list, err);
     }
     if (class == CR_TEST_POLE) {
-        snprintf(path, sizeof path, "%s/data/side_pole.csv", dir);
-        return load_table(path, class, list, err);
+        snprintf(path, sizeof path, "%s/share/validation/data/side_pole.csv", dir);
+        return load_table(path, class, rules, list, err);
     }
-    snprintf(path, sizeof path, "%s/%s", dir, WORD[class]);
+    snprintf(path, sizeof path, "%s/share/validation/%s", dir, WORD[class]);
     return load_folder(path, class, list, err);
 }
 
-enum cr_err cr_test_load_own(const char *path, struct cr_test_list *list, struct cr_error *err) {
+enum cr_err cr_test_load_own(const char *path, const struct cr_type_rules *rules,
+                             struct cr_test_list *list, struct cr_error *err) {
     size_t n = strlen(path);
     bool table = n > 4 && !strcmp(path + n - 4, ".csv");
-    return (table ? load_table : load_scene)(path, CR_TEST_OWN, list, err);
+    return table ? load_table(path, CR_TEST_OWN, rules, list, err)
+                 : load_scene(path, CR_TEST_OWN, list, err);
 }

@@ -4,6 +4,7 @@
 #define CR_BATCH_CRASHTEST_H
 
 #include "base/err.h"
+#include "batch/calibrate.h"
 #include "result/compare.h"
 #include "result/result.h"
 
@@ -37,7 +38,7 @@ enum cr_test_class {
     X(DEPTH, "face_depth_m", "depth residual, max", "m", true)                                     \
     X(DYNAMIC, "face_depth_dynamic_m", "depth dynamic, max", "m", true)                            \
     X(PROFILE, "crush_mean_m", "C1..C6 mean", "m", true)                                           \
-    X(CORNER, "crush_corner_ratio", "C1,C6 over C3,C4", "-", false)                                  \
+    X(CORNER, "crush_corner_ratio", "C1,C6 over C3,C4", "-", false)                                \
     X(AREA, "deformation_area_m2", "damaged area", "m2", true)                                     \
     X(PEAK, "acceleration_max_g", "peak acceleration", "g", true)                                  \
     X(MEAN, "acceleration_mean_g", "mean acceleration", "g", true)                                 \
@@ -84,19 +85,16 @@ struct cr_test_list {
 };
 void cr_test_list_fini(struct cr_test_list *list);
 
-/* Which of the six types a car of these tests counts as: body letter of the tables (S sedan,
- * H hatchback, W wagon, C coupe, U SUV, V minivan), mass as tested in kg, length in m or NaN. */
-enum cr_type cr_test_type(const char *body, double mass_kg, double length_m);
-
-/* Append the tests of a class from the folder share/validation. Errors: IO, SYNTAX, TYPE,
+/* Append the tests of a class from the data folder's share/validation. Errors: IO, SYNTAX, TYPE,
  * MISSING, with their place. */
 CR_MUST_CHECK enum cr_err cr_test_load(const char *dir, enum cr_test_class class,
-                                       struct cr_test_list *list, struct cr_error *err);
+                                       const struct cr_type_rules *rules, struct cr_test_list *list,
+                                       struct cr_error *err);
 
 /* Append one's own tests: a CSV file with the columns of frontal_wall.csv or of side_pole.csv, or a
  * scene file with x_expect. */
-CR_MUST_CHECK enum cr_err cr_test_load_own(const char *path, struct cr_test_list *list,
-                                           struct cr_error *err);
+CR_MUST_CHECK enum cr_err cr_test_load_own(const char *path, const struct cr_type_rules *rules,
+                                           struct cr_test_list *list, struct cr_error *err);
 
 /* Solve a case with a method and take its measures; what goes wrong stands in the outcome. */
 void cr_test_solve(struct cr_test *test, enum cr_method method, const struct cr_context *ctx);

@@ -82,17 +82,20 @@ static int find_class(const char *word) {
 }
 
 static enum cr_err load(char **name, int n, struct cr_test_list *list, struct cr_error *err) {
-    char dir[4200];
+    char dir[4096];
+    struct cr_type_rules rules;
+    // complains when there is no data folder
     enum cr_err rc = cr_batch_data("share/validation", dir, sizeof dir, err);
+    rc = rc ? rc : cr_type_rules_read(cr_data_dir(dir, sizeof dir), &rules, err);
     for (int c = 0; n == 0 && c < CR_TEST_OWN && !rc; c++) {
-        rc = cr_test_load(dir, (enum cr_test_class)c, list, err);
+        rc = cr_test_load(dir, (enum cr_test_class)c, &rules, list, err);
     }
     for (int i = 0; i < n && !rc; i++) {
         int c = find_class(name[i]);
         if (c >= 0) {
-            rc = cr_test_load(dir, (enum cr_test_class)c, list, err);
+            rc = cr_test_load(dir, (enum cr_test_class)c, &rules, list, err);
         } else if (strchr(name[i], '.') || strchr(name[i], '/')) {
-            rc = cr_test_load_own(name[i], list, err);
+            rc = cr_test_load_own(name[i], &rules, list, err);
         } else {
             const char *word[CR_TEST_OWN];
             for (int k = 0; k < CR_TEST_OWN; k++) {

@@ -112,40 +112,62 @@ static struct cr_stats_error differences(const double *got, const double *ref, i
     return e;
 }
 
-/* Spread of measured values about what a model of the type could know: their mean, or their line
- * over speed where the speeds differ. Percent, with the degrees of freedom taken off. */
+/* Sums for the line of a type's measured values over speed. */
+struct line {
+    double n, sx, sy, sxx, sxy;
+    double a, b; /* value = a + b speed */
+    bool sloped;
+};
+
+static bool counts(const struct cr_test *t, enum cr_test_class class, enum cr_measure m) {
+    return t->class == class && isfinite(t->reference[m]) && t->reference[m] > 0;
+}
+
+static void fit_lines(const struct cr_test_list *tests, enum cr_test_class class, enum cr_measure m,
+                      struct line line[CR_TYPES]) {
+    for (int i = 0; i < tests->n; i++) {
+        const struct cr_test *t = &tests->item[i];
+        struct line *l = &line[t->type];
+        double x = t->speed_kmh, y = t->reference[m];
+        if (counts(t, class, m)) {
+            l->n += 1;
+            l->sx += x;
+            l->sy += y;
+            l->sxx += x * x;
+            l->sxy += x * y;
+        }
+    }
+    for (int i = 0; i < CR_TYPES; i++) {
+        struct line *l = &line[i];
+        double spread = l->n * l->sxx - l->sx * l->sx;
+        // a line where the speeds differ by more than a km/h or so, else the mean
+        l->sloped = class == CR_TEST_WALL && l->n > 3 && spread > l->n * l->n;
+        l->b = l->sloped ? (l->n * l->sxy - l->sx * l->sy) / spread : 0;
+        l->a = (l->sy - l->b * l->sx) / l->n;
+    }
+}
+
+/* Spread of the percentage errors of the best that a model of the type can know: the mean of its
+ * measured values, or their line over speed; the degrees of freedom taken off. */
 static double fleet_scatter(const struct cr_test_list *tests, enum cr_test_class class,
                             enum cr_measure m) {
-    double squares = 0;
-    int freedom = 0;
-    bool line = class == CR_TEST_WALL;
-    for (int type = 0; type < CR_TYPES; type++) {
-        double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
-        for (int i = 0; i < tests->n; i++) {
-            const struct cr_test *t = &tests->item[i];
-            if (t->class == class && (int)t->type == type && isfinite(t->reference[m])) {
-                double x = t->speed_kmh, y = t->reference[m];
-                n += 1;
-                sx += x;
-                sy += y;
-                sxx += x * x;
-                sxy += x * y;
-            }
+    struct line line[CR_TYPES] = {{0}};
+    double sum = 0, squares = 0, n = 0, freedom = 0;
+    fit_lines(tests, class, m, line);
+    for (int i = 0; i < tests->n; i++) {
+        const struct cr_test *t = &tests->item[i];
+        if (counts(t, class, m)) {
+            const struct line *l = &line[t->type];
+            double off = 100 * ((l->a + l->b * t->speed_kmh) / t->reference[m] - 1);
+            sum += off;
+            squares += off * off;
+            n += 1;
         }
-        double spread = n * sxx - sx * sx;
-        bool sloped = line && n > 3 && spread > n * n;
-        double b = sloped ? (n * sxy - sx * sy) / spread : 0, a = (sy - b * sx) / n;
-        for (int i = 0; i < tests->n; i++) {
-            const struct cr_test *t = &tests->item[i];
-            if (t->class == class && (int)t->type == type && isfinite(t->reference[m])) {
-                double off = 100 * (t->reference[m] / (a + b * t->speed_kmh) - 1);
-                squares += off * off;
-                freedom++;
-            }
-        }
-        freedom -= n > 0 ? 1 + sloped : 0;
     }
-    return freedom > 3 ? sqrt(squares / freedom) : NONE;
+    for (int i = 0; i < CR_TYPES; i++) {
+        freedom += line[i].n > 0 ? line[i].n - 1 - line[i].sloped : 0;
+    }
+    return freedom > 3 ? sqrt((squares - sum * sum / n) / freedom) : NONE;
 }
 
 static struct cr_verdict_row *new_row(struct cr_verdict *v) {
@@ -198,7 +220,8 @@ static enum cr_err make_row(const struct cr_test_list *tests, enum cr_test_class
     }
     bool all = !strcmp(group, "all");
     bool bookkeeping = m == CR_MEASURE_EES || m == CR_MEASURE_DELTA_V;
-    if (all && !bookkeeping && (class == CR_TEST_WALL || class == CR_TEST_POLE)) {
+    if (all && !bookkeeping && MEASURE[m].relative &&
+        (class == CR_TEST_WALL || class == CR_TEST_POLE)) {
         r->fleet_sd = fleet_scatter(tests, class, m);
     }
     for (size_t i = 0; all && i < sizeof PUBLISHED / sizeof *PUBLISHED; i++) {
