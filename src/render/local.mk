@@ -15,7 +15,8 @@ librender_a_SOURCES = \
 	src/render/plot.c \
 	src/render/project.c src/render/project.h \
 	src/render/pulse.c \
-	src/render/report.c \
+	src/render/report.c src/render/report.h \
+	src/render/report_phases.c \
 	src/render/results_pane.c \
 	src/render/screen.c src/render/screen.h \
 	src/render/state.c \

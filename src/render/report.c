@@ -1,5 +1,6 @@
 /* The report of a run: pictures, pulses, table, phases, balance, assumptions, warnings. */
 #include "render/picture.h"
+#include "render/report.h"
 #include "render/table.h"
 
 #include "base/vec.h"
@@ -8,16 +9,9 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { WIDTH_LEAST = 60, WIDTH_MOST = 300, BESIDE = 150 };
+enum { WIDTH_LEAST = 60, WIDTH_MOST = 300, BESIDE = 158 };
 
-struct page {
-    const struct cr_result *result;
-    const struct cr_look *look;
-    int width;
-    struct cr_str *out;
-};
-
-static enum cr_err emit(const struct page *page, struct cr_cells *cells, struct cr_error *err) {
+enum cr_err cr_page_emit(const struct cr_page *page, struct cr_cells *cells, struct cr_error *err) {
     cr_cells_text(cells, page->look, page->out);
     cr_cells_fini(cells);
     return page->out->failed ? cr_err_set(err, CR_ERR_MEMORY, "no memory for the report")
@@ -38,21 +32,19 @@ static void draw_heading(struct cr_cells *c, int x, int y, int w, const struct c
     }
 }
 
-static enum cr_err heading(const struct page *page, const char *title, const char *note,
-                           struct cr_error *err) {
+enum cr_err cr_page_heading(const struct cr_page *page, const char *title, const char *note,
+                            struct cr_error *err) {
     struct cr_cells c;
     enum cr_err code = cr_cells_new(page->width, 2, &c, err);
     if (code != CR_ERR_OK) {
         return code;
     }
     draw_heading(&c, 0, 1, page->width, page->look, title, note);
-    return emit(page, &c, err);
+    return cr_page_emit(page, &c, err);
 }
 
-/* One line of text at the left edge, in a role, broken at blanks to the width; later lines are
- * indented. */
-static enum cr_err paragraph(const struct page *page, int indent, enum cr_role role,
-                             const char *text, struct cr_error *err) {
+enum cr_err cr_page_paragraph(const struct cr_page *page, int indent, enum cr_role role,
+                              const char *text, struct cr_error *err) {
     enum cr_err code = CR_ERR_OK;
     int at = 1;
     while (*text != '\0' && code == CR_ERR_OK) {
@@ -76,7 +68,7 @@ static enum cr_err paragraph(const struct page *page, int indent, enum cr_role r
         code = cr_cells_new(page->width, 1, &c, err);
         if (code == CR_ERR_OK) {
             cr_cells_print(&c, at, 0, 0, role, line);
-            code = emit(page, &c, err);
+            code = cr_page_emit(page, &c, err);
         }
         text = end;
         while (*text == ' ') {
@@ -90,7 +82,7 @@ static enum cr_err paragraph(const struct page *page, int indent, enum cr_role r
 /* ---- sections ---- */
 
 /* the answer first: EES and delta-v of each */
-static enum cr_err summary(const struct page *page, struct cr_error *err) {
+static enum cr_err summary(const struct cr_page *page, struct cr_error *err) {
     const struct cr_result *r = page->result;
     struct cr_str text = {0};
     int body[CR_BODY_MAX] = {0};
@@ -105,12 +97,12 @@ static enum cr_err summary(const struct page *page, struct cr_error *err) {
             cr_str_addf(&text, "  delta-v %.1f km/h", cr_kmh(of->delta_v));
         }
     }
-    enum cr_err code = paragraph(page, 0, CR_ROLE_TITLE, cr_str_get(&text), err);
+    enum cr_err code = cr_page_paragraph(page, 0, CR_ROLE_TITLE, cr_str_get(&text), err);
     cr_str_fini(&text);
     return code;
 }
 
-static enum cr_err title(const struct page *page, struct cr_error *err) {
+static enum cr_err title(const struct cr_page *page, struct cr_error *err) {
     const struct cr_settings *set = &page->result->resolved.set;
     char note[160];
     snprintf(note, sizeof note, "method %s, dt %g ms, voxel %g mm",
@@ -123,7 +115,7 @@ static enum cr_err title(const struct page *page, struct cr_error *err) {
     }
     cr_cells_print(&c, 1, 0, page->width - 50, CR_ROLE_TITLE, page->result->resolved.name);
     cr_cells_print_right(&c, page->width - 1, 0, 48, CR_ROLE_DIM, note);
-    code = emit(page, &c, err);
+    code = cr_page_emit(page, &c, err);
     return code == CR_ERR_OK ? summary(page, err) : code;
 }
 
@@ -133,7 +125,7 @@ struct shot {
 };
 
 /* pictures beside each other, with a heading each */
-static enum cr_err strip(const struct page *page, const struct shot *shot, int n, int rows,
+static enum cr_err strip(const struct cr_page *page, const struct shot *shot, int n, int rows,
                          struct cr_error *err) {
     const struct cr_result *r = page->result;
     struct cr_cells c;
@@ -149,11 +141,11 @@ static enum cr_err strip(const struct page *page, const struct shot *shot, int n
         cr_cells_fini(&c);
         return code;
     }
-    return emit(page, &c, err);
+    return cr_page_emit(page, &c, err);
 }
 
 /* where the bodies come to rest, with the ways they took */
-static enum cr_err rest_picture(const struct page *page, struct cr_error *err) {
+static enum cr_err rest_picture(const struct cr_page *page, struct cr_error *err) {
     const struct cr_solution *sol = page->result->solution;
     double end = sol->t[sol->samples - 1];
     struct cr_scene_view view = {
@@ -175,7 +167,7 @@ static enum cr_err rest_picture(const struct page *page, struct cr_error *err) {
     return strip(page, &shot, 1, rows, err);
 }
 
-static enum cr_err pictures(const struct page *page, struct cr_error *err) {
+static enum cr_err pictures(const struct cr_page *page, struct cr_error *err) {
     const struct cr_solution *sol = page->result->solution;
     double t0 = cr_render_t_contact(sol), t1 = cr_render_t_main(sol);
     /* a hand's breadth apart, so that one sees where one body ends and the other begins */
@@ -206,10 +198,10 @@ static enum cr_err pictures(const struct page *page, struct cr_error *err) {
     return code == CR_ERR_OK && rest ? rest_picture(page, err) : code;
 }
 
-static enum cr_err pulses(const struct page *page, struct cr_error *err) {
+static enum cr_err pulses(const struct cr_page *page, struct cr_error *err) {
     struct cr_cells c;
     int rows = page->width >= 120 ? 20 : 15;
-    enum cr_err code = heading(page, "Pulse", "acceleration of the CG, CFC 60", err);
+    enum cr_err code = cr_page_heading(page, "Pulse", "acceleration of the CG, CFC 60", err);
     if (code == CR_ERR_OK) {
         code = cr_cells_new(page->width, rows, &c, err);
     }
@@ -222,21 +214,21 @@ static enum cr_err pulses(const struct page *page, struct cr_error *err) {
         cr_cells_fini(&c);
         return code;
     }
-    return emit(page, &c, err);
+    return cr_page_emit(page, &c, err);
 }
 
-static enum cr_err tables(const struct page *page, struct cr_error *err) {
+static enum cr_err tables(const struct cr_page *page, struct cr_error *err) {
     int body[CR_BODY_MAX] = {0};
     int n = cr_table_bodies(page->result, body), most = cr_table_columns(page->width - 2);
     int rows = cr_render_table_rows(page->result);
-    enum cr_err code = heading(page, "Results", "", err);
+    enum cr_err code = cr_page_heading(page, "Results", "", err);
     for (int i = 0; i < n && code == CR_ERR_OK; i += most) {
         struct cr_cells c;
         code = cr_cells_new(page->width, rows, &c, err);
         if (code == CR_ERR_OK) {
             cr_table_draw(&c, (struct cr_rect){1, 0, page->width - 2, rows}, page->look,
                           page->result, NAN, body + i, n - i < most ? n - i : most);
-            code = emit(page, &c, err);
+            code = cr_page_emit(page, &c, err);
         }
     }
     return code;
@@ -247,7 +239,8 @@ static bool has_profile(const struct cr_result *r, int b) {
            r->of[b].deformation_max > 0;
 }
 
-static enum cr_err profile_line(const struct page *page, int b, double most, struct cr_error *err) {
+static enum cr_err profile_line(const struct cr_page *page, int b, double most,
+                                struct cr_error *err) {
     static const char *const faces[CR_FACES] = {"front", "left", "rear", "right"};
     const struct cr_severity *of = &page->result->of[b];
     struct cr_cells c;
@@ -266,11 +259,11 @@ static enum cr_err profile_line(const struct page *page, int b, double most, str
         cr_render_number(of->profile[i], 2, text, sizeof text);
         cr_cells_print_right(&c, 46 + 5 * i, 0, 5, CR_ROLE_TEXT, text);
     }
-    return emit(page, &c, err);
+    return cr_page_emit(page, &c, err);
 }
 
 /* C1..C6 as numbers and as a small bar each, all bars to one scale */
-static enum cr_err profiles(const struct page *page, struct cr_error *err) {
+static enum cr_err profiles(const struct cr_page *page, struct cr_error *err) {
     const struct cr_result *r = page->result;
     double most = 0;
     for (int b = 0; b < r->solution->bodies; b++) {
@@ -281,121 +274,15 @@ static enum cr_err profiles(const struct page *page, struct cr_error *err) {
     if (!(most > 0)) {
         return CR_ERR_OK;
     }
-    enum cr_err code = heading(page, "Crush profile", "residual, C1 to C6, m", err);
+    enum cr_err code = cr_page_heading(page, "Crush profile", "residual, C1 to C6, m", err);
     for (int b = 0; b < r->solution->bodies && code == CR_ERR_OK; b++) {
         code = has_profile(r, b) ? profile_line(page, b, most, err) : CR_ERR_OK;
     }
     return code;
 }
 
-/* ---- phases: a line per contact ---- */
-
-enum { CONTACT_LINES = 12 };
-static const struct {
-    const char *head, *unit;
-    int end; /* column it ends before; the first is left-aligned */
-} PHASE[] = {
-    {"contact", "", 12},     {"plastic", "ms", 27}, {"elastic", "ms", 38},   {"stop", "", 50},
-    {"closing", "km/h", 58}, {"e", "", 63},         {"impulse", "kN s", 71}, {"friction", "kJ", 80},
-};
-enum { PHASE_COLUMNS = sizeof PHASE / sizeof PHASE[0] };
-
-static const char *const WHY[] = {
-    [CR_STOP_NONE] = "still in contact when the solve ended",
-    [CR_STOP_MOMENTUM] = "the approach momentum left is the elastic share",
-    [CR_STOP_SEPARATION] = "the bodies part in the next slice",
-    [CR_STOP_NO_OVERLAP] = "no more material meets in the slices to come",
-};
-
-static enum cr_err phase_line(const struct page *page, enum cr_role role,
-                              const char *const text[PHASE_COLUMNS], struct cr_error *err) {
-    struct cr_cells c;
-    enum cr_err code = cr_cells_new(page->width, 1, &c, err);
-    if (code != CR_ERR_OK) {
-        return code;
-    }
-    cr_cells_print(&c, 1, 0, PHASE[0].end, role, text[0]);
-    for (int i = 1; i < PHASE_COLUMNS; i++) {
-        cr_cells_print_right(&c, PHASE[i].end, 0, PHASE[i].end - PHASE[i - 1].end - 1, role,
-                             text[i]);
-    }
-    return emit(page, &c, err);
-}
-
-static enum cr_err contact_line(const struct page *page, const struct cr_contact *k,
-                                struct cr_error *err) {
-    const struct cr_scene *scene = &page->result->resolved;
-    double t0 = cr_render_t_contact(page->result->solution);
-    char text[PHASE_COLUMNS][64];
-    const char *at[PHASE_COLUMNS];
-    snprintf(text[0], sizeof text[0], "%.5s - %.5s", scene->part[k->a].id, scene->part[k->b].id);
-    snprintf(text[1], sizeof text[1], "%.1f-%.1f", (k->t_begin - t0) * 1e3,
-             (k->t_plastic_end - t0) * 1e3);
-    snprintf(text[2], sizeof text[2], "%.1f + %.1f", (k->t_elastic_end - k->t_plastic_end) * 1e3,
-             (k->t_end - k->t_elastic_end) * 1e3);
-    snprintf(text[3], sizeof text[3], "%s", cr_stop_word(k->stop));
-    cr_render_number(cr_kmh(k->closing), 1, text[4], sizeof text[4]);
-    cr_render_number(k->restitution, 2, text[5], sizeof text[5]);
-    cr_render_number(cr_vec2_len(k->impulse) * 1e-3, 2, text[6], sizeof text[6]);
-    cr_render_number(k->friction * 1e-3, 1, text[7], sizeof text[7]);
-    for (int i = 0; i < PHASE_COLUMNS; i++) {
-        at[i] = text[i];
-    }
-    return phase_line(page, CR_ROLE_TEXT, at, err);
-}
-
-/* what the words of the stop criteria mean that were used */
-static enum cr_err stop_notes(const struct page *page, struct cr_error *err) {
-    const struct cr_solution *sol = page->result->solution;
-    enum cr_err code = CR_ERR_OK;
-    for (size_t w = 0; w < sizeof WHY / sizeof WHY[0] && code == CR_ERR_OK; w++) {
-        bool used = false;
-        for (int i = 0; i < sol->contacts; i++) {
-            used |= (size_t)sol->contact[i].stop == w;
-        }
-        if (used) {
-            char text[160];
-            snprintf(text, sizeof text, "stop %s: %s", cr_stop_word((enum cr_stop)w), WHY[w]);
-            code = paragraph(page, 2, CR_ROLE_DIM, text, err);
-        }
-    }
-    return code;
-}
-
-static enum cr_err phases(const struct page *page, struct cr_error *err) {
-    const struct cr_solution *sol = page->result->solution;
-    const char *head[PHASE_COLUMNS], *unit[PHASE_COLUMNS];
-    double most = 0;
-    int hidden = 0;
-    for (int i = 0; i < PHASE_COLUMNS; i++) {
-        head[i] = PHASE[i].head;
-        unit[i] = PHASE[i].unit;
-    }
-    for (int i = 0; i < sol->contacts; i++) {
-        most = fmax(most, cr_vec2_len(sol->contact[i].impulse));
-    }
-    enum cr_err code = heading(page, "Phases", "times after the first touch", err);
-    code = code == CR_ERR_OK ? phase_line(page, CR_ROLE_TITLE, head, err) : code;
-    code = code == CR_ERR_OK ? phase_line(page, CR_ROLE_DIM, unit, err) : code;
-    for (int i = 0; i < sol->contacts && code == CR_ERR_OK; i++) {
-        const struct cr_contact *k = &sol->contact[i];
-        if (sol->contacts > CONTACT_LINES && cr_vec2_len(k->impulse) < 0.02 * most) {
-            hidden++;
-        } else {
-            code = contact_line(page, k, err);
-        }
-    }
-    if (hidden > 0 && code == CR_ERR_OK) {
-        char text[96];
-        snprintf(text, sizeof text, "and %d light contacts below 2 %% of the greatest impulse",
-                 hidden);
-        code = paragraph(page, 2, CR_ROLE_DIM, text, err);
-    }
-    return code == CR_ERR_OK ? stop_notes(page, err) : code;
-}
-
-static enum cr_err bar_line(const struct page *page, const char *label, double joule, double whole,
-                            enum cr_role role, struct cr_error *err) {
+static enum cr_err bar_line(const struct cr_page *page, const char *label, double joule,
+                            double whole, enum cr_role role, struct cr_error *err) {
     struct cr_cells c;
     enum cr_err code = cr_cells_new(page->width, 1, &c, err);
     if (code != CR_ERR_OK) {
@@ -411,10 +298,10 @@ static enum cr_err bar_line(const struct page *page, const char *label, double j
     int room = page->width - 52;
     int n = (int)lround(share * (room > 60 ? 60 : room));
     cr_cells_run(&c, 51, 0, n, role, page->look->ascii ? '=' : 0x25A0);
-    return emit(page, &c, err);
+    return cr_page_emit(page, &c, err);
 }
 
-static enum cr_err balance(const struct page *page, struct cr_error *err) {
+static enum cr_err balance(const struct cr_page *page, struct cr_error *err) {
     const struct cr_balance *b = &page->result->solution->balance;
     const struct {
         const char *label;
@@ -427,7 +314,7 @@ static enum cr_err balance(const struct page *page, struct cr_error *err) {
         {"  friction between bodies", b->friction, CR_ROLE_WARN},
         {"  tyres", b->tyre, CR_ROLE_DIM},
     };
-    enum cr_err code = heading(page, "Balance", "", err);
+    enum cr_err code = cr_page_heading(page, "Balance", "", err);
     for (size_t i = 0; i < sizeof rows / sizeof rows[0] && code == CR_ERR_OK; i++) {
         code = bar_line(page, rows[i].label, rows[i].joule, b->kinetic_before, rows[i].role, err);
     }
@@ -436,49 +323,117 @@ static enum cr_err balance(const struct page *page, struct cr_error *err) {
         snprintf(text, sizeof text,
                  "left over, relative: energy %.1e, momentum %.1e, angular momentum %.1e",
                  b->energy_residual, b->momentum_residual, b->angular_residual);
-        code = paragraph(page, 2, CR_ROLE_DIM, text, err);
+        code = cr_page_paragraph(page, 2, CR_ROLE_DIM, text, err);
     }
     return code;
 }
 
-static enum cr_err notes(const struct page *page, struct cr_error *err) {
+static enum cr_err notes(const struct cr_page *page, struct cr_error *err) {
     const struct cr_result *r = page->result;
     enum cr_err code = CR_ERR_OK;
     if (r->assumed.n > 0) {
         struct cr_str text = {0};
         cr_render_assumed(r, &text);
-        code = heading(page, "Assumed", "not given in the scene: from type and mass", err);
+        code = cr_page_heading(page, "Assumed", "not given in the scene: from type and mass", err);
         const char *line = cr_str_get(&text);
         while (*line != '\0' && code == CR_ERR_OK) {
             char one[1024];
             size_t n = strcspn(line, "\n");
             snprintf(one, sizeof one, "%.*s", (int)n, line);
-            code = paragraph(page, 3, CR_ROLE_TEXT, one, err);
+            code = cr_page_paragraph(page, 3, CR_ROLE_TEXT, one, err);
             line += n + (line[n] == '\n');
         }
         cr_str_fini(&text);
     }
     if (r->warnings > 0 && code == CR_ERR_OK) {
-        code = heading(page, "Warnings", "", err);
+        code = cr_page_heading(page, "Warnings", "", err);
     }
     for (int i = 0; i < r->warnings && code == CR_ERR_OK; i++) {
         char text[220];
         snprintf(text, sizeof text, "! %s", r->warning[i]);
-        code = paragraph(page, 2, CR_ROLE_WARN, text, err);
+        code = cr_page_paragraph(page, 2, CR_ROLE_WARN, text, err);
     }
+    return code;
+}
+
+typedef enum cr_err (*section)(const struct cr_page *page, struct cr_error *err);
+
+static enum cr_err write_all(const struct cr_page *page, const section *of, size_t n,
+                             struct cr_error *err) {
+    enum cr_err code = CR_ERR_OK;
+    for (size_t i = 0; i < n && code == CR_ERR_OK; i++) {
+        code = of[i](page, err);
+    }
+    return code;
+}
+
+/* columns of a line of text up to its end, escape sequences not counted; *next: the line after */
+static int line_width(const char *line, size_t *len, const char **next) {
+    int width = 0;
+    const char *s = line;
+    while (*s != '\0' && *s != '\n') {
+        if (*s == '\033') {
+            s += strcspn(s, "m");
+            s += *s == 'm';
+        } else {
+            width += cr_glyph_columns(cr_glyph_next(&s));
+        }
+    }
+    *len = (size_t)(s - line);
+    *next = s + (*s == '\n');
+    return width;
+}
+
+static void join(struct cr_str *out, const char *left, const char *right, int column) {
+    while (*left != '\0' || *right != '\0') {
+        size_t len;
+        const char *line = left;
+        int width = line_width(line, &len, &left);
+        cr_str_addn(out, line, len);
+        line = right;
+        line_width(line, &len, &right);
+        if (len > 0) {
+            cr_str_fill(out, ' ', column - width);
+            cr_str_addn(out, line, len);
+        }
+        cr_str_add(out, "\n");
+    }
+}
+
+static const section RIGHT[] = {profiles, cr_page_phases, balance, notes};
+enum { RIGHTS = sizeof RIGHT / sizeof RIGHT[0] };
+
+/* the table, and beside it on a wide page (below it else) what remains to be said */
+static enum cr_err tables_and_rest(const struct cr_page *page, struct cr_error *err) {
+    if (page->width < BESIDE) {
+        enum cr_err code = tables(page, err);
+        return code == CR_ERR_OK ? write_all(page, RIGHT, RIGHTS, err) : code;
+    }
+    struct cr_str text[2] = {{0}, {0}};
+    struct cr_page half = *page;
+    half.width = (page->width - 2) / 2;
+    half.out = &text[0];
+    enum cr_err code = tables(&half, err);
+    if (code == CR_ERR_OK) {
+        half.out = &text[1];
+        code = write_all(&half, RIGHT, RIGHTS, err);
+    }
+    if (code == CR_ERR_OK) {
+        join(page->out, cr_str_get(&text[0]), cr_str_get(&text[1]), half.width + 2);
+    }
+    cr_str_fini(&text[0]);
+    cr_str_fini(&text[1]);
     return code;
 }
 
 enum cr_err cr_render_report(const struct cr_result *result, const struct cr_look *look, int width,
                              struct cr_str *out, struct cr_error *err) {
+    static const section all[] = {title, pictures, pulses, tables_and_rest};
     width = width < WIDTH_LEAST ? WIDTH_LEAST : width > WIDTH_MOST ? WIDTH_MOST : width;
-    const struct page page = {result, look, width, out};
-    static enum cr_err (*const sections[])(const struct page *, struct cr_error *) = {
-        title, pictures, pulses, tables, profiles, phases, balance, notes,
-    };
-    enum cr_err code = CR_ERR_OK;
-    for (size_t i = 0; i < sizeof sections / sizeof sections[0] && code == CR_ERR_OK; i++) {
-        code = sections[i](&page, err);
+    const struct cr_page page = {result, look, width, out};
+    enum cr_err code = write_all(&page, all, sizeof all / sizeof all[0], err);
+    if (code == CR_ERR_OK && out->failed) {
+        code = cr_err_set(err, CR_ERR_MEMORY, "no memory for the report");
     }
     return code;
 }

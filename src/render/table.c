@@ -37,6 +37,8 @@ OF(get_ees, cr_kmh(s->of->ees))
 OF(get_delta_v, cr_kmh(s->of->delta_v))
 OF(get_forward, cr_kmh(s->of->delta_v_body.x))
 OF(get_left, cr_kmh(s->of->delta_v_body.y))
+OF(get_world_x, cr_kmh(s->of->delta_v_world.x))
+OF(get_world_y, cr_kmh(s->of->delta_v_world.y))
 OF(get_pdof, cr_deg(s->of->pdof))
 OF(get_depth, s->of->deformation_max)
 OF(get_dynamic, s->of->deformation_dynamic_max)
@@ -92,6 +94,19 @@ static void put_cdc(const struct source *s, char *buf, int size) {
     snprintf(buf, (size_t)size, "%s", s->of->cdc);
 }
 
+/* three depths of the profile, in whole cm */
+static void put_depths(const double *c, char *buf, int size) {
+    snprintf(buf, (size_t)size, "%.0f %.0f %.0f", c[0] * 100, c[1] * 100, c[2] * 100);
+}
+
+static void put_c123(const struct source *s, char *buf, int size) {
+    put_depths(s->of->profile, buf, size);
+}
+
+static void put_c456(const struct source *s, char *buf, int size) {
+    put_depths(s->of->profile + 3, buf, size);
+}
+
 static void put_face(const struct source *s, char *buf, int size) {
     static const char *const words[CR_FACES] = {"front", "left", "rear", "right"};
     snprintf(buf, (size_t)size, "%s", s->of->face < CR_FACES ? words[s->of->face] : "-");
@@ -108,6 +123,8 @@ static const struct row FINAL[] = {
     {"  delta-v", "km/h", 1, get_delta_v, NULL, false},
     {"    forward", "km/h", 1, get_forward, NULL, false},
     {"    to the left", "km/h", 1, get_left, NULL, false},
+    {"    world x", "km/h", 1, get_world_x, NULL, false},
+    {"    world y", "km/h", 1, get_world_y, NULL, false},
     {"  PDOF", "deg", 0, get_pdof, NULL, true},
     {"    as the clock", "", -1, NULL, put_clock, true},
     {"  CDC", "", -1, NULL, put_cdc, true},
@@ -115,6 +132,8 @@ static const struct row FINAL[] = {
     {"  struck face", "", -1, NULL, put_face, true},
     {"  greatest depth, residual", "m", 2, get_depth, NULL, true},
     {"  greatest depth, dynamic", "m", 2, get_dynamic, NULL, true},
+    {"  residual C1 C2 C3", "cm", -1, NULL, put_c123, true},
+    {"  residual C4 C5 C6", "cm", -1, NULL, put_c456, true},
     {"  crushed area", "m\u00b2", 2, get_area, NULL, true},
     {"    induced part", "m\u00b2", 2, get_area_induced, NULL, true},
     {"  energy", "kJ", 1, get_energy, NULL, true},

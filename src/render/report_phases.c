@@ -1,0 +1,113 @@
+/* The phases of a crash in the report: a line per contact. */
+#include "render/picture.h"
+#include "render/report.h"
+#include "render/table.h"
+
+#include "base/vec.h"
+
+#include <math.h>
+#include <stdio.h>
+
+enum { CONTACT_LINES = 12 };
+static const struct {
+    const char *head, *unit;
+    int end; /* column it ends before; the first is left-aligned */
+} PHASE[] = {
+    {"contact", "", 12},     {"plastic", "ms", 26}, {"elastic", "ms", 37},   {"stop", "", 48},
+    {"closing", "km/h", 56}, {"e", "", 61},         {"impulse", "kN s", 69}, {"friction", "kJ", 78},
+};
+enum { PHASE_COLUMNS = sizeof PHASE / sizeof PHASE[0] };
+
+static const char *const WHY[] = {
+    [CR_STOP_NONE] = "still in contact when the solve ended",
+    [CR_STOP_MOMENTUM] = "the approach momentum left is the elastic share",
+    [CR_STOP_SEPARATION] = "the bodies part in the next slice",
+    [CR_STOP_NO_OVERLAP] = "no more material meets in the slices to come",
+};
+
+static enum cr_err phase_line(const struct cr_page *page, enum cr_role role,
+                              const char *const text[PHASE_COLUMNS], struct cr_error *err) {
+    struct cr_cells c;
+    enum cr_err code = cr_cells_new(page->width, 1, &c, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    cr_cells_print(&c, 1, 0, PHASE[0].end, role, text[0]);
+    for (int i = 1; i < PHASE_COLUMNS; i++) {
+        cr_cells_print_right(&c, PHASE[i].end, 0, PHASE[i].end - PHASE[i - 1].end - 1, role,
+                             text[i]);
+    }
+    return cr_page_emit(page, &c, err);
+}
+
+static enum cr_err contact_line(const struct cr_page *page, const struct cr_contact *k,
+                                struct cr_error *err) {
+    const struct cr_scene *scene = &page->result->resolved;
+    double t0 = cr_render_t_contact(page->result->solution);
+    char text[PHASE_COLUMNS][64];
+    const char *at[PHASE_COLUMNS];
+    snprintf(text[0], sizeof text[0], "%.5s - %.5s", scene->part[k->a].id, scene->part[k->b].id);
+    snprintf(text[1], sizeof text[1], "%.1f-%.1f", (k->t_begin - t0) * 1e3,
+             (k->t_plastic_end - t0) * 1e3);
+    snprintf(text[2], sizeof text[2], "%.1f + %.1f", (k->t_elastic_end - k->t_plastic_end) * 1e3,
+             (k->t_end - k->t_elastic_end) * 1e3);
+    snprintf(text[3], sizeof text[3], "%s", cr_stop_word(k->stop));
+    cr_render_number(cr_kmh(k->closing), 1, text[4], sizeof text[4]);
+    cr_render_number(k->restitution, 2, text[5], sizeof text[5]);
+    cr_render_number(cr_vec2_len(k->impulse) * 1e-3, 2, text[6], sizeof text[6]);
+    cr_render_number(k->friction * 1e-3, 1, text[7], sizeof text[7]);
+    for (int i = 0; i < PHASE_COLUMNS; i++) {
+        at[i] = text[i];
+    }
+    return phase_line(page, CR_ROLE_TEXT, at, err);
+}
+
+/* what the words of the stop criteria mean that were used */
+static enum cr_err stop_notes(const struct cr_page *page, struct cr_error *err) {
+    const struct cr_solution *sol = page->result->solution;
+    enum cr_err code = CR_ERR_OK;
+    for (size_t w = 0; w < sizeof WHY / sizeof WHY[0] && code == CR_ERR_OK; w++) {
+        bool used = false;
+        for (int i = 0; i < sol->contacts; i++) {
+            used |= (size_t)sol->contact[i].stop == w;
+        }
+        if (used) {
+            char text[160];
+            snprintf(text, sizeof text, "stop %s: %s", cr_stop_word((enum cr_stop)w), WHY[w]);
+            code = cr_page_paragraph(page, 2, CR_ROLE_DIM, text, err);
+        }
+    }
+    return code;
+}
+
+enum cr_err cr_page_phases(const struct cr_page *page, struct cr_error *err) {
+    const struct cr_solution *sol = page->result->solution;
+    const char *head[PHASE_COLUMNS], *unit[PHASE_COLUMNS];
+    double most = 0;
+    int hidden = 0;
+    for (int i = 0; i < PHASE_COLUMNS; i++) {
+        head[i] = PHASE[i].head;
+        unit[i] = PHASE[i].unit;
+    }
+    for (int i = 0; i < sol->contacts; i++) {
+        most = fmax(most, cr_vec2_len(sol->contact[i].impulse));
+    }
+    enum cr_err code = cr_page_heading(page, "Phases", "times after the first touch", err);
+    code = code == CR_ERR_OK ? phase_line(page, CR_ROLE_TITLE, head, err) : code;
+    code = code == CR_ERR_OK ? phase_line(page, CR_ROLE_DIM, unit, err) : code;
+    for (int i = 0; i < sol->contacts && code == CR_ERR_OK; i++) {
+        const struct cr_contact *k = &sol->contact[i];
+        if (sol->contacts > CONTACT_LINES && cr_vec2_len(k->impulse) < 0.02 * most) {
+            hidden++;
+        } else {
+            code = contact_line(page, k, err);
+        }
+    }
+    if (hidden > 0 && code == CR_ERR_OK) {
+        char text[96];
+        snprintf(text, sizeof text, "and %d light contacts below 2 %% of the greatest impulse",
+                 hidden);
+        code = cr_page_paragraph(page, 2, CR_ROLE_DIM, text, err);
+    }
+    return code == CR_ERR_OK ? stop_notes(page, err) : code;
+}
