@@ -1,6 +1,6 @@
 # checks of the tree as a whole
-tree_checks = tests/check_bootstrap.sh tests/check_includes.sh tests/check_map.sh \
-	tests/check_symbols.sh
+tree_checks = tests/check_bootstrap.sh tests/check_includes.sh tests/check_manual.sh \
+	tests/check_map.sh tests/check_symbols.sh
 cli_checks = tests/cli/bad_scene.sh tests/cli/completion.sh tests/cli/files.sh \
 	tests/cli/install.sh tests/cli/interrupt.sh tests/cli/run.sh tests/cli/same_bits.sh \
 	tests/cli/usage.sh
@@ -14,16 +14,32 @@ update-examples: crumple$(EXEEXT)
 	    $(SHELL) $(srcdir)/tests/check_examples.sh update
 .PHONY: update-examples
 
+# the manual page of the commands, from their table
+check_PROGRAMS += crumple-manual
+crumple_manual_SOURCES = tests/manual.c
+crumple_manual_CFLAGS = $(CR_CFLAGS)
+crumple_manual_LDADD = libcmd.a librender.a libresult.a libscene.a libsolver.a libmodel.a \
+	libbase.a $(CJSON_LIBS) $(NETTLE_LIBS)
+update-manual: crumple-manual$(EXEEXT)
+	./crumple-manual$(EXEEXT) >$(srcdir)/man/crumple-commands.7
+.PHONY: update-manual
+
+validate: crumple$(EXEEXT)
+	./crumple$(EXEEXT) validate
+.PHONY: validate
+
 # the unit tests, the fuzz corpora and the command line again in a build with sanitizers
-sanitized_checks = $(check_PROGRAMS) tests/cli/bad_scene.sh tests/cli/files.sh \
+sanitized_checks = tests/cli/bad_scene.sh tests/cli/files.sh \
 	tests/cli/run.sh tests/cli/same_bits.sh \
 	tests/cli/usage.sh
 check-sanitizers: crumple$(EXEEXT)
 	$(MKDIR_P) sanitizers
 	case '$(srcdir)' in /*) src='$(srcdir)' ;; *) src='../$(srcdir)' ;; esac; cd sanitizers && \
 	    { test -f Makefile || "$$src/configure" -q --enable-sanitizers CFLAGS='-g -O1'; }
-	cd sanitizers && REFERENCE='$(abs_builddir)/crumple$(EXEEXT)' $(MAKE) -s check \
-	    TESTS='$(sanitized_checks)'
+	tests='$(sanitized_checks)'; for name in $(check_PROGRAMS); do \
+	    case $$name in test_* | fuzz_*) tests="$$tests $$name" ;; esac; \
+	done; \
+	cd sanitizers && REFERENCE='$(abs_builddir)/crumple$(EXEEXT)' $(MAKE) -s check TESTS="$$tests"
 .PHONY: check-sanitizers
 
 clean-local:

@@ -1,0 +1,15 @@
+#!/bin/sh
+# The manual pages are what the program says, and are sound roff.
+. "$SRC/tests/tap.sh"
+empty "crumple-commands(7) is that of the command table (else: make update-manual)" \
+    "$("$BUILD/crumple-manual" | diff "$SRC/man/crumple-commands.7" - 2>&1)"
+if command -v groff >/dev/null 2>&1; then
+    for page in "$SRC"/man/*.[17]; do
+        empty "$(basename "$page") is sound" "$(groff -man -Tutf8 -ww -z "$page" 2>&1)"
+    done
+else
+    skip "the pages are sound" "no groff"
+fi
+version=$("$CRUMPLE" --version | head -n 1)
+has "the manual has the version of the program" "$(head -n 1 "$SRC/man/crumple.1")" "\"$version\""
+finish
