@@ -8,6 +8,17 @@ static const double gap_time = 0.05; /* s */
 /* remaining share of the plastic impulse at which the threshold counts as reached */
 static const double reached = 1e-4;
 
+/* Cars that turn away from each other rub: a touch whose energy of approach is below this share of
+ * what the pair has crushed so far is not the crash any more. */
+static const double rubbing_share = 0.005;
+
+bool cr_abort_rubbing(const struct cr_solver *s, int pair, int a, int b,
+                      const struct cr_force *f) {
+    double closing = cr_vec2_dot(cr_relative_velocity(s, a, b, f->coe), f->normal);
+    double mass = 1 / cr_vec2_dot(cr_compliance(s, a, b, f->coe, f->normal), f->normal);
+    return 0.5 * mass * closing * closing < rubbing_share * s->touch[pair].spent;
+}
+
 /* Normal impulse that is left of the compression above the threshold e/(1-e) of the plastic one,
  * times (1-e) so that a fully elastic contact has one too, N s. */
 static double momentum_left(const struct cr_solver *s, int a, int b, const struct cr_touch *t,

@@ -28,6 +28,7 @@ static void finish(struct cr_solver *s, struct cr_touch *t, struct cr_contact *c
     c->coe = t->moment_weight > 0 ? cr_vec2_scale(t->moment_coe, 1 / t->moment_weight) : t->coe;
     c->normal = cr_vec2_unit(t->normal_sum, t->normal);
     t->record = -1;
+    t->spent += c->energy[0] + c->energy[1];
 }
 
 /* limits of the elastic phases where the force decides, s */

@@ -6,6 +6,8 @@
 static const double horizon = 0.3;
 /* step of the look ahead, s */
 static const double probe_step = 0.01;
+/* a touch this far from the last one is another, m */
+static const double elsewhere = 0.75;
 /* slower than this a body is at rest (literature.md 7.5) */
 static const double rest_speed = 0.05, rest_yaw = 0.02;
 
@@ -29,8 +31,7 @@ void cr_ending_rest(struct cr_solver *s, const bool in_contact[]) {
     }
 }
 
-static void remember(struct cr_solver *s) {
-    struct cr_snapshot *f = s->freed;
+static void remember(const struct cr_solver *s, struct cr_snapshot *f) {
     f->t = s->t;
     f->tyre = s->tyre;
     f->samples = s->samples;
@@ -44,8 +45,7 @@ static void remember(struct cr_solver *s) {
     }
 }
 
-static void go_back(struct cr_solver *s) {
-    const struct cr_snapshot *f = s->freed;
+static void go_back(struct cr_solver *s, const struct cr_snapshot *f) {
     s->t = f->t;
     s->tyre = f->tyre;
     s->samples = f->samples;
@@ -66,33 +66,55 @@ static void fly(struct cr_solver *s, double time) {
     }
 }
 
-/* whether two bodies press on each other as they stand, faster than rubbing */
-static bool pressing(struct cr_solver *s, int pair, int a, int b) {
+/* Whether two bodies as they stand press on each other in earnest, and elsewhere than where they
+ * last did: there they rub while they turn away, and flying on freely sinks them into each other. */
+static bool strikes(struct cr_solver *s, int pair, int a, int b, struct cr_vec2 last) {
     struct cr_force f;
     if (!cr_deform_collect(s, a, b) || s->losses[0].n + s->losses[1].n == 0 ||
         !cr_force_find(s, pair, a, b, &f)) {
         return false;
     }
-    struct cr_vec2 rel = cr_relative_velocity(s, a, b, f.coe);
-    return cr_vec2_dot(rel, f.normal) >= cr_rubbing_speed;
+    return cr_vec2_len(cr_vec2_sub(f.coe, last)) > elsewhere &&
+           !cr_abort_rubbing(s, pair, a, b, &f);
 }
 
-/* Whether any two bodies will meet again within the horizon if they fly on freely. */
-static bool touch_ahead(struct cr_solver *s) {
+/* Time until any two bodies strike again if they fly on freely, infinite beyond the horizon. */
+static double touch_ahead(struct cr_solver *s) {
+    struct cr_snapshot now;
+    remember(s, &now);
     long visits = s->visits;
-    bool found = false;
-    for (int k = 1; k * probe_step <= horizon && !found; k++) {
+    double ahead = INFINITY;
+    for (int k = 1; k * probe_step <= horizon && isinf(ahead); k++) {
         fly(s, probe_step);
         for (int p = 0, a = 0; a < s->cs->n; a++) {
             for (int b = a + 1; b < s->cs->n; b++, p++) {
                 bool fixed = s->m[a].inv_mass == 0 && s->m[b].inv_mass == 0;
-                found = found || (!fixed && pressing(s, p, a, b));
+                bool met = s->touch[p].spent > 0;
+                struct cr_vec2 last = met ? s->touch[p].coe : cr_vec2(INFINITY, INFINITY);
+                ahead = !fixed && strikes(s, p, a, b, last) ? fmin(ahead, k * probe_step) : ahead;
             }
         }
     }
-    go_back(s);
+    go_back(s, &now);
     s->visits = visits;
-    return found;
+    return ahead;
+}
+
+/* Nothing is in contact: done unless something is about to be. Tyres bend the paths, so the look
+ * ahead is repeated when the touch it foresaw has not come. */
+static void look_ahead(struct cr_solver *s) {
+    if (isnan(s->t_free)) {
+        s->t_free = s->t_look = s->t;
+        remember(s, s->freed);
+    }
+    if (s->t >= s->t_look) {
+        double ahead = s->t - s->t_struck < horizon ? touch_ahead(s) : (double)INFINITY;
+        s->t_look = s->t + ahead + probe_step;
+        s->done = isinf(ahead);
+    }
+    if (s->done) {
+        go_back(s, s->freed);
+    }
 }
 
 void cr_ending_check(struct cr_solver *s, bool any_contact) {
@@ -101,18 +123,11 @@ void cr_ending_check(struct cr_solver *s, bool any_contact) {
         s->t_free = NAN;
         return;
     }
-    bool just = isnan(s->t_free);
-    if (just) {
-        s->t_free = s->t;
-        remember(s);
-    }
     if (s->cs->opts.end == CR_END_SEPARATION) {
-        s->done = just ? !touch_ahead(s) : s->t - s->t_free > horizon;
-        if (s->done) {
-            go_back(s);
-        }
+        look_ahead(s);
         return;
     }
+    s->t_free = isnan(s->t_free) ? s->t : s->t_free;
     bool moving = false;
     for (int i = 0; i < s->cs->n; i++) {
         const struct cr_moving *m = &s->m[i];

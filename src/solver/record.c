@@ -23,10 +23,10 @@ bool cr_record_contact(struct cr_solver *s, int pair, int a, int b, const struct
     }
     struct cr_touch *t = &s->touch[pair];
     double closing = cr_vec2_dot(cr_relative_velocity(s, a, b, f->coe), f->normal);
-    bool again = t->before;
+    double spent = t->spent;
+    bool rubbing = cr_abort_rubbing(s, pair, a, b, f);
     *t = (struct cr_touch){.record = s->contacts, .coe = f->coe, .normal = f->normal,
-                           .direction = f->direction, .before = true,
-                           .rubbing = again && closing < cr_rubbing_speed};
+                           .direction = f->direction, .spent = spent, .rubbing = rubbing};
     bool rigid = s->cs->body[a].grid.nx == 0 || s->cs->body[b].grid.nx == 0;
     const struct cr_opts *o = &s->cs->opts;
     double e = o->restitution_auto ? cr_restitution_auto(closing, rigid) : o->restitution;

@@ -3,9 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Approach at which two bodies that have parted are in the crash again, m/s: slower touches are
- * rubbing of cars that turn away from each other. */
-const double cr_rubbing_speed = 1.0;
 /* plan area that two bodies may share at the start without being called overlapping, m2: the
  * voxels of an outline stand out by up to half an edge */
 static const double overlap_area = 0.01;
@@ -302,11 +299,6 @@ double cr_solver_time(const struct cr_solver *s) {
 static bool crush(struct cr_solver *s, int pair, int a, int b, struct cr_force *f) {
     struct cr_moving *ma = &s->m[a], *mb = &s->m[b];
     if (s->touch[pair].record < 0) {
-        double closing = cr_vec2_dot(cr_relative_velocity(s, a, b, f->coe), f->normal);
-        if (s->touch[pair].before && closing < cr_rubbing_speed &&
-            s->cs->opts.end == CR_END_SEPARATION) {
-            return true; /* parting cars rub: that is no longer the crash */
-        }
         if (!s->touched) {
             s->touched = true;
             s->dt_contact = s->dt;
@@ -389,7 +381,7 @@ static void end_slice(struct cr_solver *s, const bool in_contact[]) {
         if (in_contact[i]) {
             m->delta_v = cr_vec2_add(m->delta_v, cr_vec2_sub(m->vel, m->vel_begin));
             m->yaw_change += m->yaw_rate - m->yaw_begin;
-            m->t_last = s->t;
+            m->t_last = s->t_struck = s->t;
             s->out.body[i].after = cr_solver_state(s, i);
             drag_wheels(m);
         }

@@ -89,7 +89,7 @@ struct cr_touch {
     struct cr_vec2 coe;   /* carried along with the bodies between slices */
     struct cr_vec2 normal, direction;
     bool sliding;         /* force on the edge of the friction cone */
-    bool before;          /* the pair has been in contact before */
+    double spent;         /* crush energy of the pair's contacts that are over, J */
     bool rubbing;         /* this touch is too slight to count as part of the crash */
     double force;         /* along direction, mean of the last plastic slices, N */
     double elastic_time;  /* length of the elastic phase, s */
@@ -113,6 +113,8 @@ struct cr_solver {
     double t, dt, dt_contact;
     bool touched;       /* some contact has begun */
     double t_free;      /* since when nothing is in contact, s; NaN while something is */
+    double t_look;      /* when to look ahead for another touch, s */
+    double t_struck;    /* last time anything was in contact, rubbing apart, s */
     bool done;
     /* records, grown on the heap */
     struct cr_contact *contact;
@@ -177,7 +179,7 @@ bool cr_string_pull(struct cr_solver *s, struct cr_moving *m, int partner, struc
                     struct cr_losses *losses);
 
 /* step 2, force.c */
-extern const double cr_force_memory, cr_rubbing_speed;
+extern const double cr_force_memory;
 struct cr_force {
     struct cr_vec2 coe;       /* Eq. (3) */
     struct cr_vec2 normal;    /* from a to b */
@@ -212,6 +214,9 @@ double cr_kinematics_slice_length(const struct cr_solver *s);
 /* step 5, abort.c: end of the plastic compression, and the longest slice until a phase ends */
 void cr_abort_check(struct cr_solver *s, int pair, int a, int b, bool deformed);
 double cr_abort_within(const struct cr_solver *s, int pair);
+
+/* whether a touch is only rubbing of bodies that have parted */
+bool cr_abort_rubbing(const struct cr_solver *s, int pair, int a, int b, const struct cr_force *f);
 
 /* step 6, elastic.c */
 void cr_elastic_begin(struct cr_solver *s, int pair, int a, int b);
