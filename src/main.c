@@ -38,6 +38,7 @@ static const struct word words[] = {
     {"run", cr_batch_run},
     {"stack", cr_batch_stack},
     {"validate", cr_batch_validate},
+    {"models", cr_batch_models},
     {"calibrate", cr_batch_calibrate},
 };
 enum { WORDS = sizeof words / sizeof *words };

@@ -8,6 +8,7 @@ libbatch_a_SOURCES = \
 	src/batch/calibrate_data.c src/batch/calibrate_write.c \
 	src/batch/data.c \
 	src/batch/feed.c src/batch/feed.h \
+	src/batch/models.c src/batch/models.h src/batch/models_list.c \
 	src/batch/options.c src/batch/options.h \
 	src/batch/output.c \
 	src/batch/pair.c src/batch/pair.h \
