@@ -29,7 +29,7 @@ static const double pole_area = 0.223;
 static const double head_share = 0.52;
 /* cars before this year count half: today's cars are stiffer at 40 km/h and softer at 56 */
 static const int new_from = 2009;
-enum { ROUNDS = 5 };
+enum { ROUNDS = 4 };
 
 struct fit {
     const struct cr_calibration_data *data;
@@ -125,6 +125,13 @@ static bool counts(const struct fit *f, enum cr_type of, enum cr_type as) {
     return of == as || (int)of == f->data->borrows[as];
 }
 
+/* Does a share of the solved depth spring back, and not the whole springback of the face? */
+static bool shallow(const struct fit *f, int i) {
+    enum cr_type type = f->data->wall[i].type;
+    double back = f->sim[0][i] - f->sim[1][i];
+    return back < cr_model_face(f->lib, type, CR_MODEL_FRONT)->springback - 1e-6;
+}
+
 /* Least squares of depth on speed for type (CR_TYPES: all): u = 1/w and the springback s from
  *     dynamic = v u,  greatest residual = v u - s,
  * v the speed that a linear front turns into the solved dynamic depth. */
@@ -145,8 +152,14 @@ static void fit_front(const struct fit *f, int type, double prior_u, double prio
         share *= t->year < new_from ? 0.5 : 1;
         double w = slope_of(cr_model_face(f->lib, t->type, CR_MODEL_FRONT));
         double v = f->sim[0][i] * w, k = share / (sd_residual * sd_residual);
-        a += k * v * v, b -= k * v, c += k;
-        p += k * v * depth_of(t), q -= k * depth_of(t);
+        if (shallow(f, i)) { /* residual = ratio v u */
+            double ratio = f->sim[1][i] / f->sim[0][i];
+            a += k * ratio * v * ratio * v;
+            p += k * ratio * v * depth_of(t);
+        } else {
+            a += k * v * v, b -= k * v, c += k;
+            p += k * v * depth_of(t), q -= k * depth_of(t);
+        }
         if (isfinite(t->dynamic)) {
             k = share / (sd_dynamic * sd_dynamic);
             a += k * v * v;
@@ -165,6 +178,18 @@ static void scale_face(struct cr_model_face *f, double by) {
     }
 }
 
+/* What the springbacks must grow by for a mean percentage error of 0 in the deep crushes. */
+static double shift_of(const struct fit *f) {
+    double relative = 0, inverse = 0;
+    for (int i = 0; i < f->data->walls; i++) {
+        if (!shallow(f, i)) {
+            relative += f->sim[1][i] / depth_of(&f->data->wall[i]) - 1;
+            inverse += 1 / depth_of(&f->data->wall[i]);
+        }
+    }
+    return inverse > 0 ? relative / inverse : 0;
+}
+
 static enum cr_err front_round(struct fit *f, struct cr_error *err) {
     for (int i = 0; i < f->data->walls; i++) {
         enum cr_err rc = solve_wall(f, i, f->data->wall[i].type, err);
@@ -172,12 +197,8 @@ static enum cr_err front_round(struct fit *f, struct cr_error *err) {
             return rc;
         }
     }
-    double u0, s0, u[CR_TYPES], s[CR_TYPES], relative = 0, inverse = 0;
-    for (int i = 0; i < f->data->walls; i++) {
-        relative += f->sim[1][i] / depth_of(&f->data->wall[i]) - 1;
-        inverse += 1 / depth_of(&f->data->wall[i]);
-    }
-    f->shift += relative / inverse;
+    double u0, s0, u[CR_TYPES], s[CR_TYPES];
+    f->shift += shift_of(f);
     fit_front(f, CR_TYPES, 0, 0, &u0, &s0);
     for (int t = 0; t < CR_TYPES; t++) {
         fit_front(f, t, u0, s0, &u[t], &s[t]);

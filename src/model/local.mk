@@ -20,6 +20,8 @@ dist_models_DATA = \
 	models/compact.json models/mini-compact.json models/sedan.json \
 	models/station-wagon.json models/super-compact.json models/suv.json
 
+modelschemadir = $(pkgdatadir)/share/schema
+dist_modelschema_DATA = share/schema/recipe.schema.json share/schema/voxel-model.schema.json
 typesdir = $(pkgdatadir)/share/calibration
 dist_types_DATA = share/calibration/types.json
 

@@ -9,3 +9,6 @@ TESTS += test_voxels
 test_voxels_SOURCES = tests/unit/test_voxels.c
 test_voxels_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 test_voxels_LDADD = libmodel.a libbase.a $(CMOCKA_LIBS) $(CJSON_LIBS) $(NETTLE_LIBS)
+model_checks = tests/cli/models.sh tests/schema_models.sh
+TESTS += $(model_checks)
+EXTRA_DIST += $(model_checks)

@@ -1,0 +1,55 @@
+#!/bin/sh
+# The schemas of recipes and voxel models are valid, accept what the tree and the program write,
+# and refuse what is wrong in one place.
+. "$SRC/tests/tap.sh"
+if ! python3 -c 'import jsonschema; jsonschema.Draft202012Validator' 2>/dev/null; then
+    echo "1..0 # SKIP no python3 with jsonschema for drafts of 2020-12"
+    exit 0
+fi
+tmp=$(mktemp -d) || exit 99
+trap 'rm -rf "$tmp"' EXIT
+cat >"$tmp/check.py" <<'PY'
+import copy, json, sys
+import jsonschema
+folder, out = sys.argv[1], sys.argv[2]
+def validator(name):
+    schema = json.load(open("%s/share/schema/%s.schema.json" % (folder, name)))
+    jsonschema.Draft202012Validator.check_schema(schema)
+    return jsonschema.Draft202012Validator(schema)
+recipe, voxels = validator("recipe"), validator("voxel-model")
+faults = []
+def check(what, v, value, good):
+    wrong = jsonschema.exceptions.best_match(v.iter_errors(value))
+    if (wrong is None) != good:
+        faults.append("%s: %s" % (what, wrong.message[:200] if wrong else "accepted"))
+def put(value, new, *path):
+    value = copy.deepcopy(value)
+    at = value
+    for key in path[:-1]:
+        at = at[key]
+    at[path[-1]] = new
+    return value
+for t in "super-compact mini-compact compact station-wagon sedan suv".split():
+    r = json.load(open("%s/models/%s.json" % (folder, t)))
+    check(t, recipe, r, True)
+    check(t + " unknown key", recipe, put(r, 1, "shape", "nose_m"), False)
+    check(t + " word", recipe, put(r, "speed", "faces", "front", "between"), False)
+    check(t + " weight", recipe, put(r, -1, "structures", 0, "lateral"), False)
+    check(t + " knot", recipe, put(r, [1], "shape", "front_m", 0), False)
+    for key in ("reference", "shape", "faces", "structures"):
+        check(t + " without " + key, recipe, {k: v for k, v in r.items() if k != key}, False)
+for name in ("flat", "full"):
+    m = json.load(open("%s/%s.json" % (out, name)))
+    check(name, voxels, m, True)
+    check(name + " energy", voxels, put(m, -1, "energy_J", 0), False)
+    check(name + " fill", voxels, put(m, 1.5, "fill", 0), False)
+    check(name + " count", voxels, put(m, [0, 1], "count"), False)
+    check(name + " tension", voxels, put(m, [1, 2, 3], "tension_N"), False)
+    check(name + " vehicle", voxels, put(m, {}, "vehicle"), False)
+print("\n".join(faults))
+PY
+"$CRUMPLE" models sedan/1 --flat --to "$tmp/flat.json" &&
+    "$CRUMPLE" models suv/9 --voxel 100 --to "$tmp/full.json"
+report $? "models are exported"
+empty "schemas and files agree" "$(python3 "$tmp/check.py" "$SRC" "$tmp" 2>&1)"
+finish
