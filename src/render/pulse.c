@@ -3,6 +3,7 @@
 
 #include "base/arena.h"
 #include "base/vec.h"
+#include "result/pulse.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -51,10 +52,6 @@ int cr_render_samples(const struct cr_solution *sol) {
     return n;
 }
 
-static bool filtered(enum cr_quantity quantity) {
-    return quantity == CR_QUANTITIES || quantity == CR_QUANTITY_AX || quantity == CR_QUANTITY_AY;
-}
-
 static double value(const struct cr_solution *sol, int sample, int body,
                     enum cr_quantity quantity) {
     if (quantity < CR_QUANTITIES) {
@@ -71,16 +68,45 @@ static void set_name(char name[2], const struct cr_result *result, int body) {
     name[1] = '\0';
 }
 
+/* value between two samples of a pulse, whose samples are means over dt; 0 beyond its ends */
+static double pulse_at(const struct cr_pulse *p, enum cr_quantity quantity, double t) {
+    double u = (t - p->t0) / p->dt - 0.5;
+    int i = (int)floor(u);
+    if (!(u >= 0) || i + 1 >= p->n) {
+        return 0;
+    }
+    double ax = p->ax[i] + (u - i) * (p->ax[i + 1] - p->ax[i]);
+    double ay = p->ay[i] + (u - i) * (p->ay[i + 1] - p->ay[i]);
+    return quantity == CR_QUANTITY_AX ? ax : quantity == CR_QUANTITY_AY ? ay : hypot(ax, ay);
+}
+
+/* The slices of the solver are not of one length: the filter needs the resampled pulse. */
+static bool filtered_series(const struct cr_result *result, int body, enum cr_quantity quantity,
+                            int n, double *y) {
+    const struct cr_solution *sol = result->solution;
+    struct cr_pulse p;
+    if (!isfinite(sol->body[body].t_first) ||
+        cr_pulse_new(sol, body, cr_vec2(1, 0), 0, &p, NULL) != CR_ERR_OK) {
+        return false;
+    }
+    bool ok = cr_cfc_filter(60, p.dt, p.ax, p.n, NULL) == CR_ERR_OK &&
+              cr_cfc_filter(60, p.dt, p.ay, p.n, NULL) == CR_ERR_OK;
+    for (int i = 0; ok && i < n; i++) {
+        y[i] = pulse_at(&p, quantity, sol->t[i]) * SHOWN[quantity].factor;
+    }
+    cr_pulse_fini(&p);
+    return ok;
+}
+
 void cr_render_series(const struct cr_result *result, int body, enum cr_quantity quantity, int n,
                       double *y) {
-    const struct cr_solution *sol = result->solution;
-    for (int i = 0; i < n; i++) {
-        y[i] = value(sol, i, body, quantity);
+    bool acceleration =
+        quantity == CR_QUANTITIES || quantity == CR_QUANTITY_AX || quantity == CR_QUANTITY_AY;
+    if (acceleration && filtered_series(result, body, quantity, n, y)) {
+        return;
     }
-    if (filtered(quantity) && cr_cfc_filter(60, sol->dt, y, n, NULL) != CR_ERR_OK) {
-        for (int i = 0; i < n; i++) {
-            y[i] = value(sol, i, body, quantity);
-        }
+    for (int i = 0; i < n; i++) {
+        y[i] = value(result->solution, i, body, quantity);
     }
 }
 
