@@ -331,12 +331,12 @@ static void test_pulse_of_uneven_slices(void **state) {
         double *t = (double *)d.solution.t;
         struct cr_sample *trace = (struct cr_sample *)d.solution.trace;
         int k = 0;
-        for (int i = 1; i < d.solution.samples; i += i < 80 ? 2 : 1) {
+        for (int i = 1; pass == 0 && i < d.solution.samples; i += i < 80 ? 2 : 1) {
             t[k] = t[i];
             memcpy(&trace[2 * k++], &trace[2 * i], 2 * sizeof *trace);
         }
-        d.solution.samples = k;
-        assert_in_range(k, 150, 165);
+        d.solution.samples = pass == 0 ? k : d.solution.samples;
+        assert_in_range(d.solution.samples, 150, 165);
     }
     render_double_fini(&d);
 }
