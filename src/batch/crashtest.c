@@ -16,6 +16,8 @@ static const double NONE = (double)NAN;
 void cr_test_list_fini(struct cr_test_list *list) {
     for (int i = 0; i < list->n; i++) {
         free(list->item[i].scene);
+        cr_compare_fini(&list->item[i].of[0].pulse.curves);
+        cr_compare_fini(&list->item[i].of[1].pulse.curves);
     }
     free(list->item);
     *list = (struct cr_test_list){0};
@@ -40,7 +42,8 @@ static struct cr_test *add(struct cr_test_list *list, struct cr_error *err) {
     for (int m = 0; m < CR_MEASURES; m++) {
         c->reference[m] = c->of[0].value[m] = c->of[1].value[m] = NONE;
     }
-    c->of[0].pulse = c->of[1].pulse = (struct cr_test_pulse){NONE, NONE, NONE};
+    c->of[0].pulse = c->of[1].pulse =
+        (struct cr_test_pulse){.iso = NONE, .cora = NONE, .rms_g = NONE};
     return c;
 }
 

@@ -52,9 +52,10 @@ enum cr_measure {
         CR_MEASURES
 };
 
-/* Ratings of a pulse against a measured one; NaN without. */
+/* Ratings of a pulse against a measured one; NaN without. The curves are owned by the list. */
 struct cr_test_pulse {
     double iso, cora, rms_g;
+    struct cr_compare curves;
 };
 
 struct cr_test_outcome {

@@ -38,8 +38,7 @@ static enum cr_err rate_pulse(const struct cr_test *test, const struct cr_result
     }
     rc = cr_compare_pulse(r->solution, body, &measured, &test->pulse, &c, err);
     if (!rc) {
-        *out = (struct cr_test_pulse){c.iso.total, c.cora.total, c.rms / CR_G};
-        cr_compare_fini(&c);
+        *out = (struct cr_test_pulse){c.iso.total, c.cora.total, c.rms / CR_G, c};
     }
     cr_signal_free(&measured);
     return rc;

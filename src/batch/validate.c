@@ -26,6 +26,7 @@ struct options {
     int format, method, jobs, worst;
     bool cases, plot, targets, progress;
     const char *out, *scenes, *models;
+    struct cr_batch_look look;
 };
 
 struct batch {
@@ -146,7 +147,9 @@ static enum cr_err solve_all(struct batch *b, int jobs, struct cr_error *err) {
 
 static enum cr_err report(const struct batch *b, const struct options *opt, bool *missed,
                           struct cr_error *err) {
-    const struct cr_verdict_form form = {.methods = b->methods,
+    int width;
+    const struct cr_verdict_form form = {.look = cr_batch_look_of(&opt->look, opt->out, &width),
+                                         .methods = b->methods,
                                          .cases = opt->cases,
                                          .plot = opt->plot,
                                          .worst = opt->worst,
@@ -198,7 +201,7 @@ static enum cr_err validate(char **name, int n, const struct options *opt, bool 
     return rc;
 }
 
-enum { OPTIONS = 11 };
+enum { OPTIONS = 14 };
 
 static void list_options(struct options *opt, struct cr_option list[OPTIONS]) {
     const struct cr_option table[OPTIONS] = {
@@ -213,24 +216,15 @@ static void list_options(struct options *opt, struct cr_option list[OPTIONS]) {
          .number = &opt->method,
          .help = "one method only (both)"},
         {.name = "cases", .letter = 'c', .flag = &opt->cases, .help = "every test"},
-        {.name = "plot",
-         .letter = 'p',
-         .flag = &opt->plot,
-         .help = "scatter and histogram of the depth"},
+        {.name = "plot", .letter = 'p', .flag = &opt->plot, .help = "scatter, errors, pulses"},
         {.name = "worst",
          .arg = "N",
          .number = &opt->worst,
          .lo = 0,
          .hi = 1000,
          .help = "list the N greatest errors of each class (10)"},
-        {.name = "scenes",
-         .arg = "DIR",
-         .text = &opt->scenes,
-         .help = "write the tests' scenes into DIR, to run and look at"},
-        {.name = "models",
-         .arg = "DIR",
-         .text = &opt->models,
-         .help = "recipes of DIR instead of the installed ones"},
+        {.name = "scenes", .arg = "DIR", .text = &opt->scenes, .help = "write the scenes there"},
+        {.name = "models", .arg = "DIR", .text = &opt->models, .help = "other recipes"},
         {.name = "targets", .flag = &opt->targets, .help = "status 1 if a target is missed"},
         {.name = "output",
          .letter = 'o',
@@ -244,9 +238,8 @@ static void list_options(struct options *opt, struct cr_option list[OPTIONS]) {
          .lo = 0,
          .hi = CR_POOL_JOBS_MAX,
          .help = "threads (0, the default: one per processor)"},
-        {.name = "progress",
-         .flag = &opt->progress,
-         .help = "tell on standard error how far it is"},
+        {.name = "progress", .flag = &opt->progress, .help = "tell on stderr how far it is"},
+        CR_BATCH_LOOK_OPTIONS(&opt->look),
     };
     memcpy(list, table, sizeof table);
 }

@@ -6,6 +6,7 @@
 #include "base/stats.h"
 #include "base/str.h"
 #include "batch/crashtest.h"
+#include "render/render.h"
 
 /* One line of the table. Relative measures: errors in percent; else in the unit of the measure,
  * with mpe the mean difference, sd its spread, mape the mean of its amount. */
@@ -47,10 +48,11 @@ const char *cr_test_class_title(enum cr_test_class class);
 /* What is written of it. */
 struct cr_verdict_form {
     unsigned methods;
-    bool cases;         /* every test */
-    bool plot;          /* scatter and histogram of each class */
-    int worst;          /* tests with the greatest errors to list per class */
-    const char *scenes; /* folder that the scenes were written to, NULL: none */
+    bool cases;          /* every test */
+    bool plot;           /* scatter and histogram of each class */
+    int worst;           /* tests with the greatest errors to list per class */
+    const char *scenes;  /* folder that the scenes were written to, NULL: none */
+    struct cr_look look; /* of the plots */
 };
 void cr_verdict_text(const struct cr_verdict *verdict, const struct cr_test_list *tests,
                      const struct cr_verdict_form *form, struct cr_str *out);
@@ -60,6 +62,9 @@ CR_MUST_CHECK enum cr_err cr_verdict_json(const struct cr_verdict *verdict,
                                           const struct cr_test_list *tests,
                                           const struct cr_verdict_form *form, struct cr_str *out,
                                           struct cr_error *err);
+/* Measured and computed pulses over each other. */
+void cr_verdict_pulse(const struct cr_test *test, unsigned methods, const struct cr_look *look,
+                      struct cr_str *out);
 /* Scatter of computed over measured values and a histogram of the errors, in ASCII. */
 void cr_verdict_plot(const struct cr_test_list *tests, enum cr_test_class class,
                      enum cr_measure measure, enum cr_method method, struct cr_str *out);

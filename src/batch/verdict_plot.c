@@ -1,4 +1,4 @@
-/* Scatter and histogram of crash tests in ASCII. */
+/* Scatter and histogram of crash tests in ASCII, and pulses over each other. */
 #include "batch/verdict.h"
 
 #include <math.h>
@@ -96,4 +96,59 @@ void cr_verdict_plot(const struct cr_test_list *tests, enum cr_test_class class,
         scatter(tests, class, m, method, round_up(top), out);
         histogram(tests, class, m, method, out);
     }
+}
+
+/* measured and computed accelerations in g over ms */
+static enum cr_err draw_pulse(const struct cr_test *test, unsigned methods,
+                              const struct cr_look *look, double *memory, struct cr_cells *cells) {
+    static const char *const NAME[] = {"measured", "extended", "paper"};
+    const struct cr_compare *any =
+        &test->of[methods >> CR_METHOD_EXTENDED & 1 ? 0 : 1].pulse.curves;
+    int n = any->n, curves = 0;
+    struct cr_curve_line line[3];
+    for (int i = 0; i < n; i++) {
+        memory[i] = 1e3 * (any->t0 + i * any->dt);
+    }
+    for (int k = 0; k < 3; k++) {
+        const struct cr_compare *c = k == 0 ? any : &test->of[k - 1].pulse.curves;
+        double *y = memory + (long)n * (k + 1);
+        if (k > 0 && (!(methods >> (k - 1) & 1) || c->n != n)) {
+            continue;
+        }
+        for (int i = 0; i < n; i++) {
+            y[i] = (k == 0 ? c->measured[i] : c->simulated[i]) / CR_G;
+        }
+        line[curves++] = (struct cr_curve_line){.x = memory,
+                                                .y = y,
+                                                .n = n,
+                                                .mark = "MEP"[k],
+                                                .name = NAME[k],
+                                                .dashed = k == 0,
+                                                .role = k == 0   ? CR_ROLE_REFERENCE
+                                                        : k == 1 ? CR_ROLE_A
+                                                                 : CR_ROLE_B};
+    }
+    const struct cr_plot plot = {.title = test->id,
+                                 .x_unit = "ms",
+                                 .y_unit = "g",
+                                 .curves = curves,
+                                 .curve = line,
+                                 .cursor = (double)NAN};
+    struct cr_rect all = {0, 0, cells->w, cells->h};
+    return cr_render_plot(cells, all, look, &plot, NULL);
+}
+
+void cr_verdict_pulse(const struct cr_test *test, unsigned methods, const struct cr_look *look,
+                      struct cr_str *out) {
+    int n = test->of[0].pulse.curves.n;
+    n = n > 0 ? n : test->of[1].pulse.curves.n;
+    double *memory = calloc(4 * (size_t)n + 1, sizeof *memory);
+    struct cr_cells cells;
+    if (n > 0 && memory && cr_cells_new(78, 18, &cells, NULL) == CR_ERR_OK) {
+        if (draw_pulse(test, methods, look, memory, &cells) == CR_ERR_OK) {
+            cr_cells_text(&cells, look, out);
+        }
+        cr_cells_fini(&cells);
+    }
+    free(memory);
 }

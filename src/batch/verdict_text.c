@@ -90,8 +90,9 @@ static void put_class(const struct cr_verdict *v, enum cr_test_class class, unsi
     }
 }
 
-static void put_pulses(const struct cr_test_list *tests, enum cr_test_class class, unsigned methods,
-                       struct cr_str *out) {
+static void put_pulses(const struct cr_test_list *tests, enum cr_test_class class,
+                       const struct cr_verdict_form *form, struct cr_str *out) {
+    unsigned methods = form->methods;
     for (int i = 0; i < tests->n; i++) {
         const struct cr_test *t = &tests->item[i];
         for (int m = 1; m >= 0 && t->class == class && t->file[0]; m--) {
@@ -103,6 +104,9 @@ static void put_pulses(const struct cr_test_list *tests, enum cr_test_class clas
                             t->id, t->part, m == CR_METHOD_PAPER ? "paper" : "extended", p->rms_g,
                             p->iso, cr_rating_grade(p->iso), p->cora);
             }
+        }
+        if (form->plot && t->class == class && t->file[0]) {
+            cr_verdict_pulse(t, methods, &form->look, out);
         }
     }
 }
@@ -217,7 +221,7 @@ void cr_verdict_text(const struct cr_verdict *v, const struct cr_test_list *test
         }
         put_head(class, tests, form->methods, out);
         put_class(v, class, form->methods, out);
-        put_pulses(tests, class, form->methods, out);
+        put_pulses(tests, class, form, out);
         if (form->plot) {
             enum cr_method method =
                 form->methods >> CR_METHOD_EXTENDED & 1 ? CR_METHOD_EXTENDED : CR_METHOD_PAPER;

@@ -170,7 +170,7 @@ static void a_pulse_that_failed_has_missed_its_target(void **state) {
     assert_true(target(&v, "RMS")->met);
     assert_true(target(&v, "18571")->met);
     cr_verdict_fini(&v);
-    test[0].of[0].pulse = (struct cr_test_pulse){(double)NAN, (double)NAN, (double)NAN};
+    test[0].of[0].pulse = (struct cr_test_pulse){.iso = NAN, .cora = NAN, .rms_g = NAN};
     assert_int_equal(cr_verdict_make(&list, 3, &v, NULL), CR_ERR_OK);
     assert_false(target(&v, "RMS")->met);
     assert_false(target(&v, "18571")->met);
