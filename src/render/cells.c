@@ -141,12 +141,20 @@ static bool same_style(const struct cr_cell *a, const struct cr_cell *b) {
 
 static void add_row(const struct cr_cell *row, int w, const struct cr_look *look,
                     struct cr_str *out) {
-    int n = w;
-    while (n > 0 && blank(&row[n - 1])) {
-        n--;
-    }
     const struct cr_cell plain = {.ch = ' ', .role = CR_ROLE_TEXT};
     const struct cr_cell *style = &plain;
+    /* a theme with a ground of its own paints blanks too */
+    struct cr_style ground = cr_theme_style(look, &plain);
+    bool painted = look->color == CR_COLOR_256  ? ground.bg256 >= 0
+                   : look->color == CR_COLOR_16 ? ground.bg16 >= 0
+                                                : false;
+    int n = w;
+    while (n > 0 && !painted && blank(&row[n - 1])) {
+        n--;
+    }
+    if (painted) {
+        cr_theme_sgr(look, &plain, out);
+    }
     for (int i = 0; i < n; i++) {
         if (row[i].ch == 0) {
             if (look->ascii) {
@@ -154,7 +162,7 @@ static void add_row(const struct cr_cell *row, int w, const struct cr_look *look
             }
             continue;
         }
-        bool invisible = blank(&row[i]) && blank(style);
+        bool invisible = !painted && blank(&row[i]) && blank(style);
         if (look->color != CR_COLOR_NONE && !same_style(style, &row[i]) && !invisible) {
             cr_theme_sgr(look, &row[i], out);
             style = &row[i];
@@ -166,7 +174,7 @@ static void add_row(const struct cr_cell *row, int w, const struct cr_look *look
             add_utf8(out, row[i].ch);
         }
     }
-    if (style != &plain) {
+    if (style != &plain || painted) {
         cr_str_add(out, "\033[0m");
     }
     cr_str_add(out, "\n");

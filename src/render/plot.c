@@ -86,7 +86,7 @@ static void draw_x_axis(const struct frame *f, const char *unit) {
     int y = a->y + a->h;
     cr_cells_put(f->cells, a->x - 1, y, CR_ROLE_FRAME, ascii ? '+' : 0x2514);
     cr_cells_run(f->cells, a->x, y, a->w, CR_ROLE_FRAME, ascii ? '-' : 0x2500);
-    double step = cr_tick_step(f->x_hi - f->x_lo, a->w / 10 < 1 ? 1 : a->w / 10);
+    double step = cr_tick_step(f->x_hi - f->x_lo, a->w / 8 < 1 ? 1 : a->w / 8);
     int unit_w = cr_glyph_width(unit);
     int free_from = a->x - 1;
     int end = a->x + a->w;

@@ -104,6 +104,23 @@ static void test_colour_text(void **state) {
     cr_cells_fini(&c);
 }
 
+/* a theme with its own ground paints whole rows, the others leave blanks alone */
+static void test_ground_of_a_theme(void **state) {
+    (void)state;
+    struct cr_cells c = grid(5, 1);
+    cr_cells_put(&c, 0, 0, CR_ROLE_TEXT, 'x');
+    struct cr_look look = {.color = CR_COLOR_256, .theme = cr_theme_find("contrast")};
+    char *got = text_of(&c, look);
+    assert_non_null(strstr(got, "x    \033[0m\n"));
+    assert_non_null(strstr(got, "48;5;16"));
+    free(got);
+    look.theme = cr_theme_find("dark");
+    got = text_of(&c, look);
+    assert_string_equal(got, "x\n");
+    free(got);
+    cr_cells_fini(&c);
+}
+
 static void test_mono_theme_has_no_colour(void **state) {
     (void)state;
     const struct cr_theme *mono = cr_theme_find("mono");
@@ -223,6 +240,7 @@ int main(void) {
         cmocka_unit_test(test_wide_characters),
         cmocka_unit_test(test_ascii_has_no_other),
         cmocka_unit_test(test_colour_text),
+        cmocka_unit_test(test_ground_of_a_theme),
         cmocka_unit_test(test_mono_theme_has_no_colour),
         cmocka_unit_test(test_colour_maps_rise),
         cmocka_unit_test(test_shades),

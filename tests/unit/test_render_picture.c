@@ -76,6 +76,27 @@ static void test_motion_between(void **state) {
     render_double_fini(&d);
 }
 
+/* a solve under way: "now" is the last slice there is */
+static void test_state_while_solving(void **state) {
+    (void)state;
+    struct render_double d;
+    render_double_init(&d);
+    struct cr_contact k = d.solution.contact[0];
+    k.phase = CR_PHASE_PLASTIC;
+    k.t_end = (double)NAN;
+    d.solution.contact = &k;
+    d.solution.samples = 80; /* 40 ms: half of the delta-v */
+    d.solution.body[0].t_last = d.solution.body[1].t_last = (double)NAN;
+    struct cr_sample s = cr_render_state(&d.result.compiled, &d.result, 0, (double)NAN);
+    check_near(s.vel.x, 56 / 3.6 - DV_A / 2, 1e-6);
+    check_near(cr_render_t_main(&d.solution), 0.14, 1e-9);
+    struct cr_scene_view view = view_at((double)NAN);
+    struct cr_cells c = picture(&d, &view, &PLAIN);
+    assert_true(count(&c, 0xD7) > 5);
+    cr_cells_fini(&c);
+    render_double_fini(&d);
+}
+
 static void test_size_on_the_screen(void **state) {
     (void)state;
     struct render_double d;
@@ -424,6 +445,7 @@ static void test_small_rectangles(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_motion_between),
+        cmocka_unit_test(test_state_while_solving),
         cmocka_unit_test(test_size_on_the_screen),
         cmocka_unit_test(test_crushed_only_when_it_happened),
         cmocka_unit_test(test_overlap_before_the_crash),
