@@ -44,3 +44,17 @@ check-sanitizers: crumple$(EXEEXT)
 
 clean-local:
 	rm -rf sanitizers fuzzing
+
+# the command language: each command with its success and its errors, the lessons, the prompt
+golden_checks = tests/golden/cmd/run.sh tests/golden/cmd/lessons.sh tests/golden/cmd/prompt.sh
+TESTS += $(golden_checks)
+EXTRA_DIST += $(golden_checks) \
+	tests/golden/cmd/scene.test \
+	tests/golden/cmd/language.test \
+	tests/golden/cmd/solve.test \
+	tests/golden/cmd/pulse.csv \
+	tests/golden/cmd/measured.json \
+	tests/golden/cmd/bad.json \
+	tests/golden/cmd/pair.crumple \
+	tests/golden/cmd/bad.crumple \
+	tests/golden/cmd/loop.crumple

@@ -314,8 +314,7 @@ static enum cr_err no_place(struct cr_call *call, const struct cr_token *tok,
     const char *list[CR_CMD_ARGS] = {NULL};
     int n = 0;
     for (int i = 0; call->cmd->arg[i].name != NULL; i++) {
-        if (call->cmd->arg[i].place == CR_ARG_KEY &&
-            strlen(call->cmd->arg[i].name) > 2) {
+        if (call->cmd->arg[i].place == CR_ARG_KEY && strlen(call->cmd->arg[i].name) > 2) {
             list[n++] = call->cmd->arg[i].name;
         }
     }

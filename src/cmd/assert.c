@@ -260,7 +260,9 @@ static enum cr_err compare_all(struct cr_session *s, const cJSON *list, double *
 }
 
 enum cr_err cr_cmd_compare(struct cr_call *call, struct cr_error *err) {
-    const char *path = cr_cmd_text(call, "FILE", "");
+    char buf[2 * CR_PATH_MAX];
+    const char *path =
+        cr_session_find_file(call->s, cr_cmd_text(call, "FILE", ""), buf, sizeof buf);
     char *text = NULL;
     cJSON *json = NULL;
     size_t len;

@@ -130,6 +130,8 @@ void cr_session_lines(struct cr_session *s, const char *text);
 void cr_session_room(struct cr_session *s, int *width, int *height);
 enum cr_err cr_session_remember(struct cr_session *s, const char *line, struct cr_error *err);
 void cr_session_reset_view(struct cr_session *s);
+/* A path as typed, else below the data folder: "share/tutorial/reference.json" works anywhere. */
+const char *cr_session_find_file(const struct cr_session *s, const char *path, char *buf, int size);
 enum cr_err cr_session_need_models(struct cr_session *s, struct cr_error *err);
 enum cr_err cr_session_need_result(struct cr_session *s, struct cr_error *err);
 
@@ -174,6 +176,10 @@ enum cr_err cr_cmd_set_key(struct cr_call *call, struct cr_scene *scene, const c
                            const char *name, struct cr_error *err);
 enum cr_err cr_cmd_set_keys(struct cr_call *call, struct cr_scene *scene, const char *id,
                             struct cr_error *err);
+int cr_cmd_keys_given(const struct cr_call *call);
+/* Sets ID.key of the scene to a text. */
+enum cr_err cr_cmd_set_text(struct cr_scene *scene, const char *id, const char *key,
+                            const char *value, struct cr_error *err);
 /* cr_scene_resolve, but one participant alone is fine too. */
 enum cr_err cr_cmd_resolve(struct cr_scene *scene, const struct cr_model_lib *models,
                            struct cr_assumed *assumed, struct cr_error *err);
@@ -196,9 +202,13 @@ enum cr_err cr_cmd_picture(struct cr_session *s, int width, int height,
 #define CR_CMD_LIST(X)                                                                             \
     X(vehicle)                                                                                     \
     X(object)                                                                                      \
-    X(model) X(place) X(move) X(set) X(check) X(solve) X(show) X(view) X(table) X(pulse)           \
-        X(explain) X(compare) X(assert) X(sweep) X(load) X(save) X(export) X(source) X(undo)       \
-            X(redo) X(history) X(new) X(list) X(remove) X(copy) X(help) X(apropos) X(quit)
+    X(model)                                                                                       \
+    X(place)                                                                                       \
+    X(move)                                                                                        \
+    X(set)                                                                                         \
+    X(check) X(solve) X(show) X(view) X(table) X(pulse) X(explain) X(compare) X(assert) X(sweep)   \
+        X(load) X(save) X(export) X(source) X(undo) X(redo) X(history) X(new) X(list) X(remove)    \
+            X(copy) X(help) X(apropos) X(quit)
 #define X(name) enum cr_err cr_cmd_##name(struct cr_call *call, struct cr_error *err);
 CR_CMD_LIST(X)
 #undef X

@@ -17,8 +17,8 @@ static bool exists(const char *path) {
     return stat(path, &st) == 0;
 }
 
-/* A path as typed, else below the data folder ("share/tutorial/offset.json" works anywhere). */
-static const char *find_file(const struct cr_session *s, const char *path, char *buf, int size) {
+const char *cr_session_find_file(const struct cr_session *s, const char *path, char *buf,
+                                 int size) {
     if (!exists(path) && path[0] != '/' && s->data_dir[0] != '\0') {
         snprintf(buf, (size_t)size, "%s/%s", s->data_dir, path);
         return exists(buf) ? buf : path;
@@ -47,7 +47,7 @@ enum cr_err cr_cmd_load(struct cr_call *call, struct cr_error *err) {
     if (code != CR_ERR_OK) {
         return code;
     }
-    const char *from = recover ? left : find_file(s, path, buf, sizeof buf);
+    const char *from = recover ? left : cr_session_find_file(s, path, buf, sizeof buf);
     cr_scene_fini(&draft->scene);
     memset(draft->placed, 0, sizeof draft->placed);
     code = cr_scene_load_draft(from, &draft->scene, err);
@@ -277,7 +277,7 @@ enum cr_err cr_cmd_export(struct cr_call *call, struct cr_error *err) {
 enum cr_err cr_cmd_source(struct cr_call *call, struct cr_error *err) {
     char buf[2 * CR_PATH_MAX];
     const char *typed = cr_cmd_text(call, "FILE", "");
-    const char *path = find_file(call->s, typed, buf, sizeof buf);
+    const char *path = cr_session_find_file(call->s, typed, buf, sizeof buf);
     char *text;
     size_t len;
     if (call->s->depth >= SOURCE_DEPTH) {

@@ -8,6 +8,7 @@ libcmd_a_SOURCES = \
 	src/cmd/help.c \
 	src/cmd/look.c \
 	src/cmd/measure.c src/cmd/measure.h \
+	src/cmd/model.c \
 	src/cmd/place.c \
 	src/cmd/pulse.c src/cmd/pulse.h \
 	src/cmd/run.c \
@@ -22,3 +23,12 @@ libcmd_a_SOURCES = \
 	src/cmd/token.c \
 	src/cmd/undo.c
 libcmd_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)
+
+tutorialdir = $(pkgdatadir)/share/tutorial
+dist_tutorial_DATA = \
+	share/tutorial/1-first-crash.crumple \
+	share/tutorial/2-ees-and-delta-v.crumple \
+	share/tutorial/3-offset-and-rotation.crumple \
+	share/tutorial/4-pole.crumple \
+	share/tutorial/5-emergency-brake.crumple \
+	share/tutorial/reference.json

@@ -320,7 +320,9 @@ enum cr_err cr_cmd_pulse(struct cr_call *call, struct cr_error *err) {
     }
     if (path != NULL) {
         cr_cmd_word_at(cr_cmd_quantities(), what.kind, word, sizeof word);
-        code = cr_measured_read(path, word, what.kind, &measured, err);
+        char buf[2 * CR_PATH_MAX];
+        const char *found = cr_session_find_file(s, path, buf, sizeof buf);
+        code = cr_measured_read(found, word, what.kind, &measured, err);
         if (code != CR_ERR_OK) {
             return cr_cmd_blame(call, "vs", code);
         }

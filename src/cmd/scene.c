@@ -1,4 +1,4 @@
-/* Commands that edit the scene: vehicle, object, model, list, remove, copy, new, set. */
+/* Commands that edit the scene: vehicle, object, list, remove, copy, new. */
 #include "cmd/cmd_priv.h"
 
 #include <math.h>
@@ -47,7 +47,7 @@ enum cr_err cr_cmd_set_keys(struct cr_call *call, struct cr_scene *scene, const 
     return code;
 }
 
-static int keys_given(const struct cr_call *call) {
+int cr_cmd_keys_given(const struct cr_call *call) {
     int n = 0;
     for (int i = 0; call->cmd->arg[i].name != NULL; i++) {
         n += call->cmd->arg[i].place == CR_ARG_KEY && call->value[i].token != NULL;
@@ -58,22 +58,22 @@ static int keys_given(const struct cr_call *call) {
 /* ---- telling about participants ---- */
 
 void cr_cmd_describe(const struct cr_participant *p, char *buf, int size) {
-    char what[120], mass[40] = "";
-    if (p->kind == CR_KIND_VEHICLE) {
-        snprintf(what, sizeof what, "%s", p->type < CR_TYPES ? cr_type_word(p->type) : "no type");
-    } else if (p->shape == CR_OBJECT_POLE) {
-        snprintf(what, sizeof what, "pole %.10g m thick", 2 * p->radius);
-    } else if (p->shape == CR_OBJECT_BOX) {
-        snprintf(what, sizeof what, "box %.10g m x %.10g m", p->length, p->width);
-    } else {
-        snprintf(what, sizeof what, "%s", p->shape == CR_OBJECT_WALL ? "wall" : "polygon");
-    }
+    char what[120], mass[40] = "fixed";
     if (isfinite(p->mass)) {
-        snprintf(mass, sizeof mass, " %.10g kg", p->mass);
+        snprintf(mass, sizeof mass, "%.10g kg", p->mass);
     }
-    snprintf(buf, (size_t)size, "%s %s%s  x=%.2f m y=%.2f m heading=%.1f deg  %.1f km/h", p->id,
-             what, p->kind == CR_KIND_OBJECT && mass[0] == '\0' ? " fixed" : mass, p->pos.x + 0.0,
-             p->pos.y + 0.0, cr_deg(p->heading), cr_kmh(p->speed));
+    if (p->kind == CR_KIND_VEHICLE) {
+        snprintf(what, sizeof what, "%s %s", p->type < CR_TYPES ? cr_type_word(p->type) : "no type",
+                 mass);
+    } else if (p->shape == CR_OBJECT_POLE) {
+        snprintf(what, sizeof what, "%s pole %.10g m thick", mass, 2 * p->radius);
+    } else if (p->shape == CR_OBJECT_BOX) {
+        snprintf(what, sizeof what, "%s box %.10g m x %.10g m", mass, p->length, p->width);
+    } else {
+        snprintf(what, sizeof what, "%s %s", mass, p->shape == CR_OBJECT_WALL ? "wall" : "polygon");
+    }
+    snprintf(buf, (size_t)size, "%s: %s  x=%.2f m y=%.2f m heading=%.1f deg  %.1f km/h", p->id,
+             what, p->pos.x + 0.0, p->pos.y + 0.0, cr_deg(p->heading), cr_kmh(p->speed));
 }
 
 static void say_participant(struct cr_session *s, const struct cr_participant *p) {
@@ -242,6 +242,28 @@ static enum cr_err complete_vehicle(struct cr_call *call, struct cr_scene *scene
     return cr_scene_set(scene, full, value, err);
 }
 
+/* A vehicle of another size still stands as it was placed, and so do those placed against it. */
+static enum cr_err place_again(struct cr_session *s, struct cr_state *draft, const char *id,
+                               struct cr_error *err) {
+    for (int i = 0; i < CR_BODY_MAX; i++) {
+        struct cr_placed placed = draft->placed[i];
+        if (placed.id[0] == '\0' || (strcmp(placed.id, id) != 0 && strcmp(placed.other, id) != 0)) {
+            continue;
+        }
+        const struct cr_participant *p = cr_scene_find(&draft->scene, placed.id);
+        struct cr_vec2 before = p->pos;
+        enum cr_err code = cr_session_need_models(s, err);
+        code = code == CR_ERR_OK ? cr_placed_apply(draft, &placed, s->models, err) : code;
+        if (code != CR_ERR_OK) {
+            return code;
+        }
+        if (cr_vec2_len(cr_vec2_sub(p->pos, before)) > 1e-9) {
+            cr_say(s, "placed again: %s x=%.2f m y=%.2f m", p->id, p->pos.x + 0.0, p->pos.y + 0.0);
+        }
+    }
+    return CR_ERR_OK;
+}
+
 enum cr_err cr_cmd_vehicle(struct cr_call *call, struct cr_error *err) {
     const char *id = cr_cmd_text(call, "NAME", "");
     struct cr_participant *p = cr_scene_find(&cr_session_now(call->s)->scene, id);
@@ -250,7 +272,7 @@ enum cr_err cr_cmd_vehicle(struct cr_call *call, struct cr_error *err) {
     if (cr_cmd_given(call, "remove")) {
         return forget(call, id, err);
     }
-    if (p != NULL && p->kind == CR_KIND_VEHICLE && keys_given(call) == 0) {
+    if (p != NULL && p->kind == CR_KIND_VEHICLE && cr_cmd_keys_given(call) == 0) {
         say_participant(call->s, p);
         return say_keys(call, id, err);
     }
@@ -261,14 +283,15 @@ enum cr_err cr_cmd_vehicle(struct cr_call *call, struct cr_error *err) {
     if (code == CR_ERR_OK) {
         code = complete_vehicle(call, &draft->scene, p, err);
     }
-    if (code == CR_ERR_OK) {
-        say_participant(call->s, p);
+    if (code != CR_ERR_OK) {
+        return code;
     }
-    return code;
+    say_participant(call->s, p);
+    return is_new ? CR_ERR_OK : place_again(call->s, draft, id, err);
 }
 
-static enum cr_err set_text(struct cr_scene *scene, const char *id, const char *key,
-                            struct cr_error *err, const char *value) {
+enum cr_err cr_cmd_set_text(struct cr_scene *scene, const char *id, const char *key,
+                            const char *value, struct cr_error *err) {
     char full[CR_NAME_MAX + 64];
     snprintf(full, sizeof full, "%s.%s", id, key);
     return cr_scene_set(scene, full, value, err);
@@ -286,7 +309,7 @@ static enum cr_err object_extras(struct cr_call *call, struct cr_scene *scene,
     }
     if (cr_cmd_given(call, "diameter") || (is_new && p->shape == CR_OBJECT_POLE)) {
         snprintf(value, sizeof value, "%.17g", cr_cmd_number(call, "diameter", 0.254) / 2);
-        code = set_text(scene, p->id, "radius_m", err, value);
+        code = cr_cmd_set_text(scene, p->id, "radius_m", value, err);
         if (code != CR_ERR_OK) {
             return cr_cmd_blame(call, "diameter", code);
         }
@@ -295,14 +318,14 @@ static enum cr_err object_extras(struct cr_call *call, struct cr_scene *scene,
         double lo = isfinite(p->z_lo) ? p->z_lo : 0, hi = isfinite(p->z_hi) ? p->z_hi : 3;
         snprintf(value, sizeof value, "%.17g,%.17g", cr_cmd_number(call, "low", lo),
                  cr_cmd_number(call, "high", hi));
-        code = set_text(scene, p->id, "height_m", err, value);
+        code = cr_cmd_set_text(scene, p->id, "height_m", value, err);
         if (code != CR_ERR_OK) {
             return cr_cmd_blame(call, cr_cmd_given(call, "low") ? "low" : "high", code);
         }
     }
     if (mass->token != NULL) {
         snprintf(value, sizeof value, "%.17g", mass->number);
-        code = set_text(scene, p->id, "mass_kg", err, mass->word == 0 ? "auto" : value);
+        code = cr_cmd_set_text(scene, p->id, "mass_kg", mass->word == 0 ? "auto" : value, err);
     }
     return code == CR_ERR_OK ? code : cr_cmd_blame(call, "mass", code);
 }
@@ -335,7 +358,7 @@ enum cr_err cr_cmd_object(struct cr_call *call, struct cr_error *err) {
     if (cr_cmd_given(call, "remove")) {
         return forget(call, id, err);
     }
-    if (p != NULL && p->kind == CR_KIND_OBJECT && keys_given(call) == 0) {
+    if (p != NULL && p->kind == CR_KIND_OBJECT && cr_cmd_keys_given(call) == 0) {
         say_participant(call->s, p);
         return say_keys(call, id, err);
     }
@@ -416,165 +439,4 @@ enum cr_err cr_cmd_new(struct cr_call *call, struct cr_error *err) {
     call->fresh = true;
     cr_say(call->s, "an empty scene; undo brings the old one back");
     return CR_ERR_OK;
-}
-
-/* ---- model ---- */
-
-static void say_type(struct cr_session *s, enum cr_type type) {
-    double mass;
-    const struct cr_dims *d = cr_model_dims(s->models, type, &mass);
-    cr_say(s, "%-14s %s/1 to %s/12: length %.2f width %.2f wheelbase %.2f m, %.0f kg",
-           cr_type_word(type), cr_type_word(type), cr_type_word(type), d->length, d->width,
-           d->wheelbase, mass);
-}
-
-/* "suv", "suv/12", "ees/suv/12" -> type and clock (0: automatic); false if it is none */
-static bool read_model(const char *text, enum cr_type *type, int *clock) {
-    char word[CR_NAME_MAX], end;
-    text += strncmp(text, "ees/", 4) == 0 ? 4 : 0;
-    snprintf(word, sizeof word, "%.*s", (int)strcspn(text, "/"), text);
-    const char *slash = strchr(text, '/');
-    int found = cr_type_find(word);
-    *clock = 0;
-    *type = found >= 0 ? (enum cr_type)found : CR_TYPES;
-    return found >= 0 && (slash == NULL || (sscanf(slash + 1, "%d%c", clock, &end) == 1 &&
-                                            *clock >= 1 && *clock <= 12));
-}
-
-static enum cr_err no_model(struct cr_call *call, const char *text, struct cr_error *err) {
-    const char *list[CR_TYPES];
-    char word[CR_NAME_MAX];
-    snprintf(word, sizeof word, "%.*s", (int)strcspn(text, "/"), text);
-    for (int i = 0; i < CR_TYPES; i++) {
-        list[i] = cr_type_word((enum cr_type)i);
-    }
-    const char *near = cr_str_nearest(word, list, CR_TYPES);
-    cr_err_set(err, CR_ERR_NAME, "there is no model '%.60s'", text);
-    cr_err_hint(err, near != NULL ? "did you mean '%s'?" : "model list names all%s",
-                near != NULL ? near : "");
-    return cr_cmd_blame(call, "MODEL", CR_ERR_NAME);
-}
-
-static enum cr_err model_info(struct cr_call *call, struct cr_error *err) {
-    const char *text = cr_cmd_text(call, "MODEL", NULL);
-    enum cr_type type;
-    int clock;
-    enum cr_err code = cr_session_need_models(call->s, err);
-    if (code != CR_ERR_OK) {
-        return code;
-    }
-    bool all = cr_cmd_word(call, "NAME", -1) == 0;
-    for (int i = 0; all && i < CR_TYPES; i++) {
-        say_type(call->s, (enum cr_type)i);
-    }
-    if (all) {
-        return CR_ERR_OK;
-    }
-    if (text == NULL) {
-        cr_err_set(err, CR_ERR_MISSING, "which model?");
-        cr_err_hint(err, "for example: model info suv/12");
-        return CR_ERR_MISSING;
-    }
-    if (!read_model(text, &type, &clock)) {
-        return no_model(call, text, err);
-    }
-    say_type(call->s, type);
-    cr_say(call->s, "recipe models/%s.json", cr_type_word(type));
-    cr_say(call->s, "sha256 %s", cr_model_hash(call->s->models, type));
-    cr_say(call->s, "crumple models %s prints curves, structures, source tests and scatter",
-           cr_type_word(type));
-    return CR_ERR_OK;
-}
-
-static bool is_file(const char *text) {
-    size_t n = strlen(text);
-    return n > 4 &&
-           (strcmp(text + n - 4, ".csv") == 0 || (n > 5 && strcmp(text + n - 5, ".json") == 0));
-}
-
-static enum cr_err choose_model(struct cr_call *call, struct cr_scene *scene, const char *id,
-                                struct cr_error *err) {
-    const char *text = cr_cmd_text(call, "MODEL", NULL);
-    enum cr_type type;
-    int clock;
-    char value[16];
-    if (text == NULL) {
-        return CR_ERR_OK;
-    }
-    if (is_file(text)) {
-        return cr_cmd_blame(call, "MODEL", set_text(scene, id, "model.file", err, text));
-    }
-    if (!read_model(text, &type, &clock)) {
-        return no_model(call, text, err);
-    }
-    struct cr_participant *p = cr_scene_find(scene, id);
-    p->model.file[0] = '\0';
-    enum cr_err code = set_text(scene, id, "model.file", err, "");
-    if (code == CR_ERR_OK) {
-        code = set_text(scene, id, "type", err, cr_type_word(type));
-    }
-    snprintf(value, sizeof value, "%d", clock);
-    return code == CR_ERR_OK ? set_text(scene, id, "model.pdof", err, clock > 0 ? value : "auto")
-                             : code;
-}
-
-static enum cr_err choose_stiffness(struct cr_call *call, struct cr_scene *scene, const char *id,
-                                    const char *face, struct cr_error *err) {
-    const char *text = cr_cmd_text(call, face, NULL);
-    char a[40], key[80];
-    if (text == NULL) {
-        return CR_ERR_OK;
-    }
-    const char *comma = strchr(text, ',');
-    if (comma == NULL || comma - text >= (long)sizeof a) {
-        cr_err_set(err, CR_ERR_TYPE, "%s must be A,B", face);
-        cr_err_hint(err, "for example %s=92000,429000 (N/m and N/m2)", face);
-        return cr_cmd_blame(call, face, CR_ERR_TYPE);
-    }
-    snprintf(a, sizeof a, "%.*s", (int)(comma - text), text);
-    snprintf(key, sizeof key, "model.stiffness.%s.A_N_per_m", face);
-    enum cr_err code = set_text(scene, id, key, err, a);
-    snprintf(key, sizeof key, "model.stiffness.%s.B_N_per_m2", face);
-    code = code == CR_ERR_OK ? set_text(scene, id, key, err, comma + 1) : code;
-    return code == CR_ERR_OK ? code : cr_cmd_blame(call, face, code);
-}
-
-static void say_model(struct cr_session *s, const struct cr_participant *p) {
-    const struct cr_model_choice *m = &p->model;
-    char pdof[40] = "chosen from the direction of force";
-    if (m->pdof_kind == CR_PDOF_GIVEN) {
-        snprintf(pdof, sizeof pdof, "%.0f deg", cr_deg(m->pdof));
-    }
-    cr_say(s, "%s: %s%s%s, PDOF %s%s", p->id, cr_type_word(p->type),
-           m->kind == CR_MODEL_FILE        ? ", voxels of "
-           : m->kind == CR_MODEL_STIFFNESS ? " with CRASH3 stiffness"
-                                           : "",
-           m->file, pdof, m->blend ? ", blended" : "");
-}
-
-enum cr_err cr_cmd_model(struct cr_call *call, struct cr_error *err) {
-    static const char *const faces[] = {"front", "side", "rear"};
-    const char *id = cr_cmd_text(call, "NAME", "");
-    struct cr_state *draft;
-    if (cr_cmd_word(call, "NAME", -1) >= 0) {
-        return model_info(call, err);
-    }
-    if (!cr_cmd_given(call, "MODEL") && keys_given(call) == 0) {
-        say_model(call->s, cr_scene_find(&cr_session_now(call->s)->scene, id));
-        return CR_ERR_OK;
-    }
-    enum cr_err code = cr_cmd_edit(call, &draft, err);
-    if (code == CR_ERR_OK) {
-        code = choose_model(call, &draft->scene, id, err);
-    }
-    for (int i = 0; i < 3 && code == CR_ERR_OK; i++) {
-        code = choose_stiffness(call, &draft->scene, id, faces[i], err);
-    }
-    if (code == CR_ERR_OK) {
-        code = cr_cmd_set_keys(call, &draft->scene, id, err);
-    }
-    if (code == CR_ERR_OK) {
-        say_model(call->s, cr_scene_find(&draft->scene, id));
-    }
-    return code;
 }

@@ -34,10 +34,14 @@ static enum cr_err say_setting(struct cr_session *s, const struct cr_scene *scen
     if (key != NULL) {
         code = cr_scene_get(scene, key->name, &value, err);
         const char *unit = key->unit != NULL ? key->unit : "";
-        bool automatic = strcmp(cr_str_get(&value), "auto") == 0;
-        snprintf(text, sizeof text, "%s%s%s",
-                 automatic && key->type == CR_KEY_SWITCH ? "as method" : cr_str_get(&value),
-                 unit[0] != '\0' && !automatic ? " " : "", automatic ? "" : unit);
+        const char *given = cr_str_get(&value);
+        bool automatic = strcmp(given, "auto") == 0, on = strcmp(given, "true") == 0;
+        if (key->type == CR_KEY_SWITCH) {
+            snprintf(text, sizeof text, "%s", automatic ? "as method" : on ? "on" : "off");
+        } else {
+            snprintf(text, sizeof text, "%s%s%s", given, unit[0] != '\0' && !automatic ? " " : "",
+                     automatic ? "" : unit);
+        }
         cr_str_add(&help, key->help);
     } else if (session_value(s, arg->name, text, sizeof text)) {
         cr_str_add(&help, arg->help);

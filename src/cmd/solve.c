@@ -131,7 +131,7 @@ static void explain_contact(struct cr_session *s, const struct cr_slice *c) {
     cr_say(s, "         F = %.1f kN along (%.3f, %.3f): impulse %.1f N s, effective mass %.0f kg",
            1e-3 * c->force, tidy(c->direction.x, 1e-3), tidy(c->direction.y, 1e-3), c->impulse,
            c->mass_eff);
-    if (c->friction > 0) {
+    if (c->friction >= 0.05) {
         cr_say(s, "         friction work %.1f J, which is not EES", c->friction);
     }
 }

@@ -193,7 +193,24 @@ static enum cr_err apply(struct cr_state *state, const struct variable *var, dou
     }
     snprintf(full, sizeof full, "%s%s%s", var->id, setting ? "" : ".", key->name);
     snprintf(value, sizeof value, "%.17g", cr_unit_from_si(cr_scene_key_unit(key), si));
+    struct cr_placed *placed = cr_placed_find(state, var->id);
+    if (placed != NULL && strcmp(var->key->name, "heading") == 0) {
+        placed->id[0] = '\0'; /* it no longer stands as it was placed */
+    }
     return cr_scene_set(&state->scene, full, value, err);
+}
+
+/* who was placed still stands against the other, though a mass may have changed sizes */
+static enum cr_err place_all(struct cr_state *state, const struct cr_model_lib *models,
+                             struct cr_error *err) {
+    enum cr_err code = CR_ERR_OK;
+    for (int i = 0; i < CR_BODY_MAX && code == CR_ERR_OK; i++) {
+        if (state->placed[i].id[0] != '\0') {
+            struct cr_placed placed = state->placed[i];
+            code = cr_placed_apply(state, &placed, models, err);
+        }
+    }
+    return code;
 }
 
 /* shared by the threads of a sweep; the session itself is not touched by them */
@@ -230,6 +247,9 @@ static void solve_run(struct job *job, struct cr_sweep_run *run) {
     enum cr_err code = cr_state_dup(job->base, &state, &err);
     for (int a = 0; a < job->sweep->axes && code == CR_ERR_OK; a++) {
         code = apply(state, &job->var[a], run->at[a], job->models, &err);
+    }
+    if (code == CR_ERR_OK) {
+        code = place_all(state, job->models, &err);
     }
     if (code == CR_ERR_OK) {
         code = cr_result_run(&state->scene, &ctx, &result, &err);
@@ -407,6 +427,9 @@ static enum cr_err take_row(struct cr_call *call, struct cr_error *err) {
                    cr_unit_from_si(sweep->axis[a].unit, sweep->run[row - 1].at[a]),
                    sweep->axis[a].unit->name);
         }
+    }
+    if (code == CR_ERR_OK) {
+        code = place_all(draft, s->models, err);
     }
     return code == CR_ERR_OK ? code : cr_cmd_blame(call, "row", code);
 }

@@ -59,8 +59,12 @@ static void show_candidates(char **matches, int n, int longest) {
             printf("  ... and %d more\n", candidates.n - i);
             break;
         }
-        printf("  %-*s %.*s\n", help[0] != '\0' ? HELP_COLUMN : 0, candidates.item[i].word,
-               room > 0 ? room : 0, help);
+        bool cut = room > 1 && (int)strlen(help) > room;
+        printf("  %-*s %.*s%s\n", help[0] != '\0' ? HELP_COLUMN : 0, candidates.item[i].word,
+               cut        ? room - 1
+               : room > 0 ? room
+                          : 0,
+               help, cut ? "~" : "");
     }
     rl_on_new_line();
     rl_forced_update_display();
@@ -83,10 +87,8 @@ void cr_repl_complete(struct cr_session *s) {
 static int after_signal(void) {
     if (cr_repl_interrupted) {
         cr_repl_interrupted = 0;
-        fputs("^C\n", stdout);
-        fflush(stdout);
-        rl_free_line_state();
-        rl_replace_line("", 1);
+        rl_replace_line("", 1); /* readline itself has shown ^C */
+        rl_crlf();
         rl_on_new_line();
         rl_redisplay();
     }

@@ -149,6 +149,37 @@ static void test_every_row_is_complete(void **state) {
     }
 }
 
+/* in a folder of their own, since some write files; each in a session that the row's setup made */
+static void test_examples_of_help_run(void **state) {
+    (void)state;
+    char dir[] = "cr_help_XXXXXX", back[4096], command[64];
+    int n;
+    const struct cr_command *table = cr_commands(&n);
+    assert_non_null(getcwd(back, sizeof back));
+    assert_non_null(mkdtemp(dir));
+    assert_int_equal(chdir(dir), 0);
+    for (int i = 0; i < 2 * n; i++) {
+        const struct cr_command *c = &table[i / 2];
+        struct heard h;
+        struct cr_session *s = session(&h, NULL);
+        h.answer = 'q';
+        if (c->setup != NULL && cr_session_script(s, c->setup, c->name, 1) != CR_ERR_OK) {
+            fail_msg("setup of %s: %s", c->name, cr_str_get(&h.faults));
+        }
+        if (cr_session_run(s, c->example[i % 2]) != CR_ERR_OK) {
+            fail_msg("%s: %s", c->example[i % 2], cr_str_get(&h.faults));
+        }
+        snprintf(command, sizeof command, "%.*s", (int)strcspn(c->example[i % 2], " !"),
+                 c->example[i % 2]);
+        assert_string_equal(command, c->name);
+        end(s, &h);
+    }
+    unlink("mine.json");
+    unlink("mine.csv");
+    assert_int_equal(chdir(back), 0);
+    assert_int_equal(rmdir(dir), 0);
+}
+
 static void test_prefixes(void **state) {
     (void)state;
     bool many;
@@ -409,6 +440,7 @@ int main(void) {
         cmocka_unit_test(test_statements_end_at_semicolon_and_open_line_end),
         cmocka_unit_test(test_bytes_that_are_no_text_are_refused),
         cmocka_unit_test(test_every_row_is_complete),
+        cmocka_unit_test(test_examples_of_help_run),
         cmocka_unit_test(test_prefixes),
         cmocka_unit_test(test_undo_gives_back_every_state),
         cmocka_unit_test(test_an_error_changes_nothing),

@@ -18,7 +18,13 @@ cd "$tmp" || exit 99
 # split FILE: n.in, n.want, n.name, n.status for each block
 split() {
     awk '
-        /^# / { n++; print substr($0, 3) > (n ".name"); printf "" > (n ".in"); printf "" > (n ".want"); next }
+        /^# / {
+            n++
+            print substr($0, 3) > (n ".name")
+            printf "" > (n ".in")
+            printf "" > (n ".want")
+            next
+        }
         /^= / { print $2 > (n ".status"); next }
         /^\|/ { print substr($0, 3) > (n ".in"); next }
         n > 0 && !/^$/ { print > (n ".want") }

@@ -1,0 +1,165 @@
+/* model: which EES model a vehicle has, and where the models come from. */
+#include "cmd/cmd_priv.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static void say_type(struct cr_session *s, enum cr_type type) {
+    double mass;
+    const struct cr_dims *d = cr_model_dims(s->models, type, &mass);
+    cr_say(s, "%-14s %s/1 to %s/12: length %.2f width %.2f wheelbase %.2f m, %.0f kg",
+           cr_type_word(type), cr_type_word(type), cr_type_word(type), d->length, d->width,
+           d->wheelbase, mass);
+}
+
+/* "suv", "suv/12", "ees/suv/12" -> type and clock (0: automatic); false if it is none */
+static bool read_model(const char *text, enum cr_type *type, int *clock) {
+    char word[CR_NAME_MAX], end;
+    text += strncmp(text, "ees/", 4) == 0 ? 4 : 0;
+    snprintf(word, sizeof word, "%.*s", (int)strcspn(text, "/"), text);
+    const char *slash = strchr(text, '/');
+    int found = cr_type_find(word);
+    *clock = 0;
+    *type = found >= 0 ? (enum cr_type)found : CR_TYPES;
+    return found >= 0 && (slash == NULL || (sscanf(slash + 1, "%d%c", clock, &end) == 1 &&
+                                            *clock >= 1 && *clock <= 12));
+}
+
+static enum cr_err no_model(struct cr_call *call, const char *text, struct cr_error *err) {
+    const char *list[CR_TYPES];
+    char word[CR_NAME_MAX];
+    snprintf(word, sizeof word, "%.*s", (int)strcspn(text, "/"), text);
+    for (int i = 0; i < CR_TYPES; i++) {
+        list[i] = cr_type_word((enum cr_type)i);
+    }
+    const char *near = cr_str_nearest(word, list, CR_TYPES);
+    cr_err_set(err, CR_ERR_NAME, "there is no model '%.60s'", text);
+    cr_err_hint(err, near != NULL ? "did you mean '%s'?" : "model list names all%s",
+                near != NULL ? near : "");
+    return cr_cmd_blame(call, "MODEL", CR_ERR_NAME);
+}
+
+static enum cr_err model_info(struct cr_call *call, struct cr_error *err) {
+    const char *text = cr_cmd_text(call, "MODEL", NULL);
+    enum cr_type type;
+    int clock;
+    enum cr_err code = cr_session_need_models(call->s, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    bool all = cr_cmd_word(call, "NAME", -1) == 0;
+    for (int i = 0; all && i < CR_TYPES; i++) {
+        say_type(call->s, (enum cr_type)i);
+    }
+    if (all) {
+        return CR_ERR_OK;
+    }
+    if (text == NULL) {
+        cr_err_set(err, CR_ERR_MISSING, "which model?");
+        cr_err_hint(err, "for example: model info suv/12");
+        return CR_ERR_MISSING;
+    }
+    if (!read_model(text, &type, &clock)) {
+        return no_model(call, text, err);
+    }
+    say_type(call->s, type);
+    cr_say(call->s, "recipe models/%s.json", cr_type_word(type));
+    cr_say(call->s, "sha256 %s", cr_model_hash(call->s->models, type));
+    cr_say(call->s, "crumple models %s prints curves, structures, source tests and scatter",
+           cr_type_word(type));
+    return CR_ERR_OK;
+}
+
+static bool is_file(const char *text) {
+    size_t n = strlen(text);
+    return n > 4 &&
+           (strcmp(text + n - 4, ".csv") == 0 || (n > 5 && strcmp(text + n - 5, ".json") == 0));
+}
+
+static enum cr_err choose_model(struct cr_call *call, struct cr_scene *scene, const char *id,
+                                struct cr_error *err) {
+    const char *text = cr_cmd_text(call, "MODEL", NULL);
+    enum cr_type type;
+    int clock;
+    char value[16];
+    if (text == NULL) {
+        return CR_ERR_OK;
+    }
+    if (is_file(text)) {
+        return cr_cmd_blame(call, "MODEL", cr_cmd_set_text(scene, id, "model.file", text, err));
+    }
+    if (!read_model(text, &type, &clock)) {
+        return no_model(call, text, err);
+    }
+    struct cr_participant *p = cr_scene_find(scene, id);
+    p->model.file[0] = '\0';
+    enum cr_err code = cr_cmd_set_text(scene, id, "model.file", "", err);
+    if (code == CR_ERR_OK) {
+        code = cr_cmd_set_text(scene, id, "type", cr_type_word(type), err);
+    }
+    snprintf(value, sizeof value, "%d", clock);
+    return code == CR_ERR_OK
+               ? cr_cmd_set_text(scene, id, "model.pdof", clock > 0 ? value : "auto", err)
+               : code;
+}
+
+static enum cr_err choose_stiffness(struct cr_call *call, struct cr_scene *scene, const char *id,
+                                    const char *face, struct cr_error *err) {
+    const char *text = cr_cmd_text(call, face, NULL);
+    char a[40], key[80];
+    if (text == NULL) {
+        return CR_ERR_OK;
+    }
+    const char *comma = strchr(text, ',');
+    if (comma == NULL || comma - text >= (long)sizeof a) {
+        cr_err_set(err, CR_ERR_TYPE, "%s must be A,B", face);
+        cr_err_hint(err, "for example %s=92000,429000 (N/m and N/m2)", face);
+        return cr_cmd_blame(call, face, CR_ERR_TYPE);
+    }
+    snprintf(a, sizeof a, "%.*s", (int)(comma - text), text);
+    snprintf(key, sizeof key, "model.stiffness.%s.A_N_per_m", face);
+    enum cr_err code = cr_cmd_set_text(scene, id, key, a, err);
+    snprintf(key, sizeof key, "model.stiffness.%s.B_N_per_m2", face);
+    code = code == CR_ERR_OK ? cr_cmd_set_text(scene, id, key, comma + 1, err) : code;
+    return code == CR_ERR_OK ? code : cr_cmd_blame(call, face, code);
+}
+
+static void say_model(struct cr_session *s, const struct cr_participant *p) {
+    const struct cr_model_choice *m = &p->model;
+    char pdof[40] = "chosen from the direction of force";
+    if (m->pdof_kind == CR_PDOF_GIVEN) {
+        snprintf(pdof, sizeof pdof, "%.0f deg", cr_deg(m->pdof));
+    }
+    cr_say(s, "%s: %s%s%s, PDOF %s%s", p->id, cr_type_word(p->type),
+           m->kind == CR_MODEL_FILE        ? ", voxels of "
+           : m->kind == CR_MODEL_STIFFNESS ? " with CRASH3 stiffness"
+                                           : "",
+           m->file, pdof, m->blend ? ", blended" : "");
+}
+
+enum cr_err cr_cmd_model(struct cr_call *call, struct cr_error *err) {
+    static const char *const faces[] = {"front", "side", "rear"};
+    const char *id = cr_cmd_text(call, "NAME", "");
+    struct cr_state *draft;
+    if (cr_cmd_word(call, "NAME", -1) >= 0) {
+        return model_info(call, err);
+    }
+    if (!cr_cmd_given(call, "MODEL") && cr_cmd_keys_given(call) == 0) {
+        say_model(call->s, cr_scene_find(&cr_session_now(call->s)->scene, id));
+        return CR_ERR_OK;
+    }
+    enum cr_err code = cr_cmd_edit(call, &draft, err);
+    if (code == CR_ERR_OK) {
+        code = choose_model(call, &draft->scene, id, err);
+    }
+    for (int i = 0; i < 3 && code == CR_ERR_OK; i++) {
+        code = choose_stiffness(call, &draft->scene, id, faces[i], err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_cmd_set_keys(call, &draft->scene, id, err);
+    }
+    if (code == CR_ERR_OK) {
+        say_model(call->s, cr_scene_find(&draft->scene, id));
+    }
+    return code;
+}

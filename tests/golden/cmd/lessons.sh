@@ -1,0 +1,17 @@
+#!/bin/sh
+# The lessons run to their end, show every comment and command, and say the same twice.
+. "$SRC/tests/tap.sh"
+cd "$SRC" || exit 99
+for file in share/tutorial/*.crumple; do
+    one=$("$CRUMPLE" "$file" 2>&1)
+    same "$file: status" "$?" 0
+    two=$("$CRUMPLE" "$file" 2>&1)
+    [ "$one" = "$two" ]
+    report $? "$file: the same output on every run"
+    lines=$(sed -n '3,$p' "$file" | grep -c '^#')
+    shown=$(printf '%s\n' "$one" | grep -c '^#')
+    same "$file: every comment is shown" "$shown" "$lines"
+    ascii=$("$CRUMPLE" --ascii "$file" 2>&1 | LC_ALL=C grep -c '[^ -~]')
+    same "$file: --ascii prints nothing else" "$ascii" 0
+done
+finish

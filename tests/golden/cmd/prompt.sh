@@ -1,0 +1,97 @@
+#!/bin/sh
+# The plain prompt on a terminal: tmux with a socket of its own types, and waits for what must
+# appear. Nothing sleeps for a fixed time.
+. "$SRC/tests/tap.sh"
+tmp=$(mktemp -d) || exit 99
+sessions=0
+screen() {
+    tmux -L "cr-prompt-$$-$sessions" -f /dev/null "$@"
+}
+trap 'screen kill-server 2>/dev/null; rm -rf "$tmp"' EXIT
+trap 'exit 130' INT TERM
+if ! command -v tmux >/dev/null 2>&1; then
+    skip "the plain prompt" "tmux is not installed"
+    finish
+fi
+cd "$tmp" || exit 99
+
+# start ARG ...: the program in a terminal of 80 x 24
+start() {
+    screen kill-server 2>/dev/null
+    sessions=$((sessions + 1)) # a server of its own: the old one takes a while to go
+    cat >"$tmp/start.sh" <<END
+echo \$\$ >$tmp/pid
+exec env XDG_STATE_HOME=$tmp/state INPUTRC=/dev/null LC_ALL=C.UTF-8 CRUMPLE_DATA=$SRC $CRUMPLE $*
+END
+    screen new-session -d -x 80 -y 24 "sh $tmp/start.sh; echo status \$?; exec sleep 60"
+}
+
+# shows NAME TEXT: waits until the extended regular expression is on the screen
+shows() {
+    tries=0
+    while ! screen capture-pane -p 2>/dev/null | grep -Eq -e "$2"; do
+        tries=$((tries + 1))
+        if [ "$tries" -gt 200 ]; then
+            report 1 "$1"
+            screen capture-pane -p | explain
+            return
+        fi
+        sleep 0.05
+    done
+    report 0 "$1"
+}
+
+keys() {
+    screen send-keys "$@"
+}
+
+start --repl
+shows "the prompt greets" "^crumple> *$"
+keys "veh" Tab "A type=s" Tab Tab
+shows "Tab completes a command and lists values" "^  station-wagon"
+keys "uv mass=2000kg speed=50" Enter
+shows "a command answers" "^  A: suv 2000 kg"
+keys "place A ov" Tab Tab "=" C-a C-k "help rem" Enter
+shows "a line can be edited away" "^  remove NAME"
+keys "vehicle A masss=5" Enter
+shows "the caret is below the word at fault" "^                   \^\^\^\^\^\^\^$"
+shows "and the message names the way out" "Did you mean 'mass'\?"
+keys "half a line"
+shows "a line is typed" "^crumple> half a line$"
+keys C-c
+shows "^C gives the line up" "^crumple> half a line\^C"
+keys "object wall kind=wall" Enter "place wall facing A" Enter
+shows "the session goes on" "^  wall: fixed wall  x=2"
+keys "sweep A.speed 10:100:0.1" Enter
+shows "long work shows its progress" "SWEEP \[[#.]*\] [0-9]+ of 901"
+keys C-c
+shows "^C stops long work" "interrupted after [0-9]+ of 901 runs"
+keys "vehicle A \\" Enter "speed=30" Enter "li" Enter
+shows "a line can be continued" "30\.0 km/h"
+keys "quit" Enter
+shows "quit asks when changes are unsaved" "unsaved changes: \(s\)ave \(q\)uit \(c\)ancel"
+keys "c" Enter
+shows "and can be called off" "^  not quit"
+kill -KILL "$(cat "$tmp/pid")"
+shows "a session is killed" "status 137"
+
+start --repl
+shows "the next start says so" "load --recover"
+keys "load --recover" Enter "list" Enter
+shows "and has the scene" "^  A: suv 2000 kg .* 30\.0 km/h"
+keys Up Up Up
+shows "the history outlives the session" "^crumple> quit"
+keys C-a C-k "save there.json" Enter
+shows "the scene is saved" "there.json: 2 participants"
+keys C-d
+shows "^D ends" "status 0"
+same "a session that ends in order leaves no autosave" \
+    "$(ls "$tmp/state/crumple" | grep -c autosave)" 0
+grep -q "^vehicle A    *speed=30$" "$tmp/state/crumple/history"
+report $? "a continued line is one line of history"
+
+start "-e 'load there.json' -i"
+shows "-i stays after a script" "^crumple> *$"
+keys "quit" Enter
+shows "nothing unsaved, nothing asked" "status 0"
+finish
