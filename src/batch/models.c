@@ -294,18 +294,15 @@ static enum cr_err models(const char *name, const struct options *opt, struct cr
     return rc;
 }
 
+#define TEXT(word, value, to, what)                                                                \
+    { .name = word, .arg = value, .text = to, .help = what }
+
 int cr_batch_models(int argc, char **argv) {
     struct options opt = {.view = VIEW_ALL};
     const struct cr_option table[] = {
         {.name = "view", .arg = VIEWS, .number = &opt.view, .help = "which picture (all)"},
-        {.name = "at",
-         .arg = "Y",
-         .text = &opt.at,
-         .help = "where a slice is cut, m left of the centre line (0)"},
-        {.name = "to",
-         .arg = "FILE",
-         .text = &opt.to,
-         .help = "export to FILE.json or FILE.csv instead of drawing"},
+        TEXT("at", "Y", &opt.at, "where a slice is cut, m left of the centre line (0)"),
+        TEXT("to", "FILE", &opt.to, "export to FILE.json or FILE.csv instead of drawing"),
         {.name = "flat", .flag = &opt.flat, .help = "the 2D model that the solver uses"},
         {.name = "voxel",
          .arg = "MM",
@@ -313,14 +310,8 @@ int cr_batch_models(int argc, char **argv) {
          .lo = 5,
          .hi = 100,
          .help = "edge of the voxels, mm (50; with --flat 25)"},
-        {.name = "crash",
-         .arg = "SCENE.json",
-         .text = &opt.crash,
-         .help = "solve this scene and show a vehicle of it, deformed"},
-        {.name = "id",
-         .arg = "ID",
-         .text = &opt.id,
-         .help = "which vehicle of the scene (the first)"},
+        TEXT("crash", "SCENE.json", &opt.crash, "solve this scene, show a vehicle of it deformed"),
+        TEXT("id", "ID", &opt.id, "which vehicle of the scene (the first)"),
         {.name = "format",
          .letter = 'f',
          .arg = "text|json",

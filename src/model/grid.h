@@ -6,11 +6,12 @@
 enum cr_face { CR_FACE_FRONT, CR_FACE_LEFT, CR_FACE_REAR, CR_FACE_RIGHT, CR_FACES };
 
 struct cr_grid {
-    int nx, ny;           /* voxels along the vehicle (x forward) and across it (y left) */
-    double h;             /* edge of a voxel, m */
-    double x0, y0;        /* corner of voxel (0,0) with the least x and y, body frame from the CG, m */
-    const double *fill;   /* [iy * nx + ix] share of the voxel that is material, 0..1 */
-    const double *energy; /* [iy * nx + ix] energy that crushes all its material, J (whole vehicle) */
+    int nx, ny;    /* voxels along the vehicle (x forward) and across it (y left) */
+    double h;      /* edge of a voxel, m */
+    double x0, y0; /* corner of voxel (0,0) with the least x and y, body frame from the CG, m */
+    const double *fill; /* [iy * nx + ix] share of the voxel that is material, 0..1 */
+    const double
+        *energy; /* [iy * nx + ix] energy that crushes all its material, J (whole vehicle) */
     double tension[CR_FACES];    /* string of the induced deformation per face, N (0: none) */
     double springback[CR_FACES]; /* dynamic minus residual depth of a deep crush per face, m */
 };

@@ -4,6 +4,7 @@
 
 #include <cjson/cJSON.h>
 
+#include "base/json.h"
 #include "base/str.h"
 
 #include <math.h>
@@ -15,36 +16,38 @@ void cr_model_json_fail(struct cr_model_json *j, enum cr_err code, const char *k
     if (j->failed) {
         return;
     }
+    char where[128];
+    int line = 0, col = 0;
+    bool missing = code == CR_ERR_MISSING;
+    snprintf(where, sizeof where, "%s%s%s", j->where, key != NULL ? "/" : "",
+             key != NULL ? key : "");
+    enum cr_json_part part = code == CR_ERR_KEY ? CR_JSON_KEY : CR_JSON_VALUE;
+    cr_json_locate(j->text, j->len, missing ? j->where : where, part, &line, &col);
     j->failed = true;
     j->code = cr_err_set(j->err, code, "%s", text);
-    cr_err_place(j->err, j->src, 0, 0);
+    cr_err_place(j->err, j->src, line, col);
     if (j->err != NULL) {
-        snprintf(j->err->where, sizeof j->err->where, "%s%s%s", j->where, key != NULL ? "/" : "",
-                 key != NULL ? key : "");
+        snprintf(j->err->where, sizeof j->err->where, "%s", where);
     }
 }
 
-cJSON *cr_model_json_parse(struct cr_model_json *j, const char *text, size_t len, const char *src,
-                           struct cr_error *err) {
-    *j = (struct cr_model_json){.err = err, .src = src};
-    const char *end = NULL;
-    cJSON *root = cJSON_ParseWithLengthOpts(text, len, &end, 0);
-    if (root != NULL && cJSON_IsObject(root)) {
-        return root;
+struct cJSON *cr_model_json_parse(struct cr_model_json *j, const char *text, size_t len,
+                                  const char *src, bool strict, struct cr_error *err) {
+    *j = (struct cr_model_json){.err = err, .src = src, .text = text, .len = len};
+    cJSON *root = strict ? NULL : cJSON_ParseWithLength(text, len);
+    if (root == NULL) {
+        j->code = cr_json_check(text, len, src, err);
+        j->failed = j->code != CR_ERR_OK;
+        root = j->failed ? NULL : cJSON_ParseWithLength(text, len);
     }
-    if (root != NULL) {
+    if (root == NULL) {
+        cr_model_json_fail(j, CR_ERR_MEMORY, NULL, "no memory to read it");
+    } else if (!cJSON_IsObject(root)) {
         cr_model_json_fail(j, CR_ERR_TYPE, NULL, "an object is wanted");
         cJSON_Delete(root);
-        return NULL;
+        root = NULL;
     }
-    int line = 1, col = 1;
-    for (const char *p = text; p < text + len && end != NULL && p < end; p++) {
-        col = *p == '\n' ? 1 : col + 1;
-        line += *p == '\n';
-    }
-    cr_model_json_fail(j, CR_ERR_SYNTAX, NULL, "not valid JSON");
-    cr_err_place(err, src, line, col);
-    return NULL;
+    return root;
 }
 
 void cr_model_json_enter(struct cr_model_json *j, const char *key, int index) {

@@ -12,12 +12,16 @@ struct cr_model_json {
     enum cr_err code;
     bool failed;
     const char *src;
+    const char *text; /* that is read, for places of faults */
+    size_t len;
     char where[96]; /* JSON pointer of the container being read */
 };
 
-/* The root object of a text, owned by the caller; NULL after a fault (see code). */
+/* The root object of a text, owned by the caller, NULL after a fault (see code). The text is
+ * borrowed until the last value is read. strict: refuse also what cJSON lets pass (base/json.h);
+ * the program's own recipes do without, for speed. */
 struct cJSON *cr_model_json_parse(struct cr_model_json *j, const char *text, size_t len,
-                                  const char *src, struct cr_error *err);
+                                  const char *src, bool strict, struct cr_error *err);
 
 /* Note a fault at a key of the present container (NULL: the container). */
 void cr_model_json_fail(struct cr_model_json *j, enum cr_err code, const char *key,

@@ -57,7 +57,7 @@ struct cr_model_face {
     bool energy_linear;        /* between the knots EES^2 is linear (steady force), not EES */
     bool own_metres;           /* depth in m of the vehicle itself, not of the reference vehicle */
     double springback;         /* dynamic minus residual depth, m */
-    double spread;             /* residual curve: what the springback hides is spread over this, m */
+    double spread;             /* of the residual curve: it takes here what springs back, m */
     double tension_per_kg;     /* string of the induced deformation, N/kg */
 };
 
@@ -97,11 +97,11 @@ void cr_model_set_face(struct cr_model_lib *lib, enum cr_type type, enum cr_mode
 /* What a 2D substitute is asked for. */
 struct cr_model_query {
     enum cr_type type;
-    double pdof;       /* rad clockwise from straight ahead, any value */
-    bool blend;        /* mix the two neighbouring sectors; else the nearest of the twelve */
+    double pdof; /* rad clockwise from straight ahead, any value */
+    bool blend;  /* mix the two neighbouring sectors; else the nearest of the twelve */
     struct cr_dims dims;
     double mass_kg;
-    double voxel;      /* edge of the solver's voxels, m, 0.005..0.1 */
+    double voxel; /* edge of the solver's voxels, m, 0.005..0.1 */
     enum cr_curve curve;
     double z_lo, z_hi; /* only layers in this height range, m; 0 and INFINITY for all */
 };
@@ -110,7 +110,8 @@ struct cr_model_query {
 int cr_pdof_clock(double pdof);
 
 /* The 2D substitute model of a vehicle: arrays in the arena. Energy of the whole loaded face (an
- * end at 11 to 1 and 5 to 7 o'clock, else a flank) crushed to depth d is 1/2 m EES(d)^2 (all layers). Errors: RANGE for dimensions that cannot be, MEMORY. */
+ * end at 11 to 1 and 5 to 7 o'clock, else a flank) crushed to depth d is 1/2 m EES(d)^2 (all
+ * layers). Errors: RANGE for dimensions that cannot be, MEMORY. */
 CR_MUST_CHECK enum cr_err cr_model_substitute(const struct cr_model_lib *lib,
                                               const struct cr_model_query *query,
                                               struct cr_arena *arena, struct cr_grid *out,
@@ -139,17 +140,17 @@ CR_MUST_CHECK enum cr_err cr_model_from_file(const char *path, const struct cr_m
 /* A voxel model as it is exported and imported: 3D, or 2D with nz = 1 and flat set. Arrays are
  * borrowed from the arena they were made in; x fastest, then y, then z. */
 struct cr_voxels {
-    char name[64];        /* "sedan/12" */
-    bool flat;            /* 2D: energies are sums over the height */
+    char name[64]; /* "sedan/12" */
+    bool flat;     /* 2D: energies are sums over the height */
     int nx, ny, nz;
-    double edge;          /* m */
-    double x0, y0, z0;    /* corner of voxel (0,0,0): x, y from the CG, z from the road, m */
-    double mass_kg;       /* of the vehicle whose energies these are */
-    double pdof;          /* rad, as in the query */
+    double edge;       /* m */
+    double x0, y0, z0; /* corner of voxel (0,0,0): x, y from the CG, z from the road, m */
+    double mass_kg;    /* of the vehicle whose energies these are */
+    double pdof;       /* rad, as in the query */
     struct cr_dims dims;
     double tension[CR_FACES], springback[CR_FACES]; /* as in struct cr_grid */
-    const double *fill;   /* 0..1 */
-    const double *energy; /* J */
+    const double *fill;                             /* 0..1 */
+    const double *energy;                           /* J */
 };
 enum { CR_VOXELS_MAX = 50000000 };
 
@@ -162,9 +163,8 @@ CR_MUST_CHECK enum cr_err cr_model_voxels(const struct cr_model_lib *lib,
 
 /* The 2D substitute as a voxel model for export. */
 CR_MUST_CHECK enum cr_err cr_model_flat(const struct cr_model_lib *lib,
-                                        const struct cr_model_query *query,
-                                        struct cr_arena *arena, struct cr_voxels *out,
-                                        struct cr_error *err);
+                                        const struct cr_model_query *query, struct cr_arena *arena,
+                                        struct cr_voxels *out, struct cr_error *err);
 
 /* EES value of each voxel, m/s, into out[nz * ny * nx]: sqrt(2 E / m) with E the energy of the
  * loaded face (an end at 11 to 1 and 5 to 7 o'clock, else a flank) crushed down to the middle of

@@ -25,20 +25,16 @@ void cr_voxels_csv(const struct cr_voxels *voxels, struct cr_str *out) {
         cr_str_add(out, "\n");
     }
     cr_str_addf(out, "ix,iy,%sfill,energy_J\n", v.flat ? "" : "iz,");
-    size_t i = 0;
-    for (int iz = 0; iz < v.nz; iz++) {
-        for (int iy = 0; iy < v.ny; iy++) {
-            for (int ix = 0; ix < v.nx; ix++, i++) {
-                if (v.fill[i] == 0 && v.energy[i] == 0) {
-                    continue;
-                }
-                cr_str_addf(out, "%d,%d,", ix, iy);
-                if (!v.flat) {
-                    cr_str_addf(out, "%d,", iz);
-                }
-                cr_str_addf(out, "%.17g,%.17g\n", v.fill[i], v.energy[i]);
-            }
+    size_t nx = (size_t)v.nx, ny = (size_t)v.ny, n = nx * ny * (size_t)v.nz;
+    for (size_t i = 0; i < n; i++) {
+        if (v.fill[i] == 0 && v.energy[i] == 0) {
+            continue;
         }
+        cr_str_addf(out, "%zu,%zu,", i % nx, i / nx % ny);
+        if (!v.flat) {
+            cr_str_addf(out, "%zu,", i / nx / ny);
+        }
+        cr_str_addf(out, "%.17g,%.17g\n", v.fill[i], v.energy[i]);
     }
 }
 

@@ -263,11 +263,11 @@ enum cr_err cr_voxels_read_json(char *text, size_t len, const char *src, struct 
     }
     memcpy(header, text, len + 1);
     for (int i = 0; i < 2; i++) {
-        if (f.array[i] != NULL) {
-            memset(header + (f.array[i] - text), ' ', (size_t)(f.array_end[i] - f.array[i]));
+        for (char *p = f.array[i]; p != NULL && p < f.array_end[i]; p++) {
+            header[p - text] = *p == '\n' ? '\n' : ' '; /* lines stay lines */
         }
     }
-    cJSON *root = cr_model_json_parse(&j, header, len, src, err);
+    cJSON *root = cr_model_json_parse(&j, header, len, src, true, err);
     if (root != NULL) {
         read_header(&j, root, out);
     }
