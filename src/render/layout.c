@@ -15,27 +15,27 @@ enum {
     SIDE_W = 76 /* right-hand column with table, sweep and log */
 };
 
-static const char *const TITLES[CR_PANES] = {
+static const char *const TITLES[CR_AREAS] = {
 #define X(name, title, word) title,
-    CR_PANE_LIST(X)
+    CR_AREA_LIST(X)
 #undef X
 };
-static const char *const WORDS[CR_PANES] = {
+static const char *const WORDS[CR_AREAS] = {
 #define X(name, title, word) word,
-    CR_PANE_LIST(X)
+    CR_AREA_LIST(X)
 #undef X
 };
 
-const char *cr_pane_title(enum cr_pane pane) {
+const char *cr_area_title(enum cr_area pane) {
     return TITLES[pane];
 }
 
-const char *cr_pane_word(enum cr_pane pane) {
+const char *cr_area_word(enum cr_area pane) {
     return WORDS[pane];
 }
 
-int cr_pane_find(const char *word) {
-    for (int i = 0; i < CR_PANES; i++) {
+int cr_area_find(const char *word) {
+    for (int i = 0; i < CR_AREAS; i++) {
         if (strcmp(WORDS[i], word) == 0) {
             return i;
         }
@@ -77,10 +77,10 @@ static void prompt_only(struct cr_layout *l, struct cr_rect rest) {
     if (rest.h > 1) {
         l->notice = top(&rest, 1);
     }
-    l->pane[CR_PANE_LOG] = rest;
+    l->pane[CR_AREA_LOG] = rest;
 }
 
-static void narrow(struct cr_layout *l, struct cr_rect rest, enum cr_pane view) {
+static void narrow(struct cr_layout *l, struct cr_rect rest, enum cr_area view) {
     if (rest.h >= 16) {
         l->keys = bottom(&rest, 1);
     }
@@ -89,7 +89,7 @@ static void narrow(struct cr_layout *l, struct cr_rect rest, enum cr_pane view) 
     l->pane[view] = rest;
 }
 
-static void one(struct cr_layout *l, struct cr_rect rest, enum cr_pane view) {
+static void one(struct cr_layout *l, struct cr_rect rest, enum cr_area view) {
     l->keys = bottom(&rest, 1);
     if (rest.h >= 30) {
         l->hint = bottom(&rest, 1);
@@ -102,14 +102,14 @@ static void one(struct cr_layout *l, struct cr_rect rest, enum cr_pane view) {
 }
 
 /* the scene and results above, the chosen view (or the pulse) below */
-static void two(struct cr_layout *l, struct cr_rect rest, enum cr_pane view) {
+static void two(struct cr_layout *l, struct cr_rect rest, enum cr_area view) {
     l->keys = bottom(&rest, 1);
     l->hint = bottom(&rest, 1);
     l->prompt = bottom(&rest, 1);
     l->dialogue = bottom(&rest, 3);
-    l->pane[view == CR_PANE_SCENE ? CR_PANE_PULSE : view] = bottom(&rest, rest.h * 3 / 8);
+    l->pane[view == CR_AREA_SCENE ? CR_AREA_PULSE : view] = bottom(&rest, rest.h * 3 / 8);
     l->results = right(&rest, RESULTS_W);
-    l->pane[CR_PANE_SCENE] = rest;
+    l->pane[CR_AREA_SCENE] = rest;
 }
 
 static void all(struct cr_layout *l, struct cr_rect rest) {
@@ -118,15 +118,15 @@ static void all(struct cr_layout *l, struct cr_rect rest) {
     l->prompt = bottom(&rest, 1);
     struct cr_rect side = right(&rest, rest.w >= 200 ? SIDE_W : 66);
     struct cr_rect plots = bottom(&rest, rest.h * 2 / 5);
-    l->pane[CR_PANE_SCENE] = rest;
-    l->pane[CR_PANE_PULSE] = left(&plots, (plots.w + 1) / 2);
-    l->pane[CR_PANE_ENERGY] = plots;
-    l->pane[CR_PANE_TABLE] = top(&side, side.h * 46 / 100);
-    l->pane[CR_PANE_SWEEP] = top(&side, side.h * 45 / 100);
-    l->pane[CR_PANE_LOG] = side;
+    l->pane[CR_AREA_SCENE] = rest;
+    l->pane[CR_AREA_PULSE] = left(&plots, (plots.w + 1) / 2);
+    l->pane[CR_AREA_ENERGY] = plots;
+    l->pane[CR_AREA_TABLE] = top(&side, side.h * 46 / 100);
+    l->pane[CR_AREA_SWEEP] = top(&side, side.h * 45 / 100);
+    l->pane[CR_AREA_LOG] = side;
 }
 
-struct cr_layout cr_layout_of(int w, int h, enum cr_pane view, bool zoomed) {
+struct cr_layout cr_layout_of(int w, int h, enum cr_area view, bool zoomed) {
     struct cr_layout l = {.kind = CR_LAYOUT_PROMPT};
     struct cr_rect rest = {0, 0, w < 1 ? 1 : w, h < 1 ? 1 : h};
     if (w < PROMPT_W || h < PROMPT_H) {

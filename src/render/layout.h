@@ -6,7 +6,7 @@
 #include "render/render.h"
 
 /* X(NAME, title of the tab, word of the command `view`) */
-#define CR_PANE_LIST(X)                                                                            \
+#define CR_AREA_LIST(X)                                                                            \
     X(SCENE, "Scene", "scene")                                                                     \
     X(PULSE, "Pulse", "pulse")                                                                     \
     X(ENERGY, "Energy", "energy")                                                                  \
@@ -14,11 +14,11 @@
     X(SWEEP, "Sweep", "sweep")                                                                     \
     X(LOG, "Log", "log")
 
-enum cr_pane {
-#define X(name, title, word) CR_PANE_##name,
-    CR_PANE_LIST(X)
+enum cr_area {
+#define X(name, title, word) CR_AREA_##name,
+    CR_AREA_LIST(X)
 #undef X
-        CR_PANES
+        CR_AREAS
 };
 
 enum cr_layout_kind {
@@ -34,7 +34,7 @@ enum cr_layout_kind {
 struct cr_layout {
     enum cr_layout_kind kind;
     struct cr_rect title, notice; /* notice: what a larger terminal would show */
-    struct cr_rect pane[CR_PANES], results;
+    struct cr_rect pane[CR_AREAS], results;
     struct cr_rect spark;    /* pulses as lines */
     struct cr_rect dialogue; /* the last commands and answers */
     struct cr_rect prompt;
@@ -44,11 +44,11 @@ struct cr_layout {
 
 /* Layout of a terminal of w x h cells (at least 1 x 1) showing this view; zoomed: the view alone.
  */
-struct cr_layout cr_layout_of(int w, int h, enum cr_pane view, bool zoomed);
+struct cr_layout cr_layout_of(int w, int h, enum cr_area view, bool zoomed);
 
 /* "Scene", and the word of the command; -1 for a word that is none. */
-const char *cr_pane_title(enum cr_pane pane);
-const char *cr_pane_word(enum cr_pane pane);
-int cr_pane_find(const char *word);
+const char *cr_area_title(enum cr_area pane);
+const char *cr_area_word(enum cr_area pane);
+int cr_area_find(const char *word);
 
 #endif

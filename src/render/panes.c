@@ -11,11 +11,11 @@ static uint32_t line(const struct cr_look *look, uint32_t ch) {
     return look->ascii ? (uint8_t)cr_glyph_ascii(ch) : ch;
 }
 
-static void draw_tabs(struct cr_cells *cells, int x, int y, int end, enum cr_pane view) {
-    for (int i = 0; i < CR_PANES && x < end; i++) {
+static void draw_tabs(struct cr_cells *cells, int x, int y, int end, enum cr_area view) {
+    for (int i = 0; i < CR_AREAS && x < end; i++) {
         char text[32];
         bool here = i == (int)view;
-        snprintf(text, sizeof text, here ? "[%d %s]" : " %d %s ", i + 1, cr_pane_title(i));
+        snprintf(text, sizeof text, here ? "[%d %s]" : " %d %s ", i + 1, cr_area_title(i));
         if (x + cr_glyph_width(text) > end) {
             return;
         }
@@ -24,7 +24,7 @@ static void draw_tabs(struct cr_cells *cells, int x, int y, int end, enum cr_pan
 }
 
 struct cr_rect cr_render_frame(struct cr_cells *cells, struct cr_rect at,
-                               const struct cr_look *look, const char *title, enum cr_pane view,
+                               const struct cr_look *look, const char *title, enum cr_area view,
                                bool active, bool joined) {
     enum cr_role role = active ? CR_ROLE_KEY : CR_ROLE_FRAME;
     int x0 = joined ? at.x - 1 : at.x, x1 = at.x + at.w - 1, y1 = at.y + at.h - 1;
@@ -60,7 +60,7 @@ struct cr_rect cr_render_overlay(struct cr_cells *cells, const struct cr_look *l
     for (int y = 0; y < h; y++) {
         cr_cells_run(cells, at.x, at.y + y, w, CR_ROLE_TEXT, ' ');
     }
-    return cr_render_frame(cells, at, look, title, CR_PANE_SCENE, true, false);
+    return cr_render_frame(cells, at, look, title, CR_AREA_SCENE, true, false);
 }
 
 /* ---- title bar ---- */
@@ -68,13 +68,13 @@ struct cr_rect cr_render_overlay(struct cr_cells *cells, const struct cr_look *l
 static const struct {
     const char *word;
     enum cr_role role;
-} STATES[CR_STATES] = {
-    [CR_STATE_EMPTY] = {"EMPTY", CR_ROLE_DIM},     [CR_STATE_EDITED] = {"EDITED", CR_ROLE_WARN},
-    [CR_STATE_SOLVING] = {"SOLVING", CR_ROLE_KEY}, [CR_STATE_SOLVED] = {"SOLVED", CR_ROLE_GOOD},
-    [CR_STATE_STALE] = {"STALE", CR_ROLE_WARN},    [CR_STATE_FAILED] = {"FAILED", CR_ROLE_BAD},
+} STATES[CR_TITLE_STATES] = {
+    [CR_TITLE_EMPTY] = {"EMPTY", CR_ROLE_DIM},     [CR_TITLE_EDITED] = {"EDITED", CR_ROLE_WARN},
+    [CR_TITLE_SOLVING] = {"SOLVING", CR_ROLE_KEY}, [CR_TITLE_SOLVED] = {"SOLVED", CR_ROLE_GOOD},
+    [CR_TITLE_STALE] = {"STALE", CR_ROLE_WARN},    [CR_TITLE_FAILED] = {"FAILED", CR_ROLE_BAD},
 };
 
-const char *cr_state_word(enum cr_state state) {
+const char *cr_title_word(enum cr_title_state state) {
     return STATES[state].word;
 }
 
@@ -106,7 +106,7 @@ void cr_render_title(struct cr_cells *cells, struct cr_rect at, const struct cr_
         add(&pen, 3, CR_ROLE_TEXT, text);
     }
     snprintf(text, sizeof text, "%s", STATES[title->state].word);
-    if (title->state == CR_STATE_SOLVING && isfinite(title->progress)) {
+    if (title->state == CR_TITLE_SOLVING && isfinite(title->progress)) {
         snprintf(text, sizeof text, "SOLVING %.0f %%", title->progress * 100);
     }
     add(&pen, wide ? 3 : 2, STATES[title->state].role, text);
@@ -136,22 +136,17 @@ void cr_render_title(struct cr_cells *cells, struct cr_rect at, const struct cr_
 /* ---- log, keys, sheet ---- */
 
 void cr_render_log(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
-                   const struct cr_log_line *line_of, int n, int back) {
-    static const enum cr_role roles[] = {
-        [CR_LINE_ANSWER] = CR_ROLE_TEXT,  [CR_LINE_COMMAND] = CR_ROLE_KEY,
-        [CR_LINE_WARNING] = CR_ROLE_WARN, [CR_LINE_ERROR] = CR_ROLE_BAD,
-        [CR_LINE_COMMENT] = CR_ROLE_DIM,
-    };
+                   const struct cr_render_line *line_of, int n, int back) {
     (void)look;
     int most = n > at.h ? n - at.h : 0;
     int first = most - (back < 0 ? 0 : back > most ? most : back);
     for (int i = first; i < n && i - first < at.h; i++) {
-        cr_cells_print(cells, at.x, at.y + i - first, at.w, roles[line_of[i].kind],
-                       line_of[i].text);
+        cr_cells_print(cells, at.x, at.y + i - first, at.w, line_of[i].role, line_of[i].text);
     }
 }
 
-void cr_render_keys(struct cr_cells *cells, struct cr_rect at, const struct cr_key *key, int n) {
+void cr_render_keys(struct cr_cells *cells, struct cr_rect at, const struct cr_render_key *key,
+                    int n) {
     int x = at.x, end = at.x + at.w;
     for (int i = 0; i < n; i++) {
         int w = cr_glyph_width(key[i].key) + 1 + cr_glyph_width(key[i].label);

@@ -9,25 +9,25 @@
  * title is NULL. joined: no left border, the neighbour's right one is shared. Returns the inside.
  */
 struct cr_rect cr_render_frame(struct cr_cells *cells, struct cr_rect at,
-                               const struct cr_look *look, const char *title, enum cr_pane view,
+                               const struct cr_look *look, const char *title, enum cr_area view,
                                bool active, bool joined);
 
-enum cr_state {
-    CR_STATE_EMPTY,
-    CR_STATE_EDITED,
-    CR_STATE_SOLVING,
-    CR_STATE_SOLVED,
-    CR_STATE_STALE,
-    CR_STATE_FAILED,
-    CR_STATES
+enum cr_title_state {
+    CR_TITLE_EMPTY,
+    CR_TITLE_EDITED,
+    CR_TITLE_SOLVING,
+    CR_TITLE_SOLVED,
+    CR_TITLE_STALE,
+    CR_TITLE_FAILED,
+    CR_TITLE_STATES
 };
 /* "SOLVED" and the like. */
-const char *cr_state_word(enum cr_state state);
+const char *cr_title_word(enum cr_title_state state);
 
 struct cr_title {
     const char *file; /* NULL: none yet */
     bool unsaved;
-    enum cr_state state;
+    enum cr_title_state state;
     double progress; /* 0..1 while solving */
     int vehicles, objects, undo;
     double time, t_end; /* s after first contact, NaN: none */
@@ -62,20 +62,20 @@ struct cr_sheet {
 void cr_render_sheet(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
                      const struct cr_sheet *sheet);
 
-enum cr_line { CR_LINE_ANSWER, CR_LINE_COMMAND, CR_LINE_WARNING, CR_LINE_ERROR, CR_LINE_COMMENT };
-struct cr_log_line {
-    enum cr_line kind;
+struct cr_render_line {
+    enum cr_role role; /* KEY: a command, TEXT: an answer, WARN, BAD ... */
     const char *text;
 };
 /* The last lines that fit, `back` lines further up; each cut with ~, never wrapped. */
 void cr_render_log(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
-                   const struct cr_log_line *line, int n, int back);
+                   const struct cr_render_line *line, int n, int back);
 
-struct cr_key {
+struct cr_render_key {
     const char *key, *label;
 };
 /* Keys in order of weight; those that do not fit are left out. */
-void cr_render_keys(struct cr_cells *cells, struct cr_rect at, const struct cr_key *key, int n);
+void cr_render_keys(struct cr_cells *cells, struct cr_rect at, const struct cr_render_key *key,
+                    int n);
 
 /* Box over other panes with a title, for help and the palette; returns the inside. */
 struct cr_rect cr_render_overlay(struct cr_cells *cells, const struct cr_look *look, int w, int h,

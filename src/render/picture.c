@@ -265,7 +265,7 @@ enum cr_err cr_pic_init(struct cr_pic *pic, const struct cr_compiled *compiled,
         pic->sol = result->solution;
         double after = cr_render_t_after(result->solution);
         pic->time = isnan(view->time) ? after : view->time;
-        pic->done = pic->time >= after;
+        pic->done = pic->time >= after && cr_render_final(result->solution);
         pic->moved = pic->time > result->solution->t_contact;
     }
     for (int i = 0; i < pic->n; i++) {

@@ -97,6 +97,8 @@ double cr_render_t_after(const struct cr_solution *sol);
 /* End of the last contact that matters: light touches afterwards (below 5 % of the greatest
  * impulse) are left out, s. */
 double cr_render_t_main(const struct cr_solution *sol);
+/* Have all contacts ended (there is one), so that the measures are there? */
+bool cr_render_final(const struct cr_solution *sol);
 /* Time of the first contact; 0 when there was none. */
 double cr_render_t_contact(const struct cr_solution *sol);
 

@@ -85,7 +85,8 @@ static bool filtered_series(const struct cr_result *result, int body, enum cr_qu
                             int n, double *y) {
     const struct cr_solution *sol = result->solution;
     struct cr_pulse p;
-    if (!isfinite(sol->body[body].t_first) ||
+    const struct cr_outcome *o = &sol->body[body];
+    if (!isfinite(o->t_first) || !isfinite(o->t_last) || !cr_render_final(sol) ||
         cr_pulse_new(sol, body, cr_vec2(1, 0), 0, &p, NULL) != CR_ERR_OK) {
         return false;
     }

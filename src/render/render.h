@@ -98,6 +98,11 @@ CR_MUST_CHECK enum cr_err cr_render_scene(struct cr_cells *cells, struct cr_rect
 enum cr_role cr_render_role_of(int body);
 bool cr_render_moves(const struct cr_result *result, int body);
 
+/* A solve under way as a result to draw: case and trace are borrowed, measures are missing (the
+ * pictures then show what there is so far). NULL when memory is out; free() it. */
+struct cr_result *cr_render_live(const struct cr_scene *scene, const struct cr_case *cs,
+                                 const struct cr_solution *live);
+
 struct cr_curve_line {
     const double *x, *y;
     int n;

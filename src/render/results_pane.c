@@ -73,7 +73,8 @@ enum { FOOT = 4 };
 static void write_rows(struct spot *p, const struct cr_result *result, double time) {
     /* the last rows are the least important: they give way to the foot */
     int end = p->at.y + p->at.h - (p->at.h >= 14 ? FOOT : 0);
-    bool final = isnan(time) || time >= cr_render_t_after(result->solution);
+    bool final = cr_render_final(result->solution) &&
+                 (isnan(time) || time >= cr_render_t_after(result->solution));
     for (size_t i = 0; i < sizeof ROWS / sizeof ROWS[0] && p->y < end; i++) {
         if (ROWS[i].when != ALWAYS && (ROWS[i].when == AT_END) != final) {
             continue;
@@ -96,7 +97,7 @@ static void write_rows(struct spot *p, const struct cr_result *result, double ti
 static void write_foot(struct spot *p, const struct cr_result *result) {
     const struct cr_solution *sol = result->solution;
     char text[80];
-    if (p->at.h < 14) {
+    if (p->at.h < 14 || !cr_render_final(sol)) {
         return;
     }
     int y = p->at.y + p->at.h - FOOT;

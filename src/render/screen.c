@@ -1,6 +1,7 @@
 #include "render/screen.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 struct stage {
@@ -85,24 +86,24 @@ static enum cr_err draw_log(const struct stage *st, struct cr_rect in) {
     return CR_ERR_OK;
 }
 
-static enum cr_err (*const PANES[CR_PANES])(const struct stage *, struct cr_rect) = {
-    [CR_PANE_SCENE] = draw_scene, [CR_PANE_PULSE] = draw_pulse, [CR_PANE_ENERGY] = draw_energy,
-    [CR_PANE_TABLE] = draw_table, [CR_PANE_SWEEP] = draw_sweep, [CR_PANE_LOG] = draw_log,
+static enum cr_err (*const PANES[CR_AREAS])(const struct stage *, struct cr_rect) = {
+    [CR_AREA_SCENE] = draw_scene, [CR_AREA_PULSE] = draw_pulse, [CR_AREA_ENERGY] = draw_energy,
+    [CR_AREA_TABLE] = draw_table, [CR_AREA_SWEEP] = draw_sweep, [CR_AREA_LOG] = draw_log,
 };
 
 static enum cr_err draw_panes(const struct stage *st, const struct cr_layout *l) {
     enum cr_err code = CR_ERR_OK;
-    for (int i = 0; i < CR_PANES && code == CR_ERR_OK; i++) {
+    for (int i = 0; i < CR_AREAS && code == CR_ERR_OK; i++) {
         struct cr_rect at = l->pane[i];
         if (at.w == 0 || at.h == 0) {
             continue;
         }
         bool tabs = l->kind == CR_LAYOUT_NARROW || l->kind == CR_LAYOUT_ONE ||
-                    (l->kind == CR_LAYOUT_TWO && i == CR_PANE_SCENE);
+                    (l->kind == CR_LAYOUT_TWO && i == CR_AREA_SCENE);
         struct cr_rect in = at;
         if (l->kind != CR_LAYOUT_PROMPT) {
-            in = cr_render_frame(st->cells, at, st->look, tabs ? NULL : cr_pane_title(i),
-                                 st->screen->view, st->screen->active == (enum cr_pane)i, false);
+            in = cr_render_frame(st->cells, at, st->look, tabs ? NULL : cr_area_title(i),
+                                 st->screen->view, st->screen->active == (enum cr_area)i, false);
         }
         code = PANES[i](st, in);
     }
@@ -113,38 +114,56 @@ static void draw_results(const struct stage *st, const struct cr_layout *l) {
     const struct cr_screen *s = st->screen;
     if (l->results.w > 0) {
         struct cr_rect in =
-            cr_render_frame(st->cells, l->results, st->look, "Results", CR_PANE_SCENE, false, true);
+            cr_render_frame(st->cells, l->results, st->look, "Results", CR_AREA_SCENE, false, true);
         cr_render_results(st->cells, in, st->look, solved(s) ? s->result : NULL, s->scene_view.time,
                           s->stale);
     }
 }
 
+static enum cr_err draw_all(const struct stage *st, const struct cr_layout *l) {
+    const struct cr_screen *screen = st->screen;
+    if (l->title.w > 0) {
+        cr_render_title(st->cells, l->title, st->look, &screen->title);
+    }
+    if (l->notice.w > 0) {
+        cr_cells_print(st->cells, l->notice.x, l->notice.y, l->notice.w, CR_ROLE_WARN,
+                       "80x24 shows the scene");
+    }
+    enum cr_err code = draw_panes(st, l);
+    draw_results(st, l);
+    if (code == CR_ERR_OK && l->spark.h > 0 && solved(screen)) {
+        code = cr_render_sparks(st->cells, l->spark, st->look, screen->result,
+                                screen->scene_view.time, st->err);
+    }
+    cr_render_log(st->cells, l->dialogue, st->look, screen->log, screen->log_n, 0);
+    if (l->hint.w > 0 && screen->hint != NULL) {
+        cr_cells_print(st->cells, l->hint.x, l->hint.y, l->hint.w, CR_ROLE_DIM, screen->hint);
+    }
+    if (l->keys.w > 0) {
+        cr_render_keys(st->cells, l->keys, screen->key, screen->keys);
+    }
+    return code;
+}
+
 enum cr_err cr_render_screen(struct cr_cells *cells, const struct cr_look *look,
                              const struct cr_screen *screen, struct cr_layout *layout,
                              struct cr_error *err) {
-    const struct stage st = {cells, look, screen, err};
+    struct cr_screen shown = *screen;
+    struct cr_result *live = NULL;
+    if (screen->live != NULL && screen->live_case != NULL && screen->scene != NULL) {
+        live = cr_render_live(screen->scene, screen->live_case, screen->live);
+        if (live == NULL) {
+            return cr_err_set(err, CR_ERR_MEMORY, "no memory for the picture of the solve");
+        }
+        shown.result = live;
+        shown.compiled = &live->compiled;
+        shown.scene_view.time = (double)NAN;
+        shown.stale = false;
+    }
+    const struct stage st = {cells, look, &shown, err};
     *layout = cr_layout_of(cells->w, cells->h, screen->view, screen->zoomed);
-    const struct cr_layout *l = layout;
     cr_cells_clear(cells);
-    if (l->title.w > 0) {
-        cr_render_title(cells, l->title, look, &screen->title);
-    }
-    if (l->notice.w > 0) {
-        cr_cells_print(cells, l->notice.x, l->notice.y, l->notice.w, CR_ROLE_WARN,
-                       "80x24 shows the scene");
-    }
-    enum cr_err code = draw_panes(&st, l);
-    draw_results(&st, l);
-    if (code == CR_ERR_OK && l->spark.h > 0 && solved(screen)) {
-        code =
-            cr_render_sparks(cells, l->spark, look, screen->result, screen->scene_view.time, err);
-    }
-    cr_render_log(cells, l->dialogue, look, screen->log, screen->log_n, 0);
-    if (l->hint.w > 0 && screen->hint != NULL) {
-        cr_cells_print(cells, l->hint.x, l->hint.y, l->hint.w, CR_ROLE_DIM, screen->hint);
-    }
-    if (l->keys.w > 0) {
-        cr_render_keys(cells, l->keys, screen->key, screen->keys);
-    }
+    enum cr_err code = draw_all(&st, layout);
+    free(live);
     return code;
 }

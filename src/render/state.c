@@ -4,6 +4,7 @@
 #include "base/vec.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 double cr_render_t_contact(const struct cr_solution *sol) {
     return isfinite(sol->t_contact) ? sol->t_contact : 0;
@@ -39,6 +40,26 @@ double cr_render_t_main(const struct cr_solution *sol) {
         }
     }
     return sol->contacts > 0 ? t : cr_render_t_after(sol);
+}
+
+bool cr_render_final(const struct cr_solution *sol) {
+    for (int i = 0; i < sol->contacts; i++) {
+        if (sol->contact[i].phase != CR_PHASE_APART || !isfinite(sol->contact[i].t_end)) {
+            return false;
+        }
+    }
+    return sol->contacts > 0;
+}
+
+struct cr_result *cr_render_live(const struct cr_scene *scene, const struct cr_case *cs,
+                                 const struct cr_solution *live) {
+    struct cr_result *r = calloc(1, sizeof *r);
+    if (r != NULL) {
+        r->resolved = *scene;
+        r->compiled.cs = *cs;
+        r->solution = live;
+    }
+    return r;
 }
 
 static struct cr_sample start_of(const struct cr_body *body) {

@@ -331,6 +331,9 @@ void cr_table_draw(struct cr_cells *cells, struct cr_rect at, const struct cr_lo
     l.column = (at.w - l.label - UNIT) / n;
     l.column = l.column > COLUMN_MOST ? COLUMN_MOST : l.column < 6 ? 6 : l.column;
     write_head(&l, result);
+    if (isnan(time) && !cr_render_final(result->solution)) {
+        time = cr_render_t_after(result->solution); /* a solve under way has no measures yet */
+    }
     if (isfinite(time)) {
         for (int i = 0; i < INSTANTS; i++) {
             write_row(&l, result, &INSTANT[i], time);

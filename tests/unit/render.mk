@@ -43,4 +43,6 @@ EXTRA_DIST += tests/golden/render/report-80.txt \
 	tests/golden/render/screen-80x24.txt \
 	tests/golden/render/screen-80x24-ascii.txt \
 	tests/golden/render/screen-120x36.txt \
-	tests/golden/render/screen-200x50.txt
+	tests/golden/render/screen-200x50.txt \
+	tests/golden/render/screen-live-80x24.txt \
+	tests/golden/render/screen-live-160x44.txt

@@ -47,20 +47,32 @@ static void draw_force(struct cr_cells *cells, const struct golden *g, struct re
                        CR_QUANTITY_FORCE, g->time, NULL));
 }
 
-static const struct cr_log_line LOG[] = {
-    {CR_LINE_COMMAND, "crumple> load by-hand.json"},
-    {CR_LINE_ANSWER, "  scene: A suv, B mini-compact; settings dt=0.5ms restitution=0.1"},
-    {CR_LINE_COMMAND, "crumple> solve"},
-    {CR_LINE_ANSWER, "  200 steps: EES A 39.4 B 39.4, delta-v A 36.7 B 73.3 km/h"},
-    {CR_LINE_WARNING, "  warning: a sentence that is longer than the narrow panes of this layout, "
-                      "so it is cut"},
+static const struct cr_render_line LOG[] = {
+    {CR_ROLE_KEY, "crumple> load by-hand.json"},
+    {CR_ROLE_TEXT, "  scene: A suv, B mini-compact; settings dt=0.5ms restitution=0.1"},
+    {CR_ROLE_KEY, "crumple> solve"},
+    {CR_ROLE_TEXT, "  200 steps: EES A 39.4 B 39.4, delta-v A 36.7 B 73.3 km/h"},
+    {CR_ROLE_WARN, "  warning: a sentence that is longer than the narrow panes of this layout, "
+                   "so it is cut"},
 };
 
-static const struct cr_key KEYS[] = {
+static const struct cr_render_key KEYS[] = {
     {"F1", "help"},     {"F5", "solve"},   {"F6", "panes"},  {"Tab", "complete"},
     {"^R", "history"},  {"^C", "cancel"},  {"F10", "quit"},  {"F2", "save"},
     {"F7/F8", "frame"}, {"F9", "palette"}, {"^L", "redraw"}, {"u", "undo"},
 };
+
+static void draw_screen(struct cr_cells *cells, const struct golden *g, struct render_double *d);
+
+/* the same screen while the solver is at 40 ms of it */
+static void draw_live(struct cr_cells *cells, const struct golden *g, struct render_double *d) {
+    struct cr_contact *k = (struct cr_contact *)d->solution.contact;
+    k->phase = CR_PHASE_PLASTIC;
+    k->t_end = k->t_elastic_end = k->t_plastic_end = (double)NAN;
+    d->solution.samples = 80;
+    d->solution.body[0].t_last = d->solution.body[1].t_last = (double)NAN;
+    draw_screen(cells, g, d);
+}
 
 static void draw_screen(struct cr_cells *cells, const struct golden *g, struct render_double *d) {
     static const char *const head[] = {"overlap", "EES A", "EES B", "delta-v A", "delta-v B"};
@@ -70,7 +82,7 @@ static void draw_screen(struct cr_cells *cells, const struct golden *g, struct r
     const struct cr_sheet sheet = {5, 4, head, cell, 2, "Up Down choose, Enter loads", 0.67};
     struct cr_screen screen = {.title = {.file = "by-hand.json",
                                          .unsaved = true,
-                                         .state = CR_STATE_SOLVED,
+                                         .state = CR_TITLE_SOLVED,
                                          .vehicles = 2,
                                          .undo = 3,
                                          .time = g->time - 0.1,
@@ -80,8 +92,8 @@ static void draw_screen(struct cr_cells *cells, const struct golden *g, struct r
                                          .dt = 0.0005,
                                          .field = "EES",
                                          .theme = "dark"},
-                               .view = CR_PANE_SCENE,
-                               .active = CR_PANES,
+                               .view = CR_AREA_SCENE,
+                               .active = CR_AREAS,
                                .scene = &d->result.resolved,
                                .compiled = &d->result.compiled,
                                .result = &d->result,
@@ -99,6 +111,13 @@ static void draw_screen(struct cr_cells *cells, const struct golden *g, struct r
                                .hint =
                                    "       pulse NAME ax|ay|a|v|yaw [vs=FILE.csv] [filter=cfc60]"};
     struct cr_layout layout;
+    if (g->draw == draw_live) {
+        screen.live = &d->solution;
+        screen.live_case = &d->result.compiled.cs;
+        screen.result = NULL;
+        screen.title.state = CR_TITLE_SOLVING;
+        screen.title.progress = 0.5;
+    }
     ok(cr_render_screen(cells, &g->look, &screen, &layout, NULL));
     cr_cells_print(cells, layout.prompt.x, layout.prompt.y, layout.prompt.w, CR_ROLE_TEXT,
                    "crumple> pulse B ax");
@@ -138,6 +157,8 @@ static const struct golden CASES[] = {
     {"screen-80x24-ascii", 80, 24, ASCII, false, draw_screen, 0.14, CR_FIELD_EES},
     {"screen-120x36", 120, 36, UTF8, false, draw_screen, 0.14, CR_FIELD_EES},
     {"screen-200x50", 200, 50, UTF8, false, draw_screen, 0.14, CR_FIELD_EES},
+    {"screen-live-80x24", 80, 24, UTF8, false, draw_live, 0.14, CR_FIELD_EES},
+    {"screen-live-160x44", 160, 44, UTF8, false, draw_live, 0.14, CR_FIELD_EES},
 };
 
 static void compare(const struct golden *g, const char *got) {

@@ -5,11 +5,11 @@
 
 #include <string.h>
 
-enum { W = 300, H = 100, RECTS = CR_PANES + 8 };
+enum { W = 300, H = 100, RECTS = CR_AREAS + 8 };
 
 static int rects(const struct cr_layout *l, struct cr_rect out[RECTS]) {
     int n = 0;
-    for (int i = 0; i < CR_PANES; i++) {
+    for (int i = 0; i < CR_AREAS; i++) {
         out[n++] = l->pane[i];
     }
     const struct cr_rect others[] = {l->title,    l->notice, l->results, l->spark,
@@ -51,13 +51,13 @@ static void check_tiles(const struct cr_layout *l, int w, int h) {
 
 static int shown(const struct cr_layout *l) {
     int n = 0;
-    for (int i = 0; i < CR_PANES; i++) {
+    for (int i = 0; i < CR_AREAS; i++) {
         n += l->pane[i].w > 0;
     }
     return n;
 }
 
-static void check_sizes(const struct cr_layout *l, int w, int h, enum cr_pane view, bool zoomed) {
+static void check_sizes(const struct cr_layout *l, int w, int h, enum cr_area view, bool zoomed) {
     assert_int_equal(l->prompt.w, w);
     assert_int_equal(l->prompt.h, 1);
     if (w < 40 || h < 12) {
@@ -75,14 +75,14 @@ static void check_sizes(const struct cr_layout *l, int w, int h, enum cr_pane vi
     }
     assert_int_equal(shown(l), zoomed || l->kind < CR_LAYOUT_TWO ? 1
                                : l->kind == CR_LAYOUT_TWO        ? 2
-                                                                 : CR_PANES);
+                                                                 : CR_AREAS);
 }
 
 static void test_all_sizes(void **state) {
     (void)state;
     for (int h = 5; h <= H; h++) {
         for (int w = 20; w <= W; w++) {
-            enum cr_pane view = (enum cr_pane)((w + h) % CR_PANES);
+            enum cr_area view = (enum cr_area)((w + h) % CR_AREAS);
             for (int zoomed = 0; zoomed < 2; zoomed++) {
                 struct cr_layout l = cr_layout_of(w, h, view, zoomed);
                 check_tiles(&l, w, h);
@@ -94,25 +94,25 @@ static void test_all_sizes(void **state) {
 
 static void test_kinds(void **state) {
     (void)state;
-    assert_int_equal(cr_layout_of(39, 50, CR_PANE_SCENE, false).kind, CR_LAYOUT_PROMPT);
-    assert_int_equal(cr_layout_of(79, 24, CR_PANE_SCENE, false).kind, CR_LAYOUT_NARROW);
-    assert_int_equal(cr_layout_of(80, 24, CR_PANE_SCENE, false).kind, CR_LAYOUT_ONE);
-    assert_int_equal(cr_layout_of(120, 36, CR_PANE_SCENE, false).kind, CR_LAYOUT_TWO);
-    assert_int_equal(cr_layout_of(160, 44, CR_PANE_SCENE, false).kind, CR_LAYOUT_ALL);
-    assert_int_equal(cr_layout_of(160, 43, CR_PANE_SCENE, false).kind, CR_LAYOUT_TWO);
+    assert_int_equal(cr_layout_of(39, 50, CR_AREA_SCENE, false).kind, CR_LAYOUT_PROMPT);
+    assert_int_equal(cr_layout_of(79, 24, CR_AREA_SCENE, false).kind, CR_LAYOUT_NARROW);
+    assert_int_equal(cr_layout_of(80, 24, CR_AREA_SCENE, false).kind, CR_LAYOUT_ONE);
+    assert_int_equal(cr_layout_of(120, 36, CR_AREA_SCENE, false).kind, CR_LAYOUT_TWO);
+    assert_int_equal(cr_layout_of(160, 44, CR_AREA_SCENE, false).kind, CR_LAYOUT_ALL);
+    assert_int_equal(cr_layout_of(160, 43, CR_AREA_SCENE, false).kind, CR_LAYOUT_TWO);
     /* nothing is too small to answer */
-    struct cr_layout tiny = cr_layout_of(1, 1, CR_PANE_SCENE, false);
+    struct cr_layout tiny = cr_layout_of(1, 1, CR_AREA_SCENE, false);
     assert_int_equal(tiny.prompt.h, 1);
     check_tiles(&tiny, 1, 1);
 }
 
 static void test_words(void **state) {
     (void)state;
-    for (int i = 0; i < CR_PANES; i++) {
-        assert_int_equal(cr_pane_find(cr_pane_word((enum cr_pane)i)), i);
+    for (int i = 0; i < CR_AREAS; i++) {
+        assert_int_equal(cr_area_find(cr_area_word((enum cr_area)i)), i);
     }
-    assert_int_equal(cr_pane_find("nosuch"), -1);
-    assert_string_equal(cr_pane_title(CR_PANE_SWEEP), "Sweep");
+    assert_int_equal(cr_area_find("nosuch"), -1);
+    assert_string_equal(cr_area_title(CR_AREA_SWEEP), "Sweep");
 }
 
 int main(void) {
