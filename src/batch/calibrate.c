@@ -399,21 +399,56 @@ static enum cr_err write_recipes(const struct fit *f, const char *dir, struct cr
     return rc;
 }
 
-static enum cr_err calibrate(struct fit *f, const char *write_to, struct cr_error *err) {
-    struct cr_str out = {0};
-    enum cr_err rc = CR_ERR_OK;
+static void drop(struct fit *f) {
+    for (int i = 0; i < 3; i++) {
+        free(f->sim[i]);
+    }
+    free(f->own[0]);
+    free(f->own[1]);
+}
+
+/* room for what the tests come to; to be dropped also after an error */
+static enum cr_err take(struct fit *f, struct cr_error *err) {
     double **const array[] = {&f->sim[0], &f->sim[1], &f->sim[2], &f->own[0], &f->own[1]};
+    enum cr_err rc = CR_ERR_OK;
     for (int i = 0; i < 5; i++) {
         *array[i] = calloc(CR_CALIBRATE_TESTS, sizeof **array[i]);
         if (*array[i] == NULL) {
             rc = cr_err_set(err, CR_ERR_MEMORY, "no memory for the tests");
         }
     }
-    for (int i = 0; i < ROUNDS && !rc; i++) {
-        rc = front_round(f, err);
-        if (!rc) {
+    return rc;
+}
+
+/* a face without tests stays as it is */
+static enum cr_err work_rounds(struct fit *f, int rounds, struct cr_error *err) {
+    enum cr_err rc = CR_ERR_OK;
+    for (int i = 0; i < rounds && !rc; i++) {
+        if (f->data->walls > 0) {
+            rc = front_round(f, err);
+        }
+        if (!rc && f->data->poles > 0) {
             rc = side_round(f, err);
         }
+    }
+    return rc;
+}
+
+enum cr_err cr_calibration_fit(const struct cr_calibration_data *data, struct cr_model_lib *lib,
+                               const struct cr_context *ctx, int rounds, struct cr_error *err) {
+    struct fit f = {.data = data, .lib = lib, .ctx = *ctx};
+    f.ctx.models = lib;
+    enum cr_err rc = take(&f, err);
+    rc = rc ? rc : work_rounds(&f, rounds, err);
+    drop(&f);
+    return rc;
+}
+
+static enum cr_err calibrate(struct fit *f, const char *write_to, struct cr_error *err) {
+    struct cr_str out = {0};
+    enum cr_err rc = take(f, err);
+    if (!rc) {
+        rc = work_rounds(f, ROUNDS, err);
     }
     if (!rc) {
         rc = measure(f, err);
@@ -426,9 +461,7 @@ static enum cr_err calibrate(struct fit *f, const char *write_to, struct cr_erro
     if (!rc && write_to != NULL) {
         rc = write_recipes(f, write_to, err);
     }
-    for (int i = 0; i < 5; i++) {
-        free(*array[i]);
-    }
+    drop(f);
     cr_str_fini(&out);
     return rc;
 }

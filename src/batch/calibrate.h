@@ -5,6 +5,7 @@
 #include "base/err.h"
 #include "base/str.h"
 #include "model/model.h"
+#include "result/result.h"
 
 enum { CR_CALIBRATE_TESTS = 1024 };
 
@@ -60,6 +61,13 @@ struct cr_calibration_data {
 CR_MUST_CHECK enum cr_err cr_calibration_read(const char *dir, struct cr_calibration_data *out,
                                               struct cr_error *err);
 void cr_calibration_fini(struct cr_calibration_data *data);
+
+/* Fit the faces of a library to the data, from where they are, in some rounds of solving all tests;
+ * a face without tests stays as it is. The library must not be in use elsewhere. Errors: those of
+ * the solves, MEMORY. */
+CR_MUST_CHECK enum cr_err cr_calibration_fit(const struct cr_calibration_data *data,
+                                             struct cr_model_lib *lib, const struct cr_context *ctx,
+                                             int rounds, struct cr_error *err);
 
 /* How well a face does in its tests: percentage errors of the residual depth. */
 struct cr_calibration_fit {

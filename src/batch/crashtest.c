@@ -16,8 +16,9 @@ static const double NONE = (double)NAN;
 void cr_test_list_fini(struct cr_test_list *list) {
     for (int i = 0; i < list->n; i++) {
         free(list->item[i].scene);
-        cr_compare_fini(&list->item[i].of[0].pulse.curves);
-        cr_compare_fini(&list->item[i].of[1].pulse.curves);
+        for (int k = 0; k < CR_TEST_RUNS; k++) {
+            cr_compare_fini(&list->item[i].of[k].pulse.curves);
+        }
     }
     free(list->item);
     *list = (struct cr_test_list){0};
@@ -40,10 +41,14 @@ static struct cr_test *add(struct cr_test_list *list, struct cr_error *err) {
     c->pulse = cr_compare_default();
     c->pulse.as_is = true;
     for (int m = 0; m < CR_MEASURES; m++) {
-        c->reference[m] = c->of[0].value[m] = c->of[1].value[m] = NONE;
+        c->reference[m] = NONE;
+        for (int k = 0; k < CR_TEST_RUNS; k++) {
+            c->of[k].value[m] = NONE;
+        }
     }
-    c->of[0].pulse = c->of[1].pulse =
-        (struct cr_test_pulse){.iso = NONE, .cora = NONE, .rms_g = NONE};
+    for (int k = 0; k < CR_TEST_RUNS; k++) {
+        c->of[k].pulse = (struct cr_test_pulse){.iso = NONE, .cora = NONE, .rms_g = NONE};
+    }
     return c;
 }
 
@@ -85,6 +90,7 @@ static void name_case(struct cr_test *c, const struct cr_records *r, int row) {
         snprintf(c->id, sizeof c->id, "row %d", r->line[row]);
     } else {
         snprintf(c->id, sizeof c->id, "%s", number);
+        c->number = (int)strtol(number, NULL, 10);
     }
     snprintf(c->part, sizeof c->part, "car");
     snprintf(c->title, sizeof c->title, "%s %s %s", year, make, model);

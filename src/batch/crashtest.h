@@ -64,6 +64,9 @@ struct cr_test_outcome {
     char error[256]; /* why it failed, "" if it did not */
 };
 
+/* Runs of a test: the two methods, and `extended` with models that were calibrated without it. */
+enum { CR_TEST_CROSS = 2, CR_TEST_RUNS = 3 };
+
 struct cr_test {
     enum cr_test_class class;
     char id[CR_NAME_MAX];   /* "10146" or the name of the scene */
@@ -77,7 +80,8 @@ struct cr_test {
     char file[2 * CR_PATH_MAX];    /* measured pulse, "" without */
     char column[CR_NAME_MAX];
     struct cr_compare_opts pulse;
-    struct cr_test_outcome of[2]; /* CR_METHOD_EXTENDED, CR_METHOD_PAPER */
+    int number;                              /* test number of a record, 0 without */
+    struct cr_test_outcome of[CR_TEST_RUNS]; /* CR_METHOD_EXTENDED, _PAPER, CR_TEST_CROSS */
 };
 
 struct cr_test_list {
@@ -97,7 +101,8 @@ CR_MUST_CHECK enum cr_err cr_test_load(const char *dir, enum cr_test_class class
 CR_MUST_CHECK enum cr_err cr_test_load_own(const char *path, const struct cr_type_rules *rules,
                                            struct cr_test_list *list, struct cr_error *err);
 
-/* Solve a case with a method and take its measures; what goes wrong stands in the outcome. */
-void cr_test_solve(struct cr_test *test, enum cr_method method, const struct cr_context *ctx);
+/* Solve a test with the method of a run and take its measures; what goes wrong stands in the
+ * outcome. */
+void cr_test_solve(struct cr_test *test, int run, const struct cr_context *ctx);
 
 #endif

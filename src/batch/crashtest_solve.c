@@ -44,14 +44,14 @@ static enum cr_err rate_pulse(const struct cr_test *test, const struct cr_result
     return rc;
 }
 
-void cr_test_solve(struct cr_test *test, enum cr_method method, const struct cr_context *ctx) {
-    struct cr_test_outcome *o = &test->of[method];
+void cr_test_solve(struct cr_test *test, int run, const struct cr_context *ctx) {
+    struct cr_test_outcome *o = &test->of[run];
     struct cr_scene scene;
     struct cr_result *r = NULL;
     struct cr_error err = {0};
     enum cr_err rc = cr_scene_parse(test->scene, strlen(test->scene), test->id, &scene, &err);
     snprintf(scene.dir, sizeof scene.dir, "%s", test->dir);
-    const char *name = method == CR_METHOD_PAPER ? "paper" : "extended";
+    const char *name = run == CR_METHOD_PAPER ? "paper" : "extended";
     rc = rc ? rc : cr_scene_set(&scene, "method", name, &err);
     rc = rc ? rc : cr_result_run(&scene, ctx, &r, &err);
     for (int i = 0; !rc && i < scene.n; i++) {

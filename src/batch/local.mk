@@ -9,6 +9,7 @@ libbatch_a_SOURCES = \
 	src/batch/data.c \
 	src/batch/feed.c src/batch/feed.h \
 	src/batch/models.c src/batch/models.h src/batch/models_list.c \
+	src/batch/folds.c src/batch/folds.h \
 	src/batch/options.c src/batch/options.h \
 	src/batch/output.c \
 	src/batch/pair.c src/batch/pair.h \

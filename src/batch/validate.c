@@ -2,6 +2,7 @@
 #include "base/file.h"
 #include "batch/batch.h"
 #include "batch/batch_priv.h"
+#include "batch/folds.h"
 #include "batch/pool.h"
 #include "batch/verdict.h"
 
@@ -13,7 +14,8 @@
 
 static const char about[] =
     "Solves crash tests and compares: mean percentage error, its spread and the mean amount, by\n"
-    "class, speed and vehicle type, for both methods, beside the fleet's own scatter and the\n"
+    "class, speed and vehicle type, for both methods, and cross-validated: walls and poles with\n"
+    "models that were calibrated on other tests; beside them the fleet's own scatter and the\n"
     "published figures of impactEES. Classes: wall, pole, car-to-car, small-overlap, pulse,\n"
     "low-speed (default: all). A FILE with own tests: .csv with the columns of the tables in\n"
     "share/validation/data, or a scene .json with x_expect; see crumple-validation(7).\n"
@@ -24,7 +26,7 @@ static const char about[] =
 
 struct options {
     int format, method, jobs, worst;
-    bool cases, plot, targets, progress;
+    bool cases, plot, targets, progress, fast;
     const char *out, *scenes, *models;
     struct cr_batch_look look;
 };
@@ -32,43 +34,72 @@ struct options {
 struct batch {
     struct cr_test_list tests;
     struct cr_context ctx;
-    unsigned methods;
-    int next;        /* number of the next pair of test and method */
-    struct job *job; /* [2 * tests] */
+    struct cr_folds folds;
+    unsigned runs;
+    int next;        /* number of the next job: fold, or test and run */
+    struct job *job; /* [CR_TEST_RUNS * tests], at least CR_FOLDS */
     long done, all;
     bool progress;
 };
 
 struct job {
     struct cr_test *test;
-    enum cr_method method;
+    int run, fold;
+    struct cr_error err;
 };
 
-static void *take(void *user) {
+static bool is_calibrated(const struct cr_test *t) {
+    return t->class == CR_TEST_WALL || t->class == CR_TEST_POLE;
+}
+
+static void *take_fold(void *user) {
     struct batch *b = user;
-    while (b->next < 2 * b->tests.n && !cr_batch_cancelled(NULL)) {
+    if (b->next >= CR_FOLDS || cr_batch_cancelled(NULL)) {
+        return NULL;
+    }
+    struct job *j = &b->job[b->next];
+    j->fold = b->next++;
+    return j;
+}
+
+static void work_fold(void *user, void *item) {
+    struct batch *b = user;
+    struct job *j = item;
+    if (cr_folds_fit(&b->folds, j->fold, &b->ctx, &j->err) == CR_ERR_OK) {
+        j->err.code = CR_ERR_OK;
+    }
+}
+
+static void *take_test(void *user) {
+    struct batch *b = user;
+    while (b->next < CR_TEST_RUNS * b->tests.n && !cr_batch_cancelled(NULL)) {
         struct job *j = &b->job[b->next];
-        *j = (struct job){&b->tests.item[b->next / 2], (enum cr_method)(b->next % 2)};
-        b->next++;
-        if (b->methods >> j->method & 1) {
+        j->test = &b->tests.item[b->next / CR_TEST_RUNS];
+        j->run = b->next++ % CR_TEST_RUNS;
+        bool crossed = j->run != CR_TEST_CROSS || is_calibrated(j->test);
+        if ((b->runs >> j->run & 1) && crossed) {
             return j;
         }
     }
     return NULL;
 }
 
-static void work(void *user, void *item) {
+static void work_test(void *user, void *item) {
     const struct batch *b = user;
     struct job *j = item;
-    cr_test_solve(j->test, j->method, &b->ctx);
+    struct cr_context ctx = b->ctx;
+    if (j->run == CR_TEST_CROSS) {
+        ctx.models = b->folds.lib[cr_fold_of(j->test->number)];
+    }
+    cr_test_solve(j->test, j->run, &ctx);
 }
 
 static bool give(void *user, void *item) {
     struct batch *b = user;
     (void)item;
     b->done++;
-    if (b->progress && (b->done % 50 == 0 || b->done == b->all)) {
-        fprintf(stderr, "%ld of %ld\n", b->done, b->all);
+    if (b->progress && b->done % 50 == 0) {
+        fprintf(stderr, "%ld solved\n", b->done);
     }
     return true;
 }
@@ -130,17 +161,57 @@ static enum cr_err write_scenes(const struct cr_test_list *list, const char *dir
     return rc;
 }
 
-static enum cr_err solve_all(struct batch *b, int jobs, struct cr_error *err) {
-    const struct cr_pool_work pool = {.take = take, .work = work, .give = give, .user = b};
-    b->job = calloc(2 * (size_t)b->tests.n + 1, sizeof *b->job);
-    if (!b->job) {
-        return cr_err_set(err, CR_ERR_MEMORY, "no memory for %d tests", b->tests.n);
-    }
-    b->all = (long)b->tests.n * (b->methods == 3 ? 2 : 1);
-    enum cr_err rc = cr_pool_run(&pool, jobs, err);
+static enum cr_err work_all(struct batch *b, const struct cr_pool_work *work, int jobs,
+                            struct cr_error *err) {
+    b->next = 0;
+    enum cr_err rc = cr_pool_run(work, jobs, err);
     if (!rc && cr_batch_cancelled(NULL)) {
         rc = cr_err_set(err, CR_ERR_INTERRUPTED, "interrupted");
     }
+    return rc;
+}
+
+/* calibrate the models of the folds, where there are tests for them */
+static enum cr_err prepare_folds(struct batch *b, const char *models, int jobs,
+                                 struct cr_error *err) {
+    const struct cr_pool_work pool = {
+        .take = take_fold, .work = work_fold, .give = give, .user = b};
+    char dir[4096], recipes[4200];
+    bool of[CR_TEST_CLASSES] = {false};
+    for (int i = 0; i < b->tests.n; i++) {
+        of[b->tests.item[i].class] = true;
+    }
+    if (!of[CR_TEST_WALL] && !of[CR_TEST_POLE]) {
+        b->runs &= ~(1u << CR_TEST_CROSS);
+        return CR_ERR_OK;
+    }
+    enum cr_err rc = cr_batch_data("models", recipes, sizeof recipes, err);
+    rc = rc ? rc
+            : cr_folds_open(cr_data_dir(dir, sizeof dir), models ? models : recipes,
+                            of[CR_TEST_WALL], of[CR_TEST_POLE], &b->folds, err);
+    rc = rc ? rc : work_all(b, &pool, jobs, err);
+    for (int k = 0; k < CR_FOLDS && !rc; k++) {
+        if (b->job[k].err.code) {
+            *err = b->job[k].err;
+            rc = err->code;
+        }
+    }
+    return rc;
+}
+
+static enum cr_err solve_all(struct batch *b, const char *models, int jobs, struct cr_error *err) {
+    const struct cr_pool_work pool = {
+        .take = take_test, .work = work_test, .give = give, .user = b};
+    b->job = calloc(CR_TEST_RUNS * (size_t)b->tests.n + CR_FOLDS, sizeof *b->job);
+    if (!b->job) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for %d tests", b->tests.n);
+    }
+    enum cr_err rc = CR_ERR_OK;
+    if (b->runs >> CR_TEST_CROSS & 1) {
+        rc = prepare_folds(b, models, jobs, err);
+    }
+    rc = rc ? rc : work_all(b, &pool, jobs, err);
+    cr_folds_close(&b->folds);
     free(b->job);
     return rc;
 }
@@ -149,14 +220,14 @@ static enum cr_err report(const struct batch *b, const struct options *opt, bool
                           struct cr_error *err) {
     int width;
     const struct cr_verdict_form form = {.look = cr_batch_look_of(&opt->look, opt->out, &width),
-                                         .methods = b->methods,
+                                         .runs = b->runs,
                                          .cases = opt->cases,
                                          .plot = opt->plot,
                                          .worst = opt->worst,
                                          .scenes = opt->scenes};
     struct cr_verdict verdict;
     struct cr_str text = {0};
-    enum cr_err rc = cr_verdict_make(&b->tests, b->methods, &verdict, err);
+    enum cr_err rc = cr_verdict_make(&b->tests, b->runs, &verdict, err);
     if (rc) {
         return rc;
     }
@@ -176,8 +247,10 @@ static enum cr_err report(const struct batch *b, const struct options *opt, bool
 
 static enum cr_err validate(char **name, int n, const struct options *opt, bool *missed,
                             struct cr_error *err) {
-    static const unsigned MASK[] = {3, 1u << CR_METHOD_EXTENDED, 1u << CR_METHOD_PAPER};
-    struct batch b = {.methods = MASK[opt->method], .progress = opt->progress};
+    static const unsigned CROSS = 1u << CR_TEST_CROSS, PAPER = 1u << CR_METHOD_PAPER;
+    static const unsigned MASK[] = {7, 1u << CR_METHOD_EXTENDED | CROSS, PAPER};
+    struct batch b = {.runs = MASK[opt->method] & (opt->fast ? ~CROSS : ~0u),
+                      .progress = opt->progress};
     struct cr_batch_shared shared = {0};
     struct cr_model_lib *own = NULL;
     enum cr_err rc = cr_batch_open(&shared, err);
@@ -192,7 +265,7 @@ static enum cr_err validate(char **name, int n, const struct options *opt, bool 
         b.ctx = shared.ctx;
         b.ctx.models = own ? own : shared.models;
         cr_batch_catch();
-        rc = solve_all(&b, opt->jobs, err);
+        rc = solve_all(&b, opt->models, opt->jobs, err);
     }
     rc = rc ? rc : report(&b, opt, missed, err);
     cr_test_list_fini(&b.tests);
@@ -201,7 +274,7 @@ static enum cr_err validate(char **name, int n, const struct options *opt, bool 
     return rc;
 }
 
-enum { OPTIONS = 14 };
+enum { OPTIONS = 15 };
 
 static void list_options(struct options *opt, struct cr_option list[OPTIONS]) {
     const struct cr_option table[OPTIONS] = {
@@ -225,6 +298,7 @@ static void list_options(struct options *opt, struct cr_option list[OPTIONS]) {
          .help = "list the N greatest errors of each class (10)"},
         {.name = "scenes", .arg = "DIR", .text = &opt->scenes, .help = "write the scenes there"},
         {.name = "models", .arg = "DIR", .text = &opt->models, .help = "other recipes"},
+        {.name = "fast", .flag = &opt->fast, .help = "without cross-validation"},
         {.name = "targets", .flag = &opt->targets, .help = "status 1 if a target is missed"},
         {.name = "output",
          .letter = 'o',

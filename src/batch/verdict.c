@@ -24,6 +24,11 @@ static const struct {
 #undef X
 };
 
+const int cr_test_run_order[CR_TEST_RUNS] = {CR_METHOD_PAPER, CR_METHOD_EXTENDED, CR_TEST_CROSS};
+
+const char *cr_test_run_word(int run) {
+    return run == CR_TEST_CROSS ? "cross-validated" : run == CR_METHOD_PAPER ? "paper" : "extended";
+}
 bool cr_test_measure_is_relative(enum cr_measure measure) {
     return MEASURE[measure].relative;
 }
@@ -59,8 +64,8 @@ static const struct {
     {CR_TEST_CAR, CR_MEASURE_DELTA_V, -1.2, 14.2, 10.7},
 };
 
-double cr_verdict_error(const struct cr_test *test, enum cr_measure m, enum cr_method method) {
-    double ref = test->reference[m], got = test->of[method].value[m];
+double cr_verdict_error(const struct cr_test *test, enum cr_measure m, int run) {
+    double ref = test->reference[m], got = test->of[run].value[m];
     return MEASURE[m].relative ? 100 * (got - ref) / ref : got - ref;
 }
 
@@ -187,7 +192,7 @@ static struct cr_verdict_row *new_row(struct cr_verdict *v) {
 
 /* statistics of one line; a line without tests is taken back */
 static enum cr_err make_row(const struct cr_test_list *tests, enum cr_test_class class,
-                            const char *group, enum cr_measure m, unsigned methods,
+                            const char *group, enum cr_measure m, unsigned runs,
                             struct cr_verdict *v) {
     struct cr_verdict_row *r = new_row(v);
     double *x = calloc(2 * (size_t)tests->n + 1, sizeof *x);
@@ -200,17 +205,17 @@ static enum cr_err make_row(const struct cr_test_list *tests, enum cr_test_class
     r->class = class;
     r->measure = m;
     snprintf(r->group, sizeof r->group, "%s", group);
-    for (int method = 0; method < 2; method++) {
+    for (int run = 0; run < CR_TEST_RUNS; run++) {
         int n = 0;
         for (int i = 0; i < tests->n; i++) {
             const struct cr_test *t = &tests->item[i];
-            if ((methods >> method & 1) && is_in(t, class, group) && isfinite(t->reference[m]) &&
-                isfinite(t->of[method].value[m])) {
-                x[n] = t->of[method].value[m];
+            if ((runs >> run & 1) && is_in(t, class, group) && isfinite(t->reference[m]) &&
+                isfinite(t->of[run].value[m])) {
+                x[n] = t->of[run].value[m];
                 ref[n++] = t->reference[m];
             }
         }
-        r->of[method] = MEASURE[m].relative ? cr_stats_errors(x, ref, n) : differences(x, ref, n);
+        r->of[run] = MEASURE[m].relative ? cr_stats_errors(x, ref, n) : differences(x, ref, n);
         most = n > most ? n : most;
     }
     free(x);
@@ -235,20 +240,20 @@ static enum cr_err make_row(const struct cr_test_list *tests, enum cr_test_class
 }
 
 static enum cr_err make_class(const struct cr_test_list *tests, enum cr_test_class class,
-                              unsigned methods, struct cr_verdict *v) {
+                              unsigned runs, struct cr_verdict *v) {
     static const char *const SPEED[] = {"below 36 km/h", "40 km/h", "48 km/h", "56 km/h"};
     static const enum cr_measure BY_GROUP[] = {CR_MEASURE_DEPTH, CR_MEASURE_DYNAMIC,
                                                CR_MEASURE_PEAK};
     enum cr_err rc = CR_ERR_OK;
     for (int m = 0; m < CR_MEASURES && !rc; m++) {
-        rc = make_row(tests, class, "all", (enum cr_measure)m, methods, v);
+        rc = make_row(tests, class, "all", (enum cr_measure)m, runs, v);
     }
     for (size_t k = 0; k < sizeof BY_GROUP / sizeof *BY_GROUP; k++) {
         for (int i = 0; i < 4 && !rc; i++) {
-            rc = make_row(tests, class, SPEED[i], BY_GROUP[k], methods, v);
+            rc = make_row(tests, class, SPEED[i], BY_GROUP[k], runs, v);
         }
         for (int i = 0; i < CR_TYPES && !rc; i++) {
-            rc = make_row(tests, class, cr_type_word((enum cr_type)i), BY_GROUP[k], methods, v);
+            rc = make_row(tests, class, cr_type_word((enum cr_type)i), BY_GROUP[k], runs, v);
         }
     }
     return rc;
@@ -289,7 +294,8 @@ static const double SPREAD_MORE = 2;                   /* points above the fleet
 static const double PULSE_RMS = 4.9, PULSE_ISO = 0.65; /* g; literature.md 4.10 */
 
 static enum cr_err row_targets(const struct cr_verdict_row *r, struct cr_verdict *v) {
-    const struct cr_stats_error *e = &r->of[CR_METHOD_EXTENDED];
+    bool crossed = r->of[CR_TEST_CROSS].n > 0;
+    const struct cr_stats_error *e = &r->of[crossed ? CR_TEST_CROSS : CR_METHOD_EXTENDED];
     char name[96];
     enum cr_err rc = CR_ERR_OK;
     bool all = !strcmp(r->group, "all");
@@ -333,14 +339,14 @@ static enum cr_err make_targets(const struct cr_test_list *tests, struct cr_verd
     return rc;
 }
 
-enum cr_err cr_verdict_make(const struct cr_test_list *tests, unsigned methods,
-                            struct cr_verdict *out, struct cr_error *err) {
+enum cr_err cr_verdict_make(const struct cr_test_list *tests, unsigned runs, struct cr_verdict *out,
+                            struct cr_error *err) {
     *out = (struct cr_verdict){0};
     enum cr_err rc = CR_ERR_OK;
     for (int c = 0; c < CR_TEST_CLASSES && !rc; c++) {
-        rc = make_class(tests, (enum cr_test_class)c, methods, out);
+        rc = make_class(tests, (enum cr_test_class)c, runs, out);
     }
-    if (!rc && (methods >> CR_METHOD_EXTENDED & 1)) {
+    if (!rc && (runs >> CR_METHOD_EXTENDED & 1)) {
         rc = make_targets(tests, out);
     }
     if (rc) {

@@ -7,9 +7,6 @@
 #include <math.h>
 #include <string.h>
 
-static const char *const METHOD[2] = {
-    [CR_METHOD_EXTENDED] = "extended", [CR_METHOD_PAPER] = "paper"};
-
 static void field(struct cr_str *out, double x) {
     if (isfinite(x)) {
         cr_str_addf(out, ",%.6g", x);
@@ -26,15 +23,16 @@ static void text(struct cr_str *out, const char *s) {
     cr_str_add(out, "\"");
 }
 
-static void csv_cases(const struct cr_test_list *tests, unsigned methods, struct cr_str *out) {
+static void csv_cases(const struct cr_test_list *tests, unsigned runs, struct cr_str *out) {
     cr_str_add(out, "class,id,participant,title,type,speed_kmh,method,measure,unit,measured,"
                     "computed,error,relative\n");
     for (int i = 0; i < tests->n; i++) {
         const struct cr_test *t = &tests->item[i];
-        for (int k = 0; k < 2 * CR_MEASURES; k++) {
-            enum cr_measure m = (enum cr_measure)(k / 2);
-            int method = 1 - k % 2;
-            if (!isfinite(t->reference[m]) || !(methods >> method & 1)) {
+        for (int k = 0; k < CR_TEST_RUNS * CR_MEASURES; k++) {
+            enum cr_measure m = (enum cr_measure)(k / CR_TEST_RUNS);
+            int run = cr_test_run_order[k % CR_TEST_RUNS];
+            if (!isfinite(t->reference[m]) || !(runs >> run & 1) ||
+                (run == CR_TEST_CROSS && !isfinite(t->of[run].value[m]))) {
                 continue;
             }
             cr_str_addf(out, "%s,", cr_test_class_word(t->class));
@@ -43,11 +41,11 @@ static void csv_cases(const struct cr_test_list *tests, unsigned methods, struct
             text(out, t->title);
             cr_str_addf(out, ",%s", cr_type_word(t->type));
             field(out, t->speed_kmh);
-            cr_str_addf(out, ",%s,%s,%s", METHOD[method], cr_test_measure_key(m),
+            cr_str_addf(out, ",%s,%s,%s", cr_test_run_word(run), cr_test_measure_key(m),
                         cr_test_measure_unit(m));
             field(out, t->reference[m]);
-            field(out, t->of[method].value[m]);
-            field(out, cr_verdict_error(t, m, (enum cr_method)method));
+            field(out, t->of[run].value[m]);
+            field(out, cr_verdict_error(t, m, run));
             cr_str_addf(out, ",%d\n", cr_test_measure_is_relative(m));
         }
     }
@@ -56,20 +54,21 @@ static void csv_cases(const struct cr_test_list *tests, unsigned methods, struct
 void cr_verdict_csv(const struct cr_verdict *v, const struct cr_test_list *tests,
                     const struct cr_verdict_form *form, struct cr_str *out) {
     if (form->cases) {
-        csv_cases(tests, form->methods, out);
+        csv_cases(tests, form->runs, out);
         return;
     }
     cr_str_add(out, "class,group,measure,unit,relative,method,n,mpe,sd,mape,rms,fleet_sd,"
                     "published_mpe,published_sd,published_mape\n");
     for (int i = 0; i < v->rows; i++) {
         const struct cr_verdict_row *r = &v->row[i];
-        for (int m = 1; m >= 0; m--) {
-            if (!(form->methods >> m & 1)) {
+        for (int j = 0; j < CR_TEST_RUNS; j++) {
+            int m = cr_test_run_order[j];
+            if (!(form->runs >> m & 1) || r->of[m].n == 0) {
                 continue;
             }
             cr_str_addf(out, "%s,%s,%s,%s,%d,%s,%d", cr_test_class_word(r->class), r->group,
                         cr_test_measure_key(r->measure), cr_test_measure_unit(r->measure),
-                        cr_test_measure_is_relative(r->measure), METHOD[m], r->of[m].n);
+                        cr_test_measure_is_relative(r->measure), cr_test_run_word(m), r->of[m].n);
             const double x[] = {r->of[m].mpe, r->of[m].sd,     r->of[m].mape,   r->of[m].rms,
                                 r->fleet_sd,  r->published[0], r->published[1], r->published[2]};
             for (size_t k = 0; k < sizeof x / sizeof *x; k++) {
@@ -85,7 +84,7 @@ static void put(cJSON *to, const char *key, double x) {
                           isfinite(x) ? cJSON_CreateNumber(cr_round12(x)) : cJSON_CreateNull());
 }
 
-static void json_rows(const struct cr_verdict *v, unsigned methods, cJSON *json) {
+static void json_rows(const struct cr_verdict *v, unsigned runs, cJSON *json) {
     cJSON *list = cJSON_AddArrayToObject(json, "rows");
     for (int i = 0; i < v->rows; i++) {
         const struct cr_verdict_row *r = &v->row[i];
@@ -95,9 +94,10 @@ static void json_rows(const struct cr_verdict *v, unsigned methods, cJSON *json)
         cJSON_AddStringToObject(one, "group", r->group);
         cJSON_AddStringToObject(one, "measure", cr_test_measure_key(r->measure));
         cJSON_AddBoolToObject(one, "relative", cr_test_measure_is_relative(r->measure));
-        for (int m = 1; m >= 0; m--) {
-            if (methods >> m & 1) {
-                cJSON *e = cJSON_AddObjectToObject(one, METHOD[m]);
+        for (int j = 0; j < CR_TEST_RUNS; j++) {
+            int m = cr_test_run_order[j];
+            if ((runs >> m & 1) && r->of[m].n > 0) {
+                cJSON *e = cJSON_AddObjectToObject(one, cr_test_run_word(m));
                 put(e, "n", r->of[m].n);
                 put(e, "mpe", r->of[m].mpe);
                 put(e, "sd", r->of[m].sd);
@@ -115,7 +115,7 @@ static void json_rows(const struct cr_verdict *v, unsigned methods, cJSON *json)
     }
 }
 
-static void json_case(const struct cr_test *t, unsigned methods, cJSON *list) {
+static void json_case(const struct cr_test *t, unsigned runs, cJSON *list) {
     cJSON *one = cJSON_CreateObject();
     cJSON_AddItemToArray(list, one);
     cJSON_AddStringToObject(one, "class", cr_test_class_word(t->class));
@@ -130,11 +130,13 @@ static void json_case(const struct cr_test *t, unsigned methods, cJSON *list) {
             put(measured, cr_test_measure_key((enum cr_measure)m), t->reference[m]);
         }
     }
-    for (int k = 1; k >= 0; k--) {
-        if (!(methods >> k & 1)) {
+    for (int i = 0; i < CR_TEST_RUNS; i++) {
+        int k = cr_test_run_order[i];
+        bool solved = isfinite(t->of[k].value[CR_MEASURE_EES]);
+        if (!(runs >> k & 1) || (!solved && !t->of[k].error[0])) {
             continue;
         }
-        cJSON *got = cJSON_AddObjectToObject(one, METHOD[k]);
+        cJSON *got = cJSON_AddObjectToObject(one, cr_test_run_word(k));
         for (int m = 0; m < CR_MEASURES && !t->of[k].error[0]; m++) {
             put(got, cr_test_measure_key((enum cr_measure)m), t->of[k].value[m]);
         }
@@ -155,7 +157,7 @@ enum cr_err cr_verdict_json(const struct cr_verdict *v, const struct cr_test_lis
     cJSON *json = cJSON_CreateObject();
     put(json, "crumple_validation", 1);
     cJSON_AddStringToObject(json, "version", PACKAGE_VERSION);
-    json_rows(v, form->methods, json);
+    json_rows(v, form->runs, json);
     cJSON *list = cJSON_AddArrayToObject(json, "targets");
     for (int i = 0; i < v->targets; i++) {
         cJSON *one = cJSON_CreateObject();
@@ -167,7 +169,7 @@ enum cr_err cr_verdict_json(const struct cr_verdict *v, const struct cr_test_lis
     }
     list = form->cases ? cJSON_AddArrayToObject(json, "cases") : NULL;
     for (int i = 0; list && i < tests->n; i++) {
-        json_case(&tests->item[i], form->methods, list);
+        json_case(&tests->item[i], form->runs, list);
     }
     char *s = cJSON_Print(json);
     cJSON_Delete(json);

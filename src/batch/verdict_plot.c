@@ -9,9 +9,8 @@
 enum { WIDE = 60, HIGH = 20, BINS = 13, PLOT_LEAST = 5 };
 static const double BIN = 10; /* % */
 
-static bool pick(const struct cr_test *t, enum cr_test_class class, enum cr_measure m,
-                 enum cr_method method) {
-    return t->class == class && isfinite(t->reference[m]) && isfinite(t->of[method].value[m]);
+static bool pick(const struct cr_test *t, enum cr_test_class class, enum cr_measure m, int run) {
+    return t->class == class && isfinite(t->reference[m]) && isfinite(t->of[run].value[m]);
 }
 
 /* least round number that is not below x: 1, 2 or 5 times a power of ten */
@@ -27,22 +26,21 @@ static double round_up(double x) {
 }
 
 static void scatter(const struct cr_test_list *tests, enum cr_test_class class, enum cr_measure m,
-                    enum cr_method method, double top, struct cr_str *out) {
+                    int run, double top, struct cr_str *out) {
     static const char MARK[] = " .:+*#@";
     int count[HIGH][WIDE] = {{0}};
     for (int i = 0; i < tests->n; i++) {
         const struct cr_test *t = &tests->item[i];
-        if (pick(t, class, m, method)) {
+        if (pick(t, class, m, run)) {
             int x = (int)(t->reference[m] / top * (WIDE - 1) + 0.5);
-            int y = (int)(t->of[method].value[m] / top * (HIGH - 1) + 0.5);
+            int y = (int)(t->of[run].value[m] / top * (HIGH - 1) + 0.5);
             x = x < 0 ? 0 : x > WIDE - 1 ? WIDE - 1 : x;
             y = y < 0 ? 0 : y > HIGH - 1 ? HIGH - 1 : y;
             count[y][x]++;
         }
     }
     cr_str_addf(out, "  %s computed over measured, %s, in %s; / is equality\n",
-                cr_test_measure_label(m), method == CR_METHOD_PAPER ? "paper" : "extended",
-                cr_test_measure_unit(m));
+                cr_test_measure_label(m), cr_test_run_word(run), cr_test_measure_unit(m));
     for (int y = HIGH - 1; y >= 0; y--) {
         char line[WIDE + 1];
         for (int x = 0; x < WIDE; x++) {
@@ -61,12 +59,12 @@ static void scatter(const struct cr_test_list *tests, enum cr_test_class class, 
 }
 
 static void histogram(const struct cr_test_list *tests, enum cr_test_class class, enum cr_measure m,
-                      enum cr_method method, struct cr_str *out) {
+                      int run, struct cr_str *out) {
     int count[BINS] = {0}, most = 1;
     for (int i = 0; i < tests->n; i++) {
         const struct cr_test *t = &tests->item[i];
-        if (pick(t, class, m, method)) {
-            double e = cr_verdict_error(t, m, method);
+        if (pick(t, class, m, run)) {
+            double e = cr_verdict_error(t, m, run);
             int k = (int)floor(e / BIN + BINS / 2.0);
             k = k < 0 ? 0 : k > BINS - 1 ? BINS - 1 : k;
             most = ++count[k] > most ? count[k] : most;
@@ -82,28 +80,27 @@ static void histogram(const struct cr_test_list *tests, enum cr_test_class class
 }
 
 void cr_verdict_plot(const struct cr_test_list *tests, enum cr_test_class class, enum cr_measure m,
-                     enum cr_method method, struct cr_str *out) {
+                     int run, struct cr_str *out) {
     double top = 0;
     int n = 0;
     for (int i = 0; i < tests->n; i++) {
         const struct cr_test *t = &tests->item[i];
-        if (pick(t, class, m, method)) {
-            top = fmax(top, fmax(t->reference[m], t->of[method].value[m]));
+        if (pick(t, class, m, run)) {
+            top = fmax(top, fmax(t->reference[m], t->of[run].value[m]));
             n++;
         }
     }
     if (n >= PLOT_LEAST && top > 0 && cr_test_measure_is_relative(m)) {
-        scatter(tests, class, m, method, round_up(top), out);
-        histogram(tests, class, m, method, out);
+        scatter(tests, class, m, run, round_up(top), out);
+        histogram(tests, class, m, run, out);
     }
 }
 
 /* measured and computed accelerations in g over ms */
-static enum cr_err draw_pulse(const struct cr_test *test, unsigned methods,
-                              const struct cr_look *look, double *memory, struct cr_cells *cells) {
+static enum cr_err draw_pulse(const struct cr_test *test, unsigned runs, const struct cr_look *look,
+                              double *memory, struct cr_cells *cells) {
     static const char *const NAME[] = {"measured", "extended", "paper"};
-    const struct cr_compare *any =
-        &test->of[methods >> CR_METHOD_EXTENDED & 1 ? 0 : 1].pulse.curves;
+    const struct cr_compare *any = &test->of[runs >> CR_METHOD_EXTENDED & 1 ? 0 : 1].pulse.curves;
     int n = any->n, curves = 0;
     struct cr_curve_line line[3];
     for (int i = 0; i < n; i++) {
@@ -112,7 +109,7 @@ static enum cr_err draw_pulse(const struct cr_test *test, unsigned methods,
     for (int k = 0; k < 3; k++) {
         const struct cr_compare *c = k == 0 ? any : &test->of[k - 1].pulse.curves;
         double *y = memory + (long)n * (k + 1);
-        if (k > 0 && (!(methods >> (k - 1) & 1) || c->n != n)) {
+        if (k > 0 && (!(runs >> (k - 1) & 1) || c->n != n)) {
             continue;
         }
         for (int i = 0; i < n; i++) {
@@ -138,14 +135,14 @@ static enum cr_err draw_pulse(const struct cr_test *test, unsigned methods,
     return cr_render_plot(cells, all, look, &plot, NULL);
 }
 
-void cr_verdict_pulse(const struct cr_test *test, unsigned methods, const struct cr_look *look,
+void cr_verdict_pulse(const struct cr_test *test, unsigned runs, const struct cr_look *look,
                       struct cr_str *out) {
     int n = test->of[0].pulse.curves.n;
     n = n > 0 ? n : test->of[1].pulse.curves.n;
     double *memory = calloc(4 * (size_t)n + 1, sizeof *memory);
     struct cr_cells cells;
     if (n > 0 && memory && cr_cells_new(78, 18, &cells, NULL) == CR_ERR_OK) {
-        if (draw_pulse(test, methods, look, memory, &cells) == CR_ERR_OK) {
+        if (draw_pulse(test, runs, look, memory, &cells) == CR_ERR_OK) {
             cr_cells_text(&cells, look, out);
         }
         cr_cells_fini(&cells);

@@ -6,75 +6,92 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void number(struct cr_str *out, double x, int width, int digits, bool sign) {
+static void number(struct cr_str *out, double x, int width, bool sign) {
     if (isfinite(x)) {
-        cr_str_addf(out, sign ? "%+*.*f" : "%*.*f", width, digits, x);
+        cr_str_addf(out, sign ? "%+*.1f" : "%*.1f", width, x);
     } else {
         cr_str_addf(out, "%*s", width, "-");
     }
 }
 
-static void put_errors(struct cr_str *out, const struct cr_stats_error *e, int digits) {
-    number(out, e->mpe, 9, digits, true);
-    number(out, e->sd, 7, digits, false);
-    number(out, e->mape, 7, digits, false);
-}
-
-static void put_row(const struct cr_verdict_row *r, unsigned methods, struct cr_str *out) {
-    char label[64];
-    const char *unit = cr_test_measure_unit(r->measure);
-    bool all = !strcmp(r->group, "all"), percent = cr_test_measure_is_relative(r->measure);
-    int n = r->of[0].n > r->of[1].n ? r->of[0].n : r->of[1].n;
-    snprintf(label, sizeof label, "%s%s%s%s", all ? cr_test_measure_label(r->measure) : "  ",
-             all ? "" : r->group, percent ? "" : ", ", percent ? "" : unit);
-    cr_str_addf(out, " %-26s%4d", label, n);
-    for (int m = 1; m >= 0; m--) {
-        if (methods >> m & 1) {
-            put_errors(out, &r->of[m], 1);
+/* best run that is there, for lists and plots: cross-validated, extended, paper */
+static int best_run(const struct cr_test_list *tests, enum cr_test_class class, unsigned runs) {
+    for (int i = 0; (runs >> CR_TEST_CROSS & 1) && i < tests->n; i++) {
+        const struct cr_test *t = &tests->item[i];
+        if (t->class == class && isfinite(t->of[CR_TEST_CROSS].value[CR_MEASURE_EES])) {
+            return CR_TEST_CROSS;
         }
     }
-    number(out, r->fleet_sd, 8, 1, false);
+    return runs >> CR_METHOD_EXTENDED & 1 ? CR_METHOD_EXTENDED : CR_METHOD_PAPER;
+}
+
+/* the runs a class has: only walls and poles are calibrated on */
+static unsigned runs_of(enum cr_test_class class, unsigned runs) {
+    bool calibrated = class == CR_TEST_WALL || class == CR_TEST_POLE;
+    return calibrated ? runs : runs & ~(1u << CR_TEST_CROSS);
+}
+
+static void put_row(const struct cr_verdict_row *r, unsigned runs, struct cr_str *out) {
+    char label[64];
+    bool all = !strcmp(r->group, "all"), percent = cr_test_measure_is_relative(r->measure);
+    int n = 0;
+    snprintf(label, sizeof label, "%s%s%s%s", all ? cr_test_measure_label(r->measure) : "  ",
+             all ? "" : r->group, percent ? "" : ", ",
+             percent ? "" : cr_test_measure_unit(r->measure));
+    for (int k = 0; k < CR_TEST_RUNS; k++) {
+        n = r->of[k].n > n ? r->of[k].n : n;
+    }
+    cr_str_addf(out, " %-22s%4d", label, n);
+    for (int k = 0; k < CR_TEST_RUNS; k++) {
+        const struct cr_stats_error *e = &r->of[cr_test_run_order[k]];
+        if (runs >> cr_test_run_order[k] & 1) {
+            number(out, e->mpe, 8, true);
+            number(out, e->sd, 6, false);
+            number(out, e->mape, 6, false);
+        }
+    }
+    number(out, r->fleet_sd, 7, false);
     if (isfinite(r->published[0])) {
-        cr_str_add(out, "   ");
+        cr_str_add(out, "  ");
         for (int i = 0; i < 3; i++) {
-            number(out, r->published[i], 7, 1, i == 0);
+            number(out, r->published[i], 7, i == 0);
         }
     }
     cr_str_add(out, "\n");
 }
 
-static void put_head(enum cr_test_class class, const struct cr_test_list *tests, unsigned methods,
+static void put_head(enum cr_test_class class, const struct cr_test_list *tests, unsigned runs,
                      struct cr_str *out) {
     int n = 0, failed = 0;
     for (int i = 0; i < tests->n; i++) {
-        n += tests->item[i].class == class;
-        failed += tests->item[i].class == class &&
-                  (tests->item[i].of[0].error[0] || tests->item[i].of[1].error[0]);
+        const struct cr_test *t = &tests->item[i];
+        bool bad = t->of[0].error[0] || t->of[1].error[0] || t->of[2].error[0];
+        n += t->class == class;
+        failed += t->class == class && bad;
     }
-    cr_str_addf(out, "\n%s: %d measured vehicles", cr_test_class_title(class), n);
+    cr_str_addf(out, "\n%s: %d measured vehicle%s", cr_test_class_title(class), n,
+                n == 1 ? "" : "s");
     if (failed > 0) {
         cr_str_addf(out, ", %d not solved", failed);
     }
-    cr_str_add(out, "\n");
-    cr_str_addf(out, " %-30s", "");
-    if (methods >> CR_METHOD_PAPER & 1) {
-        cr_str_addf(out, "%23s", "paper        ");
-    }
-    if (methods >> CR_METHOD_EXTENDED & 1) {
-        cr_str_addf(out, "%23s", "extended       ");
-    }
-    cr_str_addf(out, "%8s   %s\n", "fleet", "impactEES, published");
-    cr_str_addf(out, " %-26s%4s", "error in %, or in the unit", "n");
-    for (int m = 0; m < 2; m++) {
-        if (methods >> m & 1) {
-            cr_str_addf(out, "%9s%7s%7s", "MPE", "SD", "MAPE");
+    cr_str_addf(out, "\n %-26s", "");
+    for (int k = 0; k < CR_TEST_RUNS; k++) {
+        if (runs >> cr_test_run_order[k] & 1) {
+            cr_str_addf(out, "%20s", cr_test_run_word(cr_test_run_order[k]));
         }
     }
-    cr_str_addf(out, "%8s   %7s%7s%7s\n", "SD", "MPE", "SD", "MAPE");
+    cr_str_addf(out, "%7s  %21s\n", "fleet", "impactEES, published");
+    cr_str_addf(out, " %-22s%4s", "error in % or unit", "n");
+    for (int k = 0; k < CR_TEST_RUNS; k++) {
+        if (runs >> k & 1) {
+            cr_str_addf(out, "%8s%6s%6s", "MPE", "SD", "MAPE");
+        }
+    }
+    cr_str_addf(out, "%7s  %7s%7s%7s\n", "SD", "MPE", "SD", "MAPE");
 }
 
 /* groups follow all the measures of the class; their measure is named once */
-static void put_class(const struct cr_verdict *v, enum cr_test_class class, unsigned methods,
+static void put_class(const struct cr_verdict *v, enum cr_test_class class, unsigned runs,
                       struct cr_str *out) {
     int last = -1;
     for (int i = 0; i < v->rows; i++) {
@@ -86,28 +103,25 @@ static void put_class(const struct cr_verdict *v, enum cr_test_class class, unsi
             cr_str_addf(out, " %s by speed and type\n", cr_test_measure_label(r->measure));
             last = (int)r->measure;
         }
-        put_row(r, methods, out);
+        put_row(r, runs, out);
     }
 }
 
-static void put_pulses(const struct cr_test_list *tests, enum cr_test_class class,
-                       const struct cr_verdict_form *form, struct cr_str *out) {
-    unsigned methods = form->methods;
-    for (int i = 0; i < tests->n; i++) {
-        const struct cr_test *t = &tests->item[i];
-        for (int m = 1; m >= 0 && t->class == class && t->file[0]; m--) {
-            const struct cr_test_pulse *p = &t->of[m].pulse;
-            if ((methods >> m & 1) && isfinite(p->iso)) {
-                cr_str_addf(out,
-                            " pulse of %s %s, %s: RMS error %.1f g, ISO/TS 18571 %.2f (%s), "
-                            "CORA %.2f\n",
-                            t->id, t->part, m == CR_METHOD_PAPER ? "paper" : "extended", p->rms_g,
-                            p->iso, cr_rating_grade(p->iso), p->cora);
-            }
+static void put_pulse(const struct cr_test *t, const struct cr_verdict_form *form,
+                      struct cr_str *out) {
+    for (int k = 0; k < CR_TEST_RUNS; k++) {
+        int run = cr_test_run_order[k];
+        const struct cr_test_pulse *p = &t->of[run].pulse;
+        if ((form->runs >> run & 1) && isfinite(p->iso)) {
+            cr_str_addf(out,
+                        " pulse of %s %s, %s: RMS error %.1f g, ISO/TS 18571 %.2f (%s), "
+                        "CORA %.2f\n",
+                        t->id, t->part, cr_test_run_word(run), p->rms_g, p->iso,
+                        cr_rating_grade(p->iso), p->cora);
         }
-        if (form->plot && t->class == class && t->file[0]) {
-            cr_verdict_pulse(t, methods, &form->look, out);
-        }
+    }
+    if (form->plot) {
+        cr_verdict_pulse(t, form->runs, &form->look, out);
     }
 }
 
@@ -135,28 +149,25 @@ static int by_amount(const void *a, const void *b) {
 
 static void put_worst(const struct cr_test_list *tests, enum cr_test_class class,
                       const struct cr_verdict_form *form, struct cr_str *out) {
-    enum cr_method method =
-        form->methods >> CR_METHOD_EXTENDED & 1 ? CR_METHOD_EXTENDED : CR_METHOD_PAPER;
+    int run = best_run(tests, class, form->runs), n = 0;
     struct ranked *list = calloc((size_t)tests->n + 1, sizeof *list);
-    int n = 0;
     for (int i = 0; list && i < tests->n; i++) {
         const struct cr_test *t = &tests->item[i];
-        double amount = fabs(cr_verdict_error(t, main_measure(t), method));
+        double amount = fabs(cr_verdict_error(t, main_measure(t), run));
         if (t->class == class && isfinite(amount)) {
             list[n++] = (struct ranked){t, amount};
         }
     }
     if (n > 0) {
         qsort(list, (size_t)n, sizeof *list, by_amount);
-        cr_str_addf(out, " greatest errors, %s\n",
-                    method == CR_METHOD_PAPER ? "paper" : "extended");
+        cr_str_addf(out, " greatest errors, %s\n", cr_test_run_word(run));
     }
     for (int i = 0; i < n && i < form->worst; i++) {
         const struct cr_test *t = list[i].test;
         enum cr_measure m = main_measure(t);
-        cr_str_addf(out, "  %-14s %-10s %-34.34s %s %.4g, measured %.4g %s, %+.0f %%", t->id,
-                    t->part, t->title, cr_test_measure_label(m), t->of[method].value[m],
-                    t->reference[m], cr_test_measure_unit(m), cr_verdict_error(t, m, method));
+        cr_str_addf(out, "  %-12s %-8s %-30.30s %s %.4g, measured %.4g %s, %+.0f %%", t->id,
+                    t->part, t->title, cr_test_measure_label(m), t->of[run].value[m],
+                    t->reference[m], cr_test_measure_unit(m), cr_verdict_error(t, m, run));
         if (form->scenes) {
             cr_str_addf(out, "  %s/%s.json", form->scenes, t->id);
         }
@@ -165,34 +176,32 @@ static void put_worst(const struct cr_test_list *tests, enum cr_test_class class
     free(list);
 }
 
-static void put_cases(const struct cr_test_list *tests, enum cr_test_class class, unsigned methods,
-                      struct cr_str *out) {
-    for (int i = 0; i < tests->n; i++) {
-        const struct cr_test *t = &tests->item[i];
-        if (t->class != class) {
+static void put_case(const struct cr_test *t, unsigned runs, struct cr_str *out) {
+    cr_str_addf(out, "  %s %s (%s, %s, %.1f km/h)\n", t->id, t->part, t->title,
+                cr_type_word(t->type), t->speed_kmh);
+    for (int k = 0; k < CR_TEST_RUNS; k++) {
+        int run = cr_test_run_order[k];
+        if ((runs >> run & 1) && t->of[run].error[0]) {
+            cr_str_addf(out, "    %s: %s\n", cr_test_run_word(run), t->of[run].error);
+        }
+    }
+    for (int m = 0; m < CR_MEASURES; m++) {
+        if (!isfinite(t->reference[m])) {
             continue;
         }
-        cr_str_addf(out, "  %s %s (%s, %s, %.1f km/h)\n", t->id, t->part, t->title,
-                    cr_type_word(t->type), t->speed_kmh);
-        for (int m = 0; m < CR_MEASURES; m++) {
-            if (!isfinite(t->reference[m])) {
-                continue;
+        cr_str_addf(out, "    %-22s measured %8.4g %-5s", cr_test_measure_label((enum cr_measure)m),
+                    t->reference[m], cr_test_measure_unit((enum cr_measure)m));
+        for (int k = 0; k < CR_TEST_RUNS; k++) {
+            int run = cr_test_run_order[k];
+            if (runs >> run & 1) {
+                cr_str_addf(out, "  %s %8.4g", cr_test_run_word(run), t->of[run].value[m]);
             }
-            cr_str_addf(out, "    %-22s measured %8.4g %-5s",
-                        cr_test_measure_label((enum cr_measure)m), t->reference[m],
-                        cr_test_measure_unit((enum cr_measure)m));
-            for (int k = 1; k >= 0; k--) {
-                if (methods >> k & 1) {
-                    cr_str_addf(out, "  %s %8.4g", k == CR_METHOD_PAPER ? "paper" : "extended",
-                                t->of[k].value[m]);
-                }
-            }
-            cr_str_add(out, "\n");
         }
+        cr_str_add(out, "\n");
     }
 }
 
-static void put_targets(const struct cr_verdict *v, struct cr_str *out) {
+static void put_targets(const struct cr_verdict *v, unsigned runs, struct cr_str *out) {
     int met = 0;
     for (int i = 0; i < v->targets; i++) {
         met += v->target[i].met;
@@ -200,7 +209,9 @@ static void put_targets(const struct cr_verdict *v, struct cr_str *out) {
     if (v->targets == 0) {
         return;
     }
-    cr_str_addf(out, "\ntargets of the extended method: %d of %d met\n", met, v->targets);
+    cr_str_addf(out, "\ntargets of the extended method%s: %d of %d met\n",
+                runs >> CR_TEST_CROSS & 1 ? ", walls and poles cross-validated" : "", met,
+                v->targets);
     for (int i = 0; i < v->targets; i++) {
         const struct cr_verdict_target *t = &v->target[i];
         cr_str_addf(out, " %s  %-52s %8.2f  (%s %.2f)\n", t->met ? "met   " : "missed", t->name,
@@ -212,6 +223,7 @@ void cr_verdict_text(const struct cr_verdict *v, const struct cr_test_list *test
                      const struct cr_verdict_form *form, struct cr_str *out) {
     for (int c = 0; c < CR_TEST_CLASSES; c++) {
         enum cr_test_class class = (enum cr_test_class)c;
+        unsigned runs = runs_of(class, form->runs);
         int n = 0;
         for (int i = 0; i < tests->n; i++) {
             n += tests->item[i].class == class;
@@ -219,19 +231,23 @@ void cr_verdict_text(const struct cr_verdict *v, const struct cr_test_list *test
         if (n == 0) {
             continue;
         }
-        put_head(class, tests, form->methods, out);
-        put_class(v, class, form->methods, out);
-        put_pulses(tests, class, form, out);
+        put_head(class, tests, runs, out);
+        put_class(v, class, runs, out);
         if (form->plot) {
-            enum cr_method method =
-                form->methods >> CR_METHOD_EXTENDED & 1 ? CR_METHOD_EXTENDED : CR_METHOD_PAPER;
-            cr_verdict_plot(tests, class, CR_MEASURE_DEPTH, method, out);
+            cr_verdict_plot(tests, class, CR_MEASURE_DEPTH, best_run(tests, class, runs), out);
         }
-        if (form->cases) {
-            put_cases(tests, class, form->methods, out);
-        } else if (form->worst > 0) {
+        for (int i = 0; i < tests->n; i++) {
+            const struct cr_test *t = &tests->item[i];
+            if (t->class == class && t->file[0]) {
+                put_pulse(t, form, out);
+            }
+            if (t->class == class && form->cases) {
+                put_case(t, runs, out);
+            }
+        }
+        if (!form->cases && form->worst > 0) {
             put_worst(tests, class, form, out);
         }
     }
-    put_targets(v, out);
+    put_targets(v, form->runs, out);
 }

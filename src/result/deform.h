@@ -18,7 +18,7 @@ struct cr_deform {
 };
 
 /* Residual depth of a dynamic one and back: a deep crush springs back by `springback`, a shallow
- * one by 35 % of its depth. Walls at 23 to 33 km/h leave what that gives (share/validation). */
+ * one by 40 % of its depth. Walls at 23 to 40 km/h leave what that gives (share/validation). */
 double cr_deform_residual(double dynamic, double springback);
 double cr_deform_dynamic(double residual, double springback);
 

@@ -54,7 +54,23 @@ for recipe in "$SRC"/models/*.json; do
     sed 's/"tension_N_per_kg": [0-9.]*/"tension_N_per_kg": 0/' "$recipe" \
         >"$tmp/models/$(basename "$recipe")"
 done
-run validate pole --method extended --models "$tmp/models" --targets
+run validate pole --fast --method extended --models "$tmp/models" --targets
 same "a wrong model fails" "$status" 1
 has "in the depth of the poles" "$out" 'missed +pole: MPE of depth residual'
+
+# cross-validation, with a few poles of the tables
+mkdir -p "$tmp/data/share/validation/data"
+cp -R "$SRC/models" "$tmp/data/models"
+cp -R "$SRC/share/irf" "$SRC/share/calibration" "$tmp/data/share/"
+cp "$SRC"/share/validation/data/frontal_wall*.csv "$tmp/data/share/validation/data/"
+head -n 14 "$SRC/share/validation/data/side_pole.csv" >"$tmp/data/share/validation/data/side_pole.csv"
+CRUMPLE_DATA=$tmp/data
+export CRUMPLE_DATA
+run validate pole --format csv
+same "folds are solved" "$status:$errs" "0:"
+fit=$(printf '%s\n' "$out" | grep '^pole,all,face_depth_m,m,1,extended,10,')
+cross=$(printf '%s\n' "$out" | grep '^pole,all,face_depth_m,m,1,cross-validated,10,')
+has "fit and cross-validation of the same tests" "$fit$cross" extended.*cross
+[ "${fit#*extended}" != "${cross#*validated}" ]
+report $? "with other numbers, as the models are others"
 finish

@@ -63,7 +63,8 @@ static void make(const double *measured, const double *extended, const double *p
         t->speed_kmh = i == 5 ? 40 : 56;
         snprintf(t->id, sizeof t->id, "%d", 100 + i);
         for (int m = 0; m < CR_MEASURES; m++) {
-            t->reference[m] = t->of[0].value[m] = t->of[1].value[m] = (double)NAN;
+            t->reference[m] = t->of[0].value[m] = t->of[1].value[m] = t->of[2].value[m] =
+                (double)NAN;
         }
         t->reference[CR_MEASURE_DEPTH] = measured[i];
         t->of[CR_METHOD_EXTENDED].value[CR_MEASURE_DEPTH] = extended[i];
@@ -184,10 +185,10 @@ static void texts_hold_the_numbers(void **state) {
     struct cr_verdict v;
     make(measured, extended, measured);
     assert_int_equal(cr_verdict_make(&list, 3, &v, NULL), CR_ERR_OK);
-    struct cr_verdict_form form = {.methods = 3, .plot = true, .worst = 1};
+    struct cr_verdict_form form = {.runs = 3, .plot = true, .worst = 1};
     struct cr_str s = {0};
     cr_verdict_text(&v, &list, &form, &s);
-    assert_non_null(strstr(cr_str_get(&s), "+5.0   18.7   15.0"));
+    assert_non_null(strstr(cr_str_get(&s), "+5.0  18.7  15.0"));
     assert_non_null(strstr(cr_str_get(&s), "  102 "));
     assert_null(strstr(cr_str_get(&s), "  101 "));
     cr_str_clear(&s);
