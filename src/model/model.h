@@ -2,7 +2,7 @@
  * force, built from the recipes in models/, reduced to 2D and stretched onto a vehicle.
  *
  * A library is opened once, is safe to share between threads and keeps what it derived; grids made
- * from it are owned by the arena that is passed in. */
+ * from it are owned by the arena that is passed in or by the library, and live while both do. */
 #ifndef CR_MODEL_MODEL_H
 #define CR_MODEL_MODEL_H
 
