@@ -72,7 +72,8 @@ void cr_elastic_begin(struct cr_solver *s, int pair, int a, int b) {
     begin_phase(s, t, c->phase);
 }
 
-/* impulse that ends the phase exactly: approach zero, or all stored energy given back */
+/* impulse that ends the phase exactly: approach zero, or all stored energy given back; more than
+ * that is never given, even where a third body has changed the approach */
 static double last_impulse(const struct cr_contact *c, double v, double give, double along) {
     if (c->phase == CR_PHASE_COMPRESSION) {
         return fmax(v / give, 0);
@@ -90,8 +91,8 @@ void cr_elastic_slice(struct cr_solver *s, int pair, int a, int b) {
     double v = cr_vec2_dot(rel, axis), give = cr_vec2_dot(yield, axis);
     double along = cr_vec2_dot(f, axis);
     bool last = t->elastic_left - s->dt <= 1e-12;
-    double j = last && give > 0 ? last_impulse(c, v, give, along)
-                               : planned_impulse(s, t, c->phase);
+    double most = give > 0 ? last_impulse(c, v, give, along) : (double)INFINITY;
+    double j = last && give > 0 ? most : fmin(planned_impulse(s, t, c->phase), most);
     double stored = along * j * (v - 0.5 * give * j);
     double work = j * (cr_vec2_dot(rel, f) - 0.5 * cr_vec2_dot(yield, f) * j);
     cr_impulse_apply(s, a, b, t->coe, cr_vec2_scale(f, j));
@@ -121,7 +122,8 @@ void cr_elastic_slice(struct cr_solver *s, int pair, int a, int b) {
         t->elastic_plan = t->elastic_done;
         begin_phase(s, t, c->phase);
     } else {
-        s->friction += c->stored; /* what rounding has left */
+        s->friction += c->stored; /* what an eccentric force could not give back */
+        c->friction += c->stored;
         c->stored = 0;
         finish(s, t, c);
     }

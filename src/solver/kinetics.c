@@ -20,12 +20,14 @@ static void push(struct cr_solver *s, struct cr_moving *m, struct cr_vec2 p, str
     struct cr_vec2 r = cr_vec2_sub(p, m->pos);
     m->vel = cr_vec2_axpy(m->vel, m->inv_mass, j);
     m->yaw_rate += m->inv_inertia * cr_vec2_cross(r, j);
-    /* what is fixed hands on to the ground; a fixed CG with free yaw does not occur */
+    /* what is fixed, or kept from turning, hands on to the ground, which drives it where it moves */
     if (m->inv_mass == 0) {
         s->p_ground = cr_vec2_add(s->p_ground, j);
         s->l_ground += cr_vec2_cross(p, j);
+        s->tyre += cr_vec2_dot(j, cr_velocity_at(m, p));
     } else if (m->inv_inertia == 0) {
         s->l_ground += cr_vec2_cross(r, j);
+        s->tyre += cr_vec2_cross(r, j) * m->yaw_rate;
     }
     double weight = cr_vec2_len(j);
     m->slice_impulse = cr_vec2_add(m->slice_impulse, j);

@@ -13,6 +13,28 @@ static void *grown(void *list, int *size, size_t item) {
     return p;
 }
 
+/* a pair can rub slice after slice, without restitution: that is one contact */
+static void reopen(struct cr_solver *s, struct cr_touch *t, const struct cr_touch *old) {
+    struct cr_contact *c = &s->contact[old->last];
+    t->record = t->last = old->last;
+    t->moment_coe = old->moment_coe;
+    t->moment_weight = old->moment_weight;
+    t->normal_sum = old->normal_sum;
+    t->spent -= c->energy[0] + c->energy[1]; /* counted again at its end */
+    c->phase = CR_PHASE_PLASTIC;
+    c->stop = CR_STOP_NONE;
+    c->t_plastic_end = c->t_elastic_end = c->t_end = NAN;
+}
+
+static void begin_bodies(struct cr_solver *s, int a, int b) {
+    for (int i = 0; i < 2; i++) {
+        struct cr_moving *m = &s->m[i == 0 ? a : b];
+        m->t_first = isnan(m->t_first) ? s->t - s->dt : m->t_first;
+        m->driven = false;
+        m->at_rest = false;
+    }
+}
+
 bool cr_record_contact(struct cr_solver *s, int pair, int a, int b, const struct cr_force *f) {
     if (s->contacts == s->contacts_size) {
         void *p = grown(s->contact, &s->contacts_size, sizeof *s->contact);
@@ -21,26 +43,26 @@ bool cr_record_contact(struct cr_solver *s, int pair, int a, int b, const struct
         }
         s->contact = p;
     }
-    struct cr_touch *t = &s->touch[pair];
+    struct cr_touch *t = &s->touch[pair], old = *t;
     double closing = cr_vec2_dot(cr_relative_velocity(s, a, b, f->coe), f->normal);
-    double spent = t->spent;
     bool rubbing = cr_abort_rubbing(s, pair, a, b, f);
-    *t = (struct cr_touch){.record = s->contacts, .coe = f->coe, .normal = f->normal,
-                           .direction = f->direction, .spent = spent, .rubbing = rubbing};
+    *t = (struct cr_touch){.record = s->contacts, .last = s->contacts, .coe = f->coe,
+                           .normal = f->normal, .direction = f->direction,
+                           .spent = old.spent, .rubbing = rubbing};
+    begin_bodies(s, a, b);
     bool rigid = s->cs->body[a].grid.nx == 0 || s->cs->body[b].grid.nx == 0;
     const struct cr_opts *o = &s->cs->opts;
     double e = o->restitution_auto ? cr_restitution_auto(closing, rigid) : o->restitution;
+    e = t->rubbing ? 0 : e;
+    if (t->rubbing && old.rubbing) {
+        reopen(s, t, &old);
+        return true;
+    }
     s->contact[s->contacts++] =
         (struct cr_contact){.a = a, .b = b, .t_begin = s->t - s->dt, .closing = closing,
                             .restitution = e, .phase = CR_PHASE_PLASTIC, .coe = f->coe,
                             .normal = f->normal, .t_plastic_end = NAN, .t_elastic_end = NAN,
                             .t_end = NAN};
-    for (int i = 0; i < 2; i++) {
-        struct cr_moving *m = &s->m[i == 0 ? a : b];
-        m->t_first = isnan(m->t_first) ? s->t - s->dt : m->t_first;
-        m->driven = false;
-        m->at_rest = false;
-    }
     return true;
 }
 

@@ -85,6 +85,7 @@ struct cr_string {
 /* A contact being worked: the record that is reported and what only the solver needs. */
 struct cr_touch {
     int record;           /* index into solver.contact, -1: never touched or over */
+    int last;             /* index of its last contact, where before */
     double quiet;         /* time since it last deformed something, s */
     struct cr_vec2 coe;   /* carried along with the bodies between slices */
     struct cr_vec2 normal, direction;

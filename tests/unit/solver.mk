@@ -2,7 +2,8 @@
 check_LIBRARIES += libcases.a
 libcases_a_SOURCES = tests/unit/solver_cases.c tests/unit/solver_cases.h tests/unit/test.h
 libcases_a_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
-solver_tests = test_solver_wall test_solver_impact test_solver_oblique
+solver_tests = test_solver_wall test_solver_impact test_solver_oblique \
+	test_solver_conserve
 solver_test_libs = libcases.a libsolver.a libmodel.a libbase.a $(CMOCKA_LIBS) $(NETTLE_LIBS)
 check_PROGRAMS += $(solver_tests)
 TESTS += $(solver_tests)
@@ -15,3 +16,6 @@ test_solver_impact_LDADD = $(solver_test_libs)
 test_solver_oblique_SOURCES = tests/unit/test_solver_oblique.c
 test_solver_oblique_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 test_solver_oblique_LDADD = $(solver_test_libs)
+test_solver_conserve_SOURCES = tests/unit/test_solver_conserve.c
+test_solver_conserve_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
+test_solver_conserve_LDADD = $(solver_test_libs)
