@@ -60,8 +60,23 @@ static void drive(struct cr_solver *s, struct cr_moving *m) {
     s->p_ground = cr_vec2_add(s->p_ground, cr_vec2_sub(p0, cr_vec2_scale(m->vel, mass)));
 }
 
+/* the last COE rides along with both bodies, by their velocities at the begin of the slice */
+static void carry_coe(struct cr_solver *s) {
+    for (int p = 0, a = 0; a < s->cs->n; a++) {
+        for (int b = a + 1; b < s->cs->n; b++, p++) {
+            struct cr_touch *t = &s->touch[p];
+            if (t->record >= 0) {
+                struct cr_vec2 v = cr_vec2_add(cr_velocity_at(&s->m[a], t->coe),
+                                               cr_velocity_at(&s->m[b], t->coe));
+                t->coe = cr_vec2_axpy(t->coe, 0.5 * s->dt, v);
+            }
+        }
+    }
+}
+
 void cr_kinematics_move(struct cr_solver *s) {
     s->t += s->dt;
+    carry_coe(s);
     for (int i = 0; i < s->cs->n; i++) {
         struct cr_moving *m = &s->m[i];
         if (m->driven) {
@@ -70,16 +85,6 @@ void cr_kinematics_move(struct cr_solver *s) {
             m->pos = cr_vec2_axpy(m->pos, s->dt, m->vel);
             if (m->yaw_rate != 0) {
                 cr_kinematics_place(m, m->pos, m->heading + s->dt * m->yaw_rate);
-            }
-        }
-    }
-    for (int p = 0, a = 0; a < s->cs->n; a++) {
-        for (int b = a + 1; b < s->cs->n; b++, p++) {
-            struct cr_touch *t = &s->touch[p];
-            if (t->record >= 0) { /* the last COE rides along with both bodies */
-                struct cr_vec2 v = cr_vec2_add(cr_velocity_at(&s->m[a], t->coe),
-                                               cr_velocity_at(&s->m[b], t->coe));
-                t->coe = cr_vec2_axpy(t->coe, 0.5 * s->dt, v);
             }
         }
     }

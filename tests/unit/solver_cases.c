@@ -7,19 +7,30 @@ static double overlap(double lo, double hi, double a, double b) {
 
 struct cr_grid block_grid(struct cr_arena *arena, double length, double width, double h,
                           strength_fn strength, const void *arg) {
+    return block_grid_at(arena, length, width, h, strength, arg, cr_vec2(0, 0));
+}
+
+struct cr_grid block_grid_at(struct cr_arena *arena, double length, double width, double h,
+                             strength_fn strength, const void *arg, struct cr_vec2 phase) {
     int nx = (int)ceil(length / h - 1e-9), ny = (int)ceil(width / h - 1e-9);
     ny += ny % 2; /* the centre line is a voxel boundary */
-    double x0 = length / 2 - nx * h, y0 = -0.5 * ny * h;
+    double x0 = length / 2 - nx * h + phase.x * h, y0 = -0.5 * ny * h - phase.y * h;
+    nx += phase.x > 0;
+    x0 -= phase.x > 0 ? h : 0;
+    ny += phase.y > 0;
     double *fill = cr_arena_take(arena, (size_t)(nx * ny), sizeof *fill);
     double *energy = cr_arena_take(arena, (size_t)(nx * ny), sizeof *energy);
     for (int iy = 0; iy < ny; iy++) {
         for (int ix = 0; ix < nx; ix++) {
             double xl = x0 + ix * h, yl = y0 + iy * h;
-            double part = overlap(xl, xl + h, -length / 2, length / 2) / h *
-                          overlap(yl, yl + h, -width / 2, width / 2) / h;
-            double depth = length / 2 - (xl + h / 2), side = width / 2 - fabs(yl + h / 2);
-            fill[iy * nx + ix] = part;
-            energy[iy * nx + ix] = part * h * h * strength(depth, side, arg);
+            double in_x = overlap(xl, xl + h, -length / 2, length / 2);
+            double in_y = overlap(yl, yl + h, -width / 2, width / 2);
+            /* strength at the middle of what is filled */
+            double x = 0.5 * (fmax(xl, -length / 2) + fmin(xl + h, length / 2));
+            double y = 0.5 * (fmax(yl, -width / 2) + fmin(yl + h, width / 2));
+            int k = iy * nx + ix;
+            fill[k] = in_x * in_y / (h * h);
+            energy[k] = in_x * in_y * strength(length / 2 - x, width / 2 - fabs(y), arg);
         }
     }
     return (struct cr_grid){
@@ -74,9 +85,13 @@ void set_wheels(struct cr_body *body, double wheelbase, double track, double bra
     }
 }
 
+struct cr_grid car_grid(struct cr_arena *arena, double h, struct cr_vec2 phase) {
+    return block_grid_at(arena, car_length, car_width, h, car_strength, NULL, phase);
+}
+
 struct cr_body car_body(struct cr_arena *arena, double h, double x, double y, double heading,
                         double speed) {
-    struct cr_grid grid = block_grid(arena, car_length, car_width, h, car_strength, NULL);
+    struct cr_grid grid = car_grid(arena, h, cr_vec2(0, 0));
     struct cr_body car = block_body(grid, car_mass, car_length, car_width, x, y, heading, speed);
     set_wheels(&car, 2.6, 1.5, 0, false);
     return car;
@@ -86,6 +101,56 @@ struct cr_case case_of(struct cr_body a, struct cr_body b) {
     struct cr_case cs = {.n = 2, .body = {a, b}, .opts = cr_opts_default()};
     cs.opts.induced = false;
     return cs;
+}
+
+const char *const typical_name[TYPICAL_COUNT] = {"offset",  "side", "pole",
+                                                 "oblique", "rear", "wall"};
+
+static struct cr_body light_car(struct cr_arena *arena, double h, double x, double y,
+                                double heading, double speed) {
+    struct cr_body car = car_body(arena, h, x, y, heading, speed);
+    car.mass *= 5.0 / 7;
+    car.inertia *= 5.0 / 7;
+    set_wheels(&car, 2.6, 1.5, 0, false);
+    return car;
+}
+
+/* as in the median side pole test, per kg (method.md 5: 72 kN for 1500 kg) */
+static void add_string(struct cr_body *car) {
+    for (int f = 0; f < CR_FACES; f++) {
+        car->grid.tension[f] = 48 * car->mass;
+    }
+}
+
+static struct cr_body partner(struct cr_arena *arena, enum typical which, double h) {
+    switch (which) {
+    case TYPICAL_OFFSET:
+        return light_car(arena, h, 2.5, 0.6 * car_width, CR_PI, 56 / 3.6);
+    case TYPICAL_SIDE:
+        return light_car(arena, h, 1.3, 0.5, CR_PI / 2, 20 / 3.6);
+    case TYPICAL_POLE:
+        return pole_body(-2.25, 1.25, 0.127);
+    case TYPICAL_OBLIQUE:
+        return wall_body(0.6, 0, CR_PI - cr_rad(30));
+    case TYPICAL_REAR:
+        return light_car(arena, h, 2.5, -0.5 * car_width, 0, 0);
+    default:
+        return wall_body(0, 0, CR_PI);
+    }
+}
+
+struct cr_case typical_case(struct cr_arena *arena, enum typical which, double h,
+                            struct cr_vec2 phase) {
+    struct cr_body a = car_body(arena, h, -2.5, 0, 0, 56 / 3.6), b = partner(arena, which, h);
+    a.vel = which == TYPICAL_POLE   ? cr_vec2(0, 32 / 3.6)
+            : which == TYPICAL_SIDE ? cr_vec2(50 / 3.6, 0)
+                                    : a.vel;
+    a.grid = car_grid(arena, h, phase);
+    add_string(&a);
+    if (b.grid.nx > 0) {
+        add_string(&b);
+    }
+    return (struct cr_case){.n = 2, .body = {a, b}, .opts = cr_opts_default()};
 }
 
 struct cr_case case_moved(struct cr_case cs, double angle, double dx, double dy) {

@@ -13,6 +13,10 @@ typedef double (*strength_fn)(double depth, double side, const void *arg);
  * fill from exact corners, so length and width need not be whole voxels. */
 struct cr_grid block_grid(struct cr_arena *arena, double length, double width, double h,
                           strength_fn strength, const void *arg);
+/* The same block with the grid lying elsewhere in it by fractions of a voxel, 0..1: the voxels at
+ * its edges are filled in part. */
+struct cr_grid block_grid_at(struct cr_arena *arena, double length, double width, double h,
+                             strength_fn strength, const void *arg, struct cr_vec2 phase);
 /* Vehicle body with that grid at a pose: yaw inertia of the box, no wheels. */
 struct cr_body block_body(struct cr_grid grid, double mass, double length, double width, double x,
                           double y, double heading, double speed);
@@ -37,12 +41,31 @@ double car_strength(double depth, double side, const void *arg);
 extern const double car_mass, car_length, car_width;
 struct cr_body car_body(struct cr_arena *arena, double h, double x, double y, double heading,
                         double speed);
+struct cr_grid car_grid(struct cr_arena *arena, double h, struct cr_vec2 phase);
 void set_wheels(struct cr_body *body, double wheelbase, double track, double brake, bool locked);
 
 /* Case of two bodies with the default options, but without induced deformation. */
 struct cr_case case_of(struct cr_body a, struct cr_body b);
 /* The same case elsewhere: turned by angle about the origin, then shifted. */
 struct cr_case case_moved(struct cr_case cs, double angle, double dx, double dy);
+
+/* What the solver meets in practice, tyres included, extended options. Two cars of 1400 and 1000 kg
+ * head-on with 40 % overlap, 56 km/h each; one into the other's flank at 50 km/h, off its middle;
+ * a pole of 254 mm into the flank of one that slides at 32 km/h, with the string; a rigid wall at
+ * 30 deg and 56 km/h; into a car ahead with half overlap. */
+enum typical {
+    TYPICAL_OFFSET,
+    TYPICAL_SIDE,
+    TYPICAL_POLE,
+    TYPICAL_OBLIQUE,
+    TYPICAL_REAR,
+    TYPICAL_WALL,
+    TYPICAL_COUNT
+};
+extern const char *const typical_name[TYPICAL_COUNT];
+/* phase: of the grids, see block_grid_at */
+struct cr_case typical_case(struct cr_arena *arena, enum typical which, double h,
+                            struct cr_vec2 phase);
 
 /* solve or fail the test */
 struct cr_solver *solved(const struct cr_case *cs);
