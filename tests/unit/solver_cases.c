@@ -29,8 +29,9 @@ struct cr_grid block_grid_at(struct cr_arena *arena, double length, double width
             double x = 0.5 * (fmax(xl, -length / 2) + fmin(xl + h, length / 2));
             double y = 0.5 * (fmax(yl, -width / 2) + fmin(yl + h, width / 2));
             int k = iy * nx + ix;
-            fill[k] = in_x * in_y / (h * h);
-            energy[k] = in_x * in_y * strength(length / 2 - x, width / 2 - fabs(y), arg);
+            double q = strength(length / 2 - x, width / 2 - fabs(y), arg);
+            fill[k] = q < 0 ? 0 : in_x * in_y / (h * h);
+            energy[k] = q < 0 ? 0 : in_x * in_y * q;
         }
     }
     return (struct cr_grid){

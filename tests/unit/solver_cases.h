@@ -6,7 +6,8 @@
 #include "base/arena.h"
 #include "solver/solver.h"
 
-/* Energy per plan area, J/m2, at a distance behind the front and from the flank, m. */
+/* Energy per plan area, J/m2, at a distance behind the front and from the flank, m; negative where
+ * there is no material. */
 typedef double (*strength_fn)(double depth, double side, const void *arg);
 
 /* Box-shaped vehicle, CG in its middle, with energy given by the depth behind its front end;
