@@ -414,12 +414,13 @@ enum cr_status cr_solver_step(struct cr_solver *s, struct cr_error *err) {
     for (int p = 0, a = 0; a < s->cs->n; a++) {
         for (int b = a + 1; b < s->cs->n; b++, p++) {
             bool before = s->touch[p].record >= 0;
-            int contacts = s->contacts;
+            double pushed = s->m[a].slice_weight;
             if (!work_pair(s, p, a, b)) {
                 return failed(err, CR_ERR_MEMORY, "no memory for the solve");
             }
-            any = any || before || s->contacts > contacts;
-            if ((before || s->contacts > contacts) && !s->touch[p].rubbing) {
+            bool met = before || s->touch[p].record >= 0 || s->m[a].slice_weight > pushed;
+            any = any || met;
+            if (met && !s->touch[p].rubbing) {
                 in_contact[a] = in_contact[b] = true;
             }
         }
