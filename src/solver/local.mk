@@ -2,6 +2,7 @@ noinst_LIBRARIES += libsolver.a
 libsolver_a_SOURCES = \
 	src/solver/abort.c \
 	src/solver/case.h \
+	src/solver/check.c \
 	src/solver/deform.c \
 	src/solver/elastic.c \
 	src/solver/ending.c \

@@ -168,24 +168,6 @@ static bool new_body(struct cr_solver *s, int i) {
     return when != NULL || b->grid.nx == 0;
 }
 
-static enum cr_err check_body(const struct cr_body *b, int i, struct cr_error *err) {
-    double numbers[] = {b->mass,  b->inertia, b->pos.x,   b->pos.y,
-                        b->vel.x, b->vel.y,   b->heading, b->yaw_rate};
-    for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++) {
-        if (!isfinite(numbers[k])) {
-            return cr_err_set(err, CR_ERR_RANGE, "body %d has a number that is not finite", i);
-        }
-    }
-    const struct cr_grid *g = &b->grid;
-    if (g->nx == 0 && b->shape.kind == CR_SHAPE_NONE) {
-        return cr_err_set(err, CR_ERR_RANGE, "body %d has neither voxels nor a shape", i);
-    }
-    if (g->nx < 0 || g->ny < 0 || (g->nx > 0 && (g->ny == 0 || !(g->h > 0)))) {
-        return cr_err_set(err, CR_ERR_RANGE, "body %d has an empty voxel grid", i);
-    }
-    return CR_ERR_OK;
-}
-
 /* bodies that overlap from the start have no crash to compute; what touches by less than the
  * voxels of an outline can tell is taken off without energy */
 static enum cr_err check_overlap(struct cr_solver *s, struct cr_error *err) {
@@ -242,13 +224,9 @@ static bool new_scratch(struct cr_solver *s) {
 
 enum cr_err cr_solver_new(const struct cr_case *cs, struct cr_solver **out, struct cr_error *err) {
     *out = NULL;
-    if (cs->n < 1 || cs->n > CR_BODY_MAX) {
-        return cr_err_set(err, CR_ERR_RANGE, "a case has 1 to %d bodies", CR_BODY_MAX);
-    }
-    for (int i = 0; i < cs->n; i++) {
-        if (check_body(&cs->body[i], i, err) != CR_ERR_OK) {
-            return CR_ERR_RANGE;
-        }
+    enum cr_err code = cr_check_case(cs, err);
+    if (code != CR_ERR_OK) {
+        return code;
     }
     struct cr_solver *s = calloc(1, sizeof *s);
     bool ok = s != NULL;
@@ -263,7 +241,7 @@ enum cr_err cr_solver_new(const struct cr_case *cs, struct cr_solver **out, stru
     for (int p = 0; ok && p < CR_PAIR_MAX; p++) {
         s->touch[p].record = -1;
     }
-    enum cr_err code =
+    code =
         ok ? check_overlap(s, err) : cr_err_set(err, CR_ERR_MEMORY, "no memory for the solve");
     if (code != CR_ERR_OK) {
         cr_solver_free(s);

@@ -160,6 +160,9 @@ static inline struct cr_vec2 cr_velocity_at(const struct cr_moving *m, struct cr
     return cr_vec2_axpy(m->vel, m->yaw_rate, cr_vec2_perp(r));
 }
 
+/* check.c: numbers, extents and options of a case; RANGE */
+CR_MUST_CHECK enum cr_err cr_check_case(const struct cr_case *cs, struct cr_error *err);
+
 /* shape.c: signed distance (negative inside) and outward unit normal of an object, its frame */
 double cr_shape_distance(const struct cr_shape *shape, struct cr_vec2 p, struct cr_vec2 *normal);
 void cr_shape_box(const struct cr_shape *shape, struct cr_vec2 *lo, struct cr_vec2 *hi);
