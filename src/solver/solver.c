@@ -40,9 +40,7 @@ static bool new_lines(struct cr_solver *s, struct cr_moving *m) {
         m->depth[f] = cr_arena_take(&s->arena, n, sizeof(double));
         m->outline[f] = cr_arena_take(&s->arena, n, sizeof(double));
         m->share[f] = cr_arena_take(&s->arena, n, sizeof(double));
-        m->pulled[f] = cr_arena_take(&s->arena, n, 1);
-        if (m->depth[f] == NULL || m->outline[f] == NULL || m->share[f] == NULL ||
-            m->pulled[f] == NULL) {
+        if (m->depth[f] == NULL || m->outline[f] == NULL || m->share[f] == NULL) {
             return false;
         }
     }
@@ -213,13 +211,17 @@ static bool new_scratch(struct cr_solver *s) {
         longest = g->nx > longest ? g->nx : longest;
         longest = g->ny > longest ? g->ny : longest;
     }
-    s->string.w = cr_arena_take(&s->arena, (size_t)longest, sizeof(double));
-    s->string.gain = cr_arena_take(&s->arena, (size_t)longest, sizeof(double));
-    s->string.r = cr_arena_take(&s->arena, (size_t)longest, sizeof(double));
-    s->string.taut = cr_arena_take(&s->arena, (size_t)longest + 1, sizeof(double));
+    struct cr_string *st = &s->string;
+    size_t n = (size_t)longest;
+    st->w = cr_arena_take(&s->arena, n, sizeof *st->w);
+    st->over = cr_arena_take(&s->arena, n, sizeof *st->over);
+    st->bend = cr_arena_take(&s->arena, n, sizeof *st->bend);
+    st->surface = cr_arena_take(&s->arena, n, sizeof *st->surface);
+    st->held = cr_arena_take(&s->arena, n, sizeof *st->held);
+    st->taut = cr_arena_take(&s->arena, n, sizeof *st->taut);
     s->freed = cr_arena_take(&s->arena, 1, sizeof *s->freed);
-    return s->string.w != NULL && s->string.gain != NULL && s->string.r != NULL &&
-           s->string.taut != NULL && s->freed != NULL;
+    return st->w != NULL && st->over != NULL && st->bend != NULL && st->surface != NULL &&
+           st->held != NULL && st->taut != NULL && s->freed != NULL;
 }
 
 enum cr_err cr_solver_new(const struct cr_case *cs, struct cr_solver **out, struct cr_error *err) {

@@ -37,7 +37,6 @@ struct cr_moving {
     double *outline[CR_FACES];         /* undeformed surface behind the foremost one, m */
     double *share[CR_FACES];           /* fill of a line's voxels: less than 1 at the edges */
     double membrane[CR_FACES];         /* string energy of a face, J */
-    uint8_t *pulled[CR_FACES];         /* lines that the string pulls */
     struct cr_span dented[CR_FACES];   /* lines that have lost material, both ends included */
     double energy, induced;            /* plastic so far, J */
     double crushed;                    /* plan area so far, m2 */
@@ -74,11 +73,12 @@ struct cr_losses {
 
 /* Scratch of string.c, one entry a line of the longest face. */
 struct cr_string {
-    double *w;     /* depth, m */
-    double *gain;  /* of the elimination */
-    double *r;     /* h^2 q / N0 of each line, m */
-    double *taut;  /* [lines + 1] 1 where segment i, between lines i - 1 and i, is stretched */
-    uint8_t *free; /* borrowed: lines the string pulls */
+    double *w;             /* depth, m */
+    double *over;          /* depth of before, less the bow of the string, m */
+    double *bend;          /* h^2 q / N0: second difference of the bow, m */
+    int *surface;          /* voxel at the surface, -1: the string is nailed to the line */
+    int *held;             /* lines that hold the string, a stack */
+    bool *taut;            /* segment between lines i - 1 and i is stretched */
     struct cr_span window; /* lines looked at, both ends included */
 };
 

@@ -2,38 +2,51 @@
  *
  * Neighbouring lines of depth w are tied by the tension N0; outside the contact
  *     N0 (w[i-1] - 2 w[i] + w[i+1]) / h = h q_i,   w never decreasing,
- * where the string is stretched, with q the strength of the voxel at the surface (J/m2 = N/m). Solved exactly in each slice
- * (an obstacle problem, by policy iteration); what the string pulls in is foundation energy, what it is
- * stretched by is membrane energy, both plastic. */
+ * where the string is stretched, with q the strength of the voxel at the surface (J/m2 = N/m). What
+ * the string pulls in is foundation energy, what it is stretched by is membrane energy, both
+ * plastic.
+ *
+ * With the bow p that obeys p[i-1] - 2 p[i] + p[i+1] = r_i = h^2 q_i / N0, w - p is straight where
+ * the string moves lines and bends back at lines that hold it: it is the least concave function
+ * above depth - p, an upper hull, found exactly in one pass (monotone chain, Andrew 1979). */
 #include "solver/solver_priv.h"
-
-enum { ROUNDS_MAX = 200 };
 
 /* Lines of one face: line i runs inward from the outline. */
 struct lines {
-    const struct cr_grid *g;
     const struct cr_moving *m;
     const double *unit;
-    enum cr_face face;
+    const double *depth, *outline, *share; /* of the face */
+    const struct cr_span *span;
     int n;
+    int next;      /* from a voxel to its neighbour in the next line */
+    int along;     /* to the next voxel of the line */
+    bool from_end; /* inward is towards lower indices */
 };
 
-static int voxel_at(const struct lines *l, int line, int along) {
-    bool row = l->face == CR_FACE_FRONT || l->face == CR_FACE_REAR;
-    return row ? line * l->g->nx + along : along * l->g->nx + line;
+static struct lines lines_of(const struct cr_moving *m, const double *unit, enum cr_face face) {
+    const struct cr_grid *g = &m->body->grid;
+    bool row = face == CR_FACE_FRONT || face == CR_FACE_REAR;
+    return (struct lines){.m = m,
+                          .unit = unit,
+                          .depth = m->depth[face],
+                          .outline = m->outline[face],
+                          .share = m->share[face],
+                          .span = row ? m->row : m->col,
+                          .n = row ? g->ny : g->nx,
+                          .next = row ? g->nx : 1,
+                          .along = row ? 1 : g->nx,
+                          .from_end = face == CR_FACE_FRONT || face == CR_FACE_LEFT};
 }
 
 /* first voxel from outside that still has material, -1 if the line has none */
-static int surface(const struct lines *l, int line, int *next) {
-    bool row = l->face == CR_FACE_FRONT || l->face == CR_FACE_REAR;
-    bool from_end = l->face == CR_FACE_FRONT || l->face == CR_FACE_LEFT;
-    struct cr_span span = row ? l->m->row[line] : l->m->col[line];
-    int step = from_end ? -1 : 1;
-    int k = from_end ? span.hi - 1 : span.lo;
-    for (; k >= span.lo && k < span.hi; k += step) {
-        if (l->m->left[voxel_at(l, line, k)] > 0) {
-            *next = step;
-            return k;
+static int surface(const struct lines *l, int line) {
+    const double *left = l->m->left;
+    struct cr_span span = l->span[line];
+    int first = line * l->next + (l->from_end ? span.hi - 1 : span.lo) * l->along;
+    int step = l->from_end ? -l->along : l->along;
+    for (int n = span.hi - span.lo; n > 0; n--, first += step) {
+        if (left[first] > 0) {
+            return first;
         }
     }
     return -1;
@@ -47,128 +60,155 @@ static enum cr_face struck_face(const struct cr_moving *m, struct cr_vec2 inward
     return d.y < 0 ? CR_FACE_LEFT : CR_FACE_RIGHT;
 }
 
-/* A segment is taut where the crush has stretched it beyond its undeformed length: a wall that
- * flattens a rounded end leaves it slack. The ends of a face hang free. */
-static double taut(const double *outline, const double *depth, int i, int n) {
-    if (i == 0 || i == n) {
-        return 0;
+/* A segment, between lines i - 1 and i, is taut where the crush has stretched it beyond its
+ * undeformed length: a wall that flattens a rounded end leaves it slack. The ends of a face hang
+ * free. */
+static bool taut(const struct lines *l, int i) {
+    if (i == 0 || i == l->n) {
+        return false;
     }
-    double rest = outline[i] - outline[i - 1], moved = depth[i] - depth[i - 1];
+    double rest = l->outline[i] - l->outline[i - 1], moved = l->depth[i] - l->depth[i - 1];
     return fabs(rest + moved) >= fabs(rest);
 }
 
-/* state of line i before the slice's pull */
+/* state of line i before the slice's pull; a line without material left nails the string */
 static void prepare_line(struct cr_string *st, const struct lines *l, int i, double tension) {
-    const double *depth = l->m->depth[l->face], *outline = l->m->outline[l->face];
-    double h = l->g->h;
-    int step, k = surface(l, i, &step);
-    double q = k < 0 ? 0 : l->unit[voxel_at(l, i, k)] / (h * h);
-    st->r[i] = k < 0 ? (double)INFINITY : h * h * q * l->m->share[l->face][i] / tension;
-    st->w[i] = depth[i];
-    st->taut[i] = taut(outline, depth, i, l->n);
-    st->taut[i + 1] = taut(outline, depth, i + 1, l->n);
-    st->free[i] = st->free[i] && st->taut[i] + st->taut[i + 1] > 0 && k >= 0;
+    int k = surface(l, i);
+    st->surface[i] = k;
+    st->bend[i] = k < 0 ? 0 : l->unit[k] * l->share[i] / tension;
+    st->taut[i] = taut(l, i);
+}
+
+/* the lines beside the window are at rest: there the string is nailed too */
+static void prepare_ends(struct cr_string *st, const struct lines *l) {
+    int lo = st->window.lo - 1, hi = st->window.hi + 1;
+    if (lo >= 0) {
+        st->surface[lo] = -1;
+        st->bend[lo] = 0;
+    }
+    if (hi < l->n) {
+        st->surface[hi] = -1;
+        st->bend[hi] = 0;
+        st->taut[hi] = taut(l, hi);
+    }
 }
 
 /* the lines that the string may move: those with a dent and one on either side */
-static void prepare(struct cr_string *st, const struct lines *l, double tension) {
-    struct cr_span dented = l->m->dented[l->face];
-    st->free = l->m->pulled[l->face];
+static void prepare(struct cr_string *st, const struct lines *l, struct cr_span dented,
+                    double tension) {
     st->window.lo = dented.lo > 0 ? dented.lo - 1 : 0;
     st->window.hi = dented.hi + 1 < l->n ? dented.hi + 1 : dented.hi;
     for (int i = st->window.lo; i <= st->window.hi; i++) {
         prepare_line(st, l, i, tension);
     }
+    prepare_ends(st, l);
 }
 
-/* Free lines obey  tl (w - wl) + tr (w - wr) = -r,  t = 1 where the segment beside them is taut and
- * r = h^2 q / N0; the others stay at their depth. One sweep of the Thomas algorithm. */
-static void sweep(const struct cr_string *st, const double *depth, struct cr_span window) {
-    double *w = st->w, *gain = st->gain;
-    for (int i = window.lo; i <= window.hi; i++) {
-        gain[i] = 0;
-        if (!st->free[i]) {
-            w[i] = depth[i];
-            continue;
-        }
-        /* w_i = gain_i w_{i+1} + w[i] */
-        bool first = i == window.lo;
-        double tl = st->taut[i], tr = st->taut[i + 1];
-        double pivot = tl + tr - (first ? 0 : tl * gain[i - 1]);
-        double known = first ? (i > 0 ? depth[i - 1] : 0) : w[i - 1];
-        gain[i] = tr / pivot;
-        w[i] = (tl * known - st->r[i]) / pivot;
+/* Whether the last of n held lines lies below the hull once line i is on it. Ahead of a first line
+ * that hangs free the hull is level. */
+static bool below(const struct cr_string *st, int n, bool nailed, int i) {
+    int q = st->held[n - 1];
+    double rise = st->over[i] - st->over[q];
+    if (n == 1) {
+        return !nailed && rise >= 0;
     }
-    double right = 0; /* the last line of the window is not free, or hangs free */
-    for (int i = window.hi; i >= window.lo; i--) {
-        w[i] += gain[i] * right;
-        right = w[i];
+    int p = st->held[n - 2];
+    return rise * (q - p) >= (st->over[q] - st->over[p]) * (i - q);
+}
+
+/* Lines of a piece that hold the string, into st->held; returns how many. Puts the bow of the
+ * piece into st->w, and its slope behind the last line into slope. */
+static int hull(struct cr_string *st, const double *depth, struct cr_span piece, double *slope) {
+    bool nailed = st->surface[piece.lo] < 0;
+    double bow = 0;
+    int n = 0;
+    *slope = 0;
+    for (int i = piece.lo; i <= piece.hi; i++) {
+        st->w[i] = bow;
+        st->over[i] = depth[i] - bow;
+        while (n > 0 && below(st, n, nailed, i)) {
+            n--;
+        }
+        st->held[n++] = i;
+        *slope += st->bend[i];
+        bow += *slope;
     }
-}
-
-/* depth to which the neighbours would pull line i, -1 for one that hangs free */
-static double pulled_to(const struct cr_string *st, int i, double wl, double wr) {
-    double tl = st->taut[i], tr = st->taut[i + 1];
-    return tl + tr > 0 ? (tl * wl + tr * wr - st->r[i]) / (tl + tr) : -1;
-}
-
-/* Policy iteration for the obstacle problem w >= depth: solve with the present set of free lines,
- * free those that would be pulled, hold those that would rise; exact after a few rounds because
- * the set of the slice before is nearly right. Returns the range of lines that moved. */
-static struct cr_span relax(struct cr_string *st, const struct lines *l, double tension) {
-    const double *depth = l->m->depth[l->face];
-    struct cr_span window = st->window;
-    int n = l->n;
-    for (int round = 0; round < ROUNDS_MAX; round++) {
-        sweep(st, depth, window);
-        bool changed = false;
-        for (int i = window.lo; i <= window.hi; i++) {
-            double wl = i > window.lo ? st->w[i - 1] : i > 0 ? depth[i - 1] : 0;
-            double wr = i < window.hi ? st->w[i + 1] : i + 1 < n ? depth[i + 1] : 0;
-            bool pulled = pulled_to(st, i, wl, wr) > depth[i] + 1e-12;
-            changed = changed || pulled != (st->free[i] != 0);
-            st->free[i] = pulled;
-        }
-        /* the ends of the window must be at rest */
-        int grow_lo = st->free[window.lo] && window.lo > 0;
-        int grow_hi = st->free[window.hi] && window.hi + 1 < n;
-        window.lo -= grow_lo;
-        window.hi += grow_hi;
-        if (grow_lo) {
-            prepare_line(st, l, window.lo, tension);
-        }
-        if (grow_hi) {
-            prepare_line(st, l, window.hi, tension);
-        }
-        if (!changed && !grow_lo && !grow_hi) {
+    /* a string that hangs free leaves its last line level */
+    for (; st->surface[piece.hi] >= 0 && n > 1; n--) {
+        int p = st->held[n - 2], q = st->held[n - 1];
+        if (st->over[q] - st->over[p] >= -*slope * (q - p)) {
             break;
         }
     }
-    st->window = window;
-    struct cr_span moved = {n, -1};
-    for (int i = window.lo; i <= window.hi; i++) {
-        if (st->w[i] > depth[i]) {
-            moved.lo = i < moved.lo ? i : moved.lo;
-            moved.hi = i;
+    return n;
+}
+
+/* depths of a piece of the string whose segments are all taut, both end lines included */
+static void settle(struct cr_string *st, const double *depth, struct cr_span piece) {
+    double slope;
+    int n = hull(st, depth, piece, &slope), before = piece.lo - 1;
+    for (int j = 0; j < n; j++) {
+        int at = st->held[j];
+        double rise = j == 0 ? 0 : (st->over[at] - st->over[before]) / (at - before);
+        for (int i = before + 1; i < at; i++) {
+            st->w[i] += st->over[at] - rise * (at - i);
         }
+        st->w[at] = depth[at];
+        before = at;
     }
-    return moved;
+    for (int i = before + 1; i <= piece.hi; i++) {
+        st->w[i] += st->over[before] - slope * (i - before);
+    }
+}
+
+/* piece by piece, from one nail or slack segment to the next */
+static void settle_window(struct cr_string *st, const struct lines *l) {
+    int first = st->window.lo > 0 ? st->window.lo - 1 : 0;
+    int last = st->window.hi + 1 < l->n ? st->window.hi + 1 : st->window.hi;
+    for (int from = first; from <= last;) {
+        int to = from;
+        while (to < last && st->taut[to + 1] && (to == from || st->surface[to] >= 0)) {
+            to++;
+        }
+        settle(st, l->depth, (struct cr_span){from, to});
+        bool nail = to > from && st->surface[to] < 0; /* it begins the next piece too */
+        from = nail ? to : to + 1;
+    }
+}
+
+/* less than this is rounding, m */
+static const double slight = 1e-12;
+
+static bool moved(const struct cr_string *st, const struct lines *l, int i) {
+    return st->w[i] > l->depth[i] + slight;
+}
+
+/* Depths w of the string in all lines of the window, which grows until its ends are at rest. */
+static void relax(struct cr_string *st, const struct lines *l, double tension) {
+    struct cr_span *window = &st->window;
+    for (bool lo = true, hi = true; lo || hi;) {
+        settle_window(st, l);
+        lo = window->lo > 0 && moved(st, l, window->lo);
+        hi = window->hi + 1 < l->n && moved(st, l, window->hi);
+        if (lo) {
+            prepare_line(st, l, --window->lo, tension);
+        }
+        if (hi) {
+            prepare_line(st, l, ++window->hi, tension);
+        }
+        prepare_ends(st, l);
+    }
 }
 
 /* Take the material between the old and the new depth of a line, within its surface voxel: the next
  * one has another strength, and the next slice will know it. */
 static bool take(struct cr_string *st, const struct lines *l, int line, struct cr_losses *losses) {
-    const double *depth = l->m->depth[l->face];
-    double share = l->m->share[l->face][line];
-    int step, k = surface(l, line, &step);
-    if (k < 0) {
-        st->w[line] = depth[line];
-        return true;
-    }
-    int v = voxel_at(l, line, k);
-    double amount = fmin((st->w[line] - depth[line]) / l->g->h * share, l->m->left[v]);
-    st->w[line] = depth[line] + amount * l->g->h / share;
-    return cr_deform_add(losses, v, CR_CRUSH_INDUCED, amount, amount * l->unit[v]);
+    int k = st->surface[line];
+    double h = l->m->body->grid.h, depth = l->depth[line], share = l->share[line];
+    double want = (st->w[line] - depth) / h * share, left = l->m->left[k];
+    double amount = want < left ? want : left;
+    st->w[line] = depth + amount * h / share;
+    return cr_deform_add(losses, k, CR_CRUSH_INDUCED, amount, amount * l->unit[k]);
 }
 
 /* of the segments in the window; those beyond are as they were made */
@@ -176,7 +216,7 @@ static double membrane_energy(const struct cr_string *st, double tension, double
     double sum = 0;
     for (int i = st->window.lo + 1; i <= st->window.hi; i++) {
         double d = st->w[i] - st->w[i - 1];
-        sum += st->taut[i] * d * d;
+        sum += st->taut[i] ? d * d : 0;
     }
     return 0.5 * tension * sum / h;
 }
@@ -184,28 +224,24 @@ static double membrane_energy(const struct cr_string *st, double tension, double
 bool cr_string_pull(struct cr_solver *s, struct cr_moving *m, int partner, struct cr_vec2 inward,
                     struct cr_losses *losses) {
     const struct cr_grid *g = &m->body->grid;
-    losses->face = struck_face(m, inward);
-    double tension = g->nx > 0 ? g->tension[losses->face] : 0;
-    if (losses->n == 0 || !(tension > 0)) {
+    enum cr_face face = struck_face(m, inward);
+    losses->face = face;
+    double tension = g->nx > 0 ? g->tension[face] : 0;
+    if (losses->n == 0 || !(tension > 0) || m->dented[face].hi < 0) {
         return true;
     }
-    bool row = losses->face == CR_FACE_FRONT || losses->face == CR_FACE_REAR;
-    struct lines l = {g, m, m->unit[partner], losses->face, row ? g->ny : g->nx};
-    const double *depth = m->depth[losses->face];
+    struct lines l = lines_of(m, m->unit[partner], face);
     struct cr_string *st = &s->string;
-    if (m->dented[losses->face].hi < 0) {
-        return true;
-    }
-    prepare(st, &l, tension);
-    struct cr_span moved = relax(st, &l, tension);
+    prepare(st, &l, m->dented[face], tension);
+    relax(st, &l, tension);
     double before = losses->energy;
-    for (int i = moved.lo; i <= moved.hi; i++) {
-        if (st->w[i] > depth[i] && !take(st, &l, i, losses)) {
+    for (int i = st->window.lo; i <= st->window.hi; i++) {
+        if (moved(st, &l, i) && !take(st, &l, i, losses)) {
             return false;
         }
     }
     double stretched = membrane_energy(st, tension, g->h);
-    losses->stretch = fmax(0, stretched - m->membrane[losses->face]);
+    losses->stretch = fmax(0, stretched - m->membrane[face]);
     losses->induced = losses->energy - before + losses->stretch;
     losses->energy += losses->stretch;
     cr_deform_apply(m, losses, losses->contact);
