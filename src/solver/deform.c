@@ -12,10 +12,10 @@
  * so that equal cars deform equally and nothing jumps when strengths cross */
 static const double share_band = 0.05;
 
-bool cr_deform_add(struct cr_losses *losses, int voxel, uint8_t how, double amount,
-                   double energy) {
-    if (losses->n == losses->size) {
-        int size = losses->size < 256 ? 512 : 2 * losses->size;
+/* room for n more losses */
+static bool reserve(struct cr_losses *losses, int n) {
+    if (losses->n + n > losses->size) {
+        int size = losses->n + n < 256 ? 512 : 2 * (losses->n + n);
         struct cr_loss *loss = realloc(losses->loss, (size_t)size * sizeof *loss);
         if (loss == NULL) {
             return false;
@@ -23,243 +23,195 @@ bool cr_deform_add(struct cr_losses *losses, int voxel, uint8_t how, double amou
         losses->loss = loss;
         losses->size = size;
     }
-    losses->loss[losses->n++] = (struct cr_loss){voxel, how, amount, energy};
-    losses->energy += energy;
     return true;
 }
 
-/* share of a voxel at p, the shape's frame, that a rigid shape fills */
-static double cover_of_shape(const struct cr_shape *shape, struct cr_vec2 p, double h, double c,
-                             double sn) {
-    struct cr_vec2 n;
-    double dist = cr_shape_distance(shape, p, &n);
-    if (fabs(dist) > h) {
-        return dist > 0 ? 0 : 1;
+bool cr_deform_add(struct cr_losses *losses, const struct cr_grid *g, int ix, int iy, double amount,
+                   double energy) {
+    if (!reserve(losses, 1)) {
+        return false;
     }
-    /* width of the voxel along the normal, which (c, sn) turns into the voxel's frame */
-    double hn = h * (fabs(c * n.x - sn * n.y) + fabs(sn * n.x + c * n.y));
-    return cr_clamp(0.5 - dist / hn, 0, 1);
-}
-
-/* What the opponent's remaining material does at a place. */
-struct cover {
-    double phi;      /* bilinear share of a voxel that it fills */
-    double strength; /* its energy per unit of material, J */
-};
-
-/* u, v: place in the opponent's voxels, centre of voxel (0,0) at 0; both > -2. Material without
- * strength against this partner (no layer at its height) is not there for it. Strength is worked
- * out only where `left` leaves no room for phi. */
-static inline struct cover cover_of_grid(const struct cr_moving *m, const double *unit, double u,
-                                         double v, double left) {
-    const struct cr_grid *g = &m->body->grid;
-    int i = (int)(u + 2) - 2, j = (int)(v + 2) - 2;
-    double fu = u - i, fv = v - j;
-    double l[4] = {0}, e[4] = {0};
-    if (i >= 0 && j >= 0 && i + 1 < g->nx && j + 1 < g->ny) {
-        int k = j * g->nx + i, kk = k + g->nx;
-        l[0] = m->left[k], l[1] = m->left[k + 1], l[2] = m->left[kk], l[3] = m->left[kk + 1];
-        e[0] = unit[k], e[1] = unit[k + 1], e[2] = unit[kk], e[3] = unit[kk + 1];
-    } else {
-        for (int d = 0; d < 4; d++) {
-            int x = i + (d & 1), y = j + (d >> 1);
-            if (x >= 0 && y >= 0 && x < g->nx && y < g->ny) {
-                l[d] = m->left[y * g->nx + x];
-                e[d] = unit[y * g->nx + x];
-            }
-        }
-    }
-    double w0 = e[0] > 0 ? (1 - fu) * (1 - fv) * l[0] : 0, w1 = e[1] > 0 ? fu * (1 - fv) * l[1] : 0;
-    double w2 = e[2] > 0 ? (1 - fu) * fv * l[2] : 0, w3 = e[3] > 0 ? fu * fv * l[3] : 0;
-    struct cover cover = {w0 + w1 + w2 + w3, 0};
-    if (left + cover.phi > 1) {
-        cover.strength = (w0 * e[0] + w1 * e[1] + w2 * e[2] + w3 * e[3]) / cover.phi;
-    }
-    return cover;
-}
-
-/* Affine map from one body's frame to another's. */
-struct map {
-    double c, s;
-    struct cr_vec2 t;
-};
-
-static struct map map_between(const struct cr_moving *from, const struct cr_moving *to) {
-    double c = from->c * to->c + from->s * to->s, sn = from->s * to->c - from->c * to->s;
-    return (struct map){c, sn, cr_to_body(to, from->pos)};
-}
-
-/* narrow [lo, hi] to the x with low <= base + slope x <= high */
-static void clip(double base, double slope, double low, double high, double *lo, double *hi) {
-    if (fabs(slope) < 1e-12) {
-        if (base < low || base > high) {
-            *hi = *lo - 1;
-        }
-        return;
-    }
-    double x0 = (low - base) / slope, x1 = (high - base) / slope;
-    double least = x0 < x1 ? x0 : x1, most = x0 < x1 ? x1 : x0;
-    *lo = least > *lo ? least : *lo;
-    *hi = most < *hi ? most : *hi;
-}
-
-/* more lines than this are not looked through for their live span */
-enum { LINES_MAX = 24 };
-
-/* Union of the live spans of the lines crossed between u0 and u1 (in voxels); whole when too many
- * are crossed to be worth the look. */
-static struct cr_span live_between(const struct cr_span *line, int n, double u0, double u1,
-                                   struct cr_span whole) {
-    /* a place takes part in the voxels whose centres are within one edge of it */
-    int from = (int)((u0 < u1 ? u0 : u1) + 1.5) - 2, to = (int)((u0 < u1 ? u1 : u0) + 0.5);
-    from = from < 0 ? 0 : from;
-    to = to > n - 1 ? n - 1 : to;
-    if (to - from >= LINES_MAX) {
-        return whole;
-    }
-    struct cr_span span = {whole.hi, whole.lo};
-    for (int i = from; i <= to; i++) {
-        if (line[i].lo < line[i].hi) {
-            span.lo = line[i].lo < span.lo ? line[i].lo : span.lo;
-            span.hi = line[i].hi > span.hi ? line[i].hi : span.hi;
-        }
-    }
-    return span;
-}
-
-/* Narrow [lo, hi] of a row to where the opponent still has material near: by its rows where the
- * two are nearly aligned, by its columns where they stand across. */
-static void clip_to_live(const struct cr_moving *other, const struct map *map,
-                         struct cr_vec2 base, double *lo, double *hi) {
-    const struct cr_grid *g = &other->body->grid;
-    double per = 1 / g->h;
-    if (fabs(map->c) >= fabs(map->s)) {
-        double v0 = (base.y + map->s * *lo - g->y0) * per;
-        double v1 = (base.y + map->s * *hi - g->y0) * per;
-        struct cr_span x = live_between(other->row, g->ny, v0, v1, (struct cr_span){0, g->nx});
-        clip(base.x, map->c, g->x0 + (x.lo - 0.5) * g->h, g->x0 + (x.hi + 0.5) * g->h, lo, hi);
-    } else {
-        double u0 = (base.x + map->c * *lo - g->x0) * per;
-        double u1 = (base.x + map->c * *hi - g->x0) * per;
-        struct cr_span y = live_between(other->col, g->nx, u0, u1, (struct cr_span){0, g->ny});
-        clip(base.y, map->s, g->y0 + (y.lo - 0.5) * g->h, g->y0 + (y.hi + 0.5) * g->h, lo, hi);
-    }
-}
-
-/* voxels of row iy that the opponent can meet, within the row's live span */
-static struct cr_span reachable(const struct cr_moving *me, const struct cr_moving *other,
-                                const struct map *map, int iy) {
-    const struct cr_grid *g = &me->body->grid;
-    double y = g->y0 + (iy + 0.5) * g->h, h = g->h;
-    double lo = g->x0 + me->row[iy].lo * h, hi = g->x0 + me->row[iy].hi * h;
-    struct cr_vec2 base = {map->t.x - map->s * y, map->t.y + map->c * y};
-    clip(base.x, map->c, other->lo.x - h, other->hi.x + h, &lo, &hi);
-    clip(base.y, map->s, other->lo.y - h, other->hi.y + h, &lo, &hi);
-    if (lo <= hi && other->row != NULL) {
-        clip_to_live(other, map, base, &lo, &hi);
-    }
-    struct cr_span span = {0, 0};
-    if (lo <= hi) {
-        span.lo = (int)fmax(floor((lo - g->x0) / h), me->row[iy].lo);
-        span.hi = (int)fmin(ceil((hi - g->x0) / h), me->row[iy].hi);
-    }
-    return span;
-}
-
-/* rows of a body that the box of its opponent covers */
-static struct cr_span rows_reached(const struct cr_moving *me, const struct cr_moving *other) {
-    const struct cr_grid *g = &me->body->grid;
-    double low = INFINITY, high = -INFINITY;
-    for (int i = 0; i < 4; i++) {
-        struct cr_vec2 p = {i & 1 ? other->hi.x : other->lo.x, i & 2 ? other->hi.y : other->lo.y};
-        double y = cr_to_body(me, cr_to_world(other, p)).y;
-        low = fmin(low, y);
-        high = fmax(high, y);
-    }
-    return (struct cr_span){(int)cr_clamp(floor((low - g->y0) / g->h) - 1, 0, g->ny),
-                            (int)cr_clamp(ceil((high - g->y0) / g->h) + 1, 0, g->ny)};
-}
-
-static double share_of_weaker(double mine, double theirs) {
-    return cr_clamp(0.5 + (theirs - mine) / (2 * share_band * (mine + theirs)), 0, 1);
+    losses->loss[losses->n++] = (struct cr_loss){iy * g->nx + ix, ix, iy, amount, energy};
+    losses->energy += energy;
+    struct cr_vec2 at = {g->x0 + (ix + 0.5) * g->h, g->y0 + (iy + 0.5) * g->h};
+    losses->first = cr_vec2_axpy(losses->first, energy, at);
+    return true;
 }
 
 /* material below this share of a voxel goes with the rest */
 static const double crumb = 1e-6;
 
-static bool collect_row(struct cr_solver *s, const struct cr_moving *me,
-                        const struct cr_moving *other, const double *unit,
-                        const double *their_unit, const struct map *map, int iy,
-                        struct cr_losses *losses) {
-    const struct cr_grid *g = &me->body->grid;
-    const struct cr_grid *og = &other->body->grid;
-    struct cr_span span = reachable(me, other, map, iy);
-    double x = g->x0 + (span.lo + 0.5) * g->h, y = g->y0 + (iy + 0.5) * g->h;
-    struct cr_vec2 p = {map->t.x + map->c * x - map->s * y, map->t.y + map->s * x + map->c * y};
-    struct cr_vec2 step = {g->h * map->c, g->h * map->s};
-    double per = their_unit != NULL ? 1 / og->h : 0;
-    double u0 = og->x0 * per + 0.5, v0 = og->y0 * per + 0.5;
-    s->visits += span.hi > span.lo ? span.hi - span.lo : 0;
-    for (int ix = span.lo; ix < span.hi; ix++, p.x += step.x, p.y += step.y) {
-        int k = iy * g->nx + ix;
-        double left = me->left[k];
-        if (left <= 0 || unit[k] <= 0) {
-            continue;
-        }
-        struct cover cover;
-        if (their_unit == NULL) {
-            cover.phi = cover_of_shape(&other->body->shape, p, g->h, map->c, -map->s);
-        } else {
-            cover = cover_of_grid(other, their_unit, p.x * per - u0, p.y * per - v0, left);
-        }
-        double excess = cover.phi >= 1 - crumb ? left : left + cover.phi - 1;
-        if (excess <= crumb * left) {
-            continue;
-        }
-        double amount = left - excess < crumb ? left : excess;
-        if (their_unit != NULL) {
-            amount *= share_of_weaker(unit[k], cover.strength);
-        }
-        if (amount > 0 && !cr_deform_add(losses, k, CR_CRUSH_CONTACT, amount, amount * unit[k])) {
-            return false;
-        }
-    }
-    return true;
+/* what does not fit of a voxel's material beside the share phi */
+static inline double excess_of(double left, double phi) {
+    double excess = phi >= 1 - crumb ? left : left + phi - 1;
+    return excess <= crumb * left ? 0 : left - excess < crumb ? left : excess;
 }
 
-/* box of what can still be met of a body, its own frame */
-static void live_box(struct cr_moving *m) {
-    const struct cr_grid *g = &m->body->grid;
-    if (g->nx == 0) {
-        return; /* a rigid shape never shrinks */
-    }
-    int x0 = g->nx, x1 = 0, y0 = g->ny, y1 = 0;
-    for (int iy = 0; iy < g->ny; iy++) {
-        if (m->row[iy].lo < m->row[iy].hi) {
-            x0 = m->row[iy].lo < x0 ? m->row[iy].lo : x0;
-            x1 = m->row[iy].hi > x1 ? m->row[iy].hi : x1;
-            y0 = iy < y0 ? iy : y0;
-            y1 = iy + 1;
+/* One row of a body, worked against its opponent. */
+struct row {
+    const struct cr_grid *g;
+    int iy;
+    const double *left, *unit; /* of its voxels */
+    double energy, energy_x;   /* sums over its losses, J and J m */
+};
+
+static inline void lose(struct cr_losses *losses, struct row *row, int ix, double amount) {
+    const struct cr_grid *g = row->g;
+    double energy = amount * row->unit[ix], x = g->x0 + (ix + 0.5) * g->h;
+    losses->loss[losses->n++] = (struct cr_loss){row->iy * g->nx + ix, ix, row->iy, amount, energy};
+    row->energy += energy;
+    row->energy_x += energy * x;
+}
+
+/* share of a voxel at p, the shape's frame, that a rigid shape fills; the voxel's edge along x is
+ * the vector (c, s) there */
+static double cover_of_shape(const struct cr_shape *shape, struct cr_vec2 p, double c, double s,
+                             struct cr_vec2 *n) {
+    double dist = cr_shape_distance(shape, p, n);
+    double width = fabs(c * n->x + s * n->y) + fabs(c * n->y - s * n->x); /* along the normal */
+    return cr_clamp(0.5 - dist / width, 0, 1);
+}
+
+/* the voxels span of a row against a rigid shape */
+static void meet_shape(const struct cr_reach *r, struct cr_span span, struct row *row,
+                       struct cr_losses *losses) {
+    const struct cr_map *map = &r->map;
+    struct cr_vec2 base = {map->u - map->s * row->iy, map->v + map->c * row->iy};
+    for (int ix = span.lo; ix < span.hi; ix++) {
+        double left = row->left[ix];
+        if (left <= 0 || row->unit[ix] <= 0) {
+            continue;
+        }
+        struct cr_vec2 n, p = {base.x + map->c * ix, base.y + map->s * ix};
+        double phi = cover_of_shape(&r->other->body->shape, p, map->c, map->s, &n);
+        double amount = excess_of(left, phi);
+        if (amount > 0) {
+            lose(losses, row, ix, amount);
+            losses->normal = cr_vec2_axpy(losses->normal, amount * row->unit[ix], n);
         }
     }
-    m->lo = cr_vec2(g->x0 + x0 * g->h, g->y0 + y0 * g->h);
-    m->hi = cr_vec2(g->x0 + x1 * g->h, g->y0 + y1 * g->h);
+}
+
+/* Values of the four voxels (i, j), (i+1, j), (i, j+1), (i+1, j+1) about a place. */
+struct four {
+    double a, b, c, d;
+};
+
+static double value_at(const struct cr_grid *g, const double *field, int i, int j) {
+    return i >= 0 && j >= 0 && i < g->nx && j < g->ny ? field[j * g->nx + i] : 0;
+}
+
+/* out of line, so that four_at is not */
+static void four_at_edge(const struct cr_grid *g, const double *field, int i, int j,
+                         struct four *f) {
+    *f = (struct four){value_at(g, field, i, j), value_at(g, field, i + 1, j),
+                       value_at(g, field, i, j + 1), value_at(g, field, i + 1, j + 1)};
+}
+
+static inline struct four four_at(const struct cr_grid *g, const double *field, int i, int j) {
+    const double *p = field + j * g->nx + i, *q = p + g->nx;
+    return (struct four){p[0], p[1], q[0], q[1]};
+}
+
+static inline double lerp(double a, double b, double u) {
+    return a + u * (b - a);
+}
+
+static inline double bilinear(struct four f, double u, double v) {
+    return lerp(lerp(f.a, f.b, u), lerp(f.c, f.d, u), v);
+}
+
+/* Loss of a voxel, of strength mine, beside the opponent's material in the four voxels about it, of
+ * the strengths `unit`. Material without strength against this body (no layer at its height) is not
+ * there for it. The weaker takes the loss; the two share it where they are nearly as strong. */
+static inline double loss_beside(double left, double mine, struct four material, struct four unit,
+                                 double u, double v) {
+    struct four there = {unit.a > 0 ? material.a : 0, unit.b > 0 ? material.b : 0,
+                         unit.c > 0 ? material.c : 0, unit.d > 0 ? material.d : 0};
+    struct four energy = {there.a * unit.a, there.b * unit.b, there.c * unit.c, there.d * unit.d};
+    double phi = bilinear(there, u, v), theirs = bilinear(energy, u, v);
+    double more = theirs - mine * phi, band = share_band * (theirs + mine * phi);
+    if (more <= -band) {
+        return 0;
+    }
+    double excess = excess_of(left, phi);
+    return more >= band ? excess : excess * 0.5 * (1 + more / band);
+}
+
+/* the voxels span of a row against another body's voxels */
+static void meet_grid(const struct cr_reach *r, const double *their_unit, struct cr_span span,
+                      struct row *row, struct cr_losses *losses) {
+    const struct cr_map map = r->map;
+    const struct cr_grid *og = &r->other->body->grid;
+    const double *their_left = r->other->left;
+    double u0 = map.u - map.s * row->iy, v0 = map.v + map.c * row->iy;
+    for (int ix = span.lo; ix < span.hi; ix++) {
+        double left = row->left[ix], mine = row->unit[ix];
+        if (left <= 0 || mine <= 0) {
+            continue;
+        }
+        double u = u0 + map.c * ix, v = v0 + map.s * ix;
+        int i = (int)(u + 2) - 2, j = (int)(v + 2) - 2; /* floor: both are > -2 */
+        bool edge = i < 0 || j < 0 || i + 1 >= og->nx || j + 1 >= og->ny;
+        struct four material, unit;
+        if (edge) {
+            four_at_edge(og, their_left, i, j, &material);
+        } else {
+            material = four_at(og, their_left, i, j);
+        }
+        u -= i;
+        v -= j;
+        double phi = bilinear(material, u, v);
+        if (left + phi - 1 <= crumb * left && phi < 1 - crumb) {
+            continue;
+        }
+        if (edge) {
+            four_at_edge(og, their_unit, i, j, &unit);
+        } else {
+            unit = four_at(og, their_unit, i, j);
+        }
+        double amount = loss_beside(left, mine, material, unit, u, v);
+        if (amount > 0) {
+            lose(losses, row, ix, amount);
+        }
+    }
+}
+
+static void add_row(struct cr_losses *losses, const struct row *row) {
+    double y = row->g->y0 + (row->iy + 0.5) * row->g->h;
+    losses->energy += row->energy;
+    losses->first = cr_vec2_add(losses->first, cr_vec2(row->energy_x, y * row->energy));
 }
 
 static bool collect_side(struct cr_solver *s, int me, int other, struct cr_losses *losses) {
     struct cr_moving *m = &s->m[me], *o = &s->m[other];
+    const struct cr_grid *g = &m->body->grid;
     losses->n = losses->contact = 0;
     losses->energy = losses->induced = losses->stretch = 0;
-    if (m->body->grid.nx == 0) {
+    losses->first = losses->normal = cr_vec2(0, 0);
+    if (g->nx == 0) {
         return true;
     }
-    live_box(o);
-    struct map map = map_between(m, o);
-    struct cr_span rows = rows_reached(m, o);
-    for (int iy = rows.lo; iy < rows.hi; iy++) {
-        if (!collect_row(s, m, o, m->unit[other], o->unit[me], &map, iy, losses)) {
+    struct cr_reach reach;
+    cr_reach_begin(&reach, m, o);
+    for (int iy = reach.rows.lo; iy < reach.rows.hi; iy++) {
+        struct cr_span span = cr_reach_row(&reach, iy);
+        if (span.lo >= span.hi) {
+            continue;
+        }
+        if (!reserve(losses, span.hi - span.lo)) {
             return false;
         }
+        s->visits += span.hi - span.lo;
+        size_t first = (size_t)iy * (size_t)g->nx;
+        struct row row = {
+            .g = g, .iy = iy, .left = m->left + first, .unit = m->unit[other] + first};
+        if (o->left == NULL) {
+            meet_shape(&reach, span, &row, losses);
+        } else {
+            meet_grid(&reach, o->unit[me], span, &row, losses);
+        }
+        add_row(losses, &row);
     }
     losses->contact = losses->n;
     return true;
@@ -276,36 +228,35 @@ static void dent(struct cr_moving *m, enum cr_face face, int line, double by) {
     span->hi = line > span->hi ? line : span->hi;
 }
 
-static void change(struct cr_moving *m, int k, double amount) {
+static void change(struct cr_moving *m, const struct cr_loss *loss, double amount) {
     const struct cr_grid *g = &m->body->grid;
-    int iy = k / g->nx, ix = k - iy * g->nx;
-    double left = m->left[k] - amount;
-    m->left[k] = left > 0 ? left : 0;
-    dent(m, 2 * ix >= g->nx ? CR_FACE_FRONT : CR_FACE_REAR, iy, amount * g->h);
-    dent(m, 2 * iy >= g->ny ? CR_FACE_LEFT : CR_FACE_RIGHT, ix, amount * g->h);
+    double left = m->left[loss->voxel] - amount;
+    m->left[loss->voxel] = left > 0 ? left : 0;
+    dent(m, 2 * loss->ix >= g->nx ? CR_FACE_FRONT : CR_FACE_REAR, loss->iy, amount * g->h);
+    dent(m, 2 * loss->iy >= g->ny ? CR_FACE_LEFT : CR_FACE_RIGHT, loss->ix, amount * g->h);
 }
 
 void cr_deform_apply(struct cr_moving *m, const struct cr_losses *losses, int from) {
     for (int i = from; i < losses->n; i++) {
-        change(m, losses->loss[i].voxel, losses->loss[i].amount);
+        change(m, &losses->loss[i], losses->loss[i].amount);
     }
 }
 
-/* drop dead voxels at both ends of the lines through voxel k */
-static void shrink(struct cr_moving *m, int k) {
+/* drop dead voxels at both ends of the lines through a voxel */
+static void shrink(struct cr_moving *m, const struct cr_loss *loss) {
     const struct cr_grid *g = &m->body->grid;
-    int ix = k % g->nx, iy = k / g->nx;
-    struct cr_span *row = &m->row[iy], *col = &m->col[ix];
-    while (row->lo < row->hi && m->left[iy * g->nx + row->lo] <= 0) {
+    const double *along = m->left + (size_t)loss->iy * (size_t)g->nx, *across = m->left + loss->ix;
+    struct cr_span *row = &m->row[loss->iy], *col = &m->col[loss->ix];
+    while (row->lo < row->hi && along[row->lo] <= 0) {
         row->lo++;
     }
-    while (row->lo < row->hi && m->left[iy * g->nx + row->hi - 1] <= 0) {
+    while (row->lo < row->hi && along[row->hi - 1] <= 0) {
         row->hi--;
     }
-    while (col->lo < col->hi && m->left[col->lo * g->nx + ix] <= 0) {
+    while (col->lo < col->hi && across[col->lo * g->nx] <= 0) {
         col->lo++;
     }
-    while (col->lo < col->hi && m->left[(col->hi - 1) * g->nx + ix] <= 0) {
+    while (col->lo < col->hi && across[(col->hi - 1) * g->nx] <= 0) {
         col->hi--;
     }
 }
@@ -316,15 +267,17 @@ void cr_deform_settle(struct cr_solver *s, struct cr_moving *m, struct cr_losses
     for (int i = 0; i < losses->n; i++) {
         struct cr_loss *loss = &losses->loss[i];
         if (lambda < 1) {
-            change(m, loss->voxel, (lambda - 1) * loss->amount);
+            change(m, loss, (lambda - 1) * loss->amount);
             loss->amount *= lambda;
             loss->energy *= lambda;
         }
         area += loss->amount * h2;
         m->t_sum[loss->voxel] += s->t * loss->amount;
-        m->how[loss->voxel] |= loss->amount > 0 ? loss->how : 0;
+        if (loss->amount > 0) {
+            m->how[loss->voxel] |= i < losses->contact ? CR_CRUSH_CONTACT : CR_CRUSH_INDUCED;
+        }
         if (m->left[loss->voxel] <= 0) {
-            shrink(m, loss->voxel);
+            shrink(m, loss);
         }
     }
     losses->energy *= lambda;

@@ -24,18 +24,9 @@ static double energy_and_coe(const struct cr_solver *s, int a, int b, struct cr_
     for (int side = 0; side < 2; side++) {
         const struct cr_losses *losses = &s->losses[side];
         const struct cr_moving *m = &s->m[side == 0 ? a : b];
-        const struct cr_grid *g = &m->body->grid;
-        struct cr_vec2 local = {0, 0};
-        double mine = 0;
-        for (int i = 0; i < losses->n; i++) {
-            const struct cr_loss *loss = &losses->loss[i];
-            struct cr_vec2 p = {g->x0 + (loss->voxel % g->nx + 0.5) * g->h,
-                                g->y0 + ((loss->voxel / g->nx) + 0.5) * g->h};
-            local = cr_vec2_axpy(local, loss->energy, p);
-            mine += loss->energy;
-        }
+        double mine = losses->energy - losses->stretch; /* the string has no place */
         if (mine > 0) {
-            struct cr_vec2 at = cr_to_world(m, cr_vec2_scale(local, 1 / mine));
+            struct cr_vec2 at = cr_to_world(m, cr_vec2_scale(losses->first, 1 / mine));
             sum = cr_vec2_axpy(sum, mine, at);
             weight += mine;
         }
@@ -59,8 +50,7 @@ static struct moments moments_of(const struct cr_solver *s, int a, int b, struct
         const struct cr_grid *g = &m->body->grid;
         for (int i = 0; i < losses->contact; i++) {
             const struct cr_loss *loss = &losses->loss[i];
-            struct cr_vec2 p = {g->x0 + (loss->voxel % g->nx + 0.5) * g->h,
-                                g->y0 + ((loss->voxel / g->nx) + 0.5) * g->h};
+            struct cr_vec2 p = {g->x0 + (loss->ix + 0.5) * g->h, g->y0 + (loss->iy + 0.5) * g->h};
             struct cr_vec2 d = cr_vec2_sub(cr_to_world(m, p), about);
             mo.w += loss->energy;
             mo.first = cr_vec2_axpy(mo.first, loss->energy, d);
@@ -113,22 +103,6 @@ static bool normal_of_patch(const struct cr_solver *s, int a, int b, struct cr_v
     }
     *normal = mix(*normal, w, v);
     return true;
-}
-
-/* energy-weighted surface normal of a rigid partner, out of it */
-static struct cr_vec2 normal_of_shape(const struct cr_moving *rigid, const struct cr_moving *soft,
-                                      const struct cr_losses *losses) {
-    const struct cr_grid *g = &soft->body->grid;
-    struct cr_vec2 sum = {0, 0};
-    for (int i = 0; i < losses->contact; i++) {
-        const struct cr_loss *loss = &losses->loss[i];
-        struct cr_vec2 p = {g->x0 + (loss->voxel % g->nx + 0.5) * g->h,
-                            g->y0 + ((loss->voxel / g->nx) + 0.5) * g->h};
-        struct cr_vec2 n;
-        cr_shape_distance(&rigid->body->shape, cr_to_body(rigid, cr_to_world(soft, p)), &n);
-        sum = cr_vec2_axpy(sum, loss->energy, n);
-    }
-    return cr_vec2_rotate(sum, rigid->c, rigid->s);
 }
 
 double cr_force_friction(const struct cr_solver *s, int a, int b) {
@@ -214,10 +188,10 @@ bool cr_force_find(struct cr_solver *s, int pair, int a, int b, struct cr_force 
         return false;
     }
     if (mb->body->grid.nx == 0) {
-        struct cr_vec2 n = normal_of_shape(mb, ma, &s->losses[0]);
+        struct cr_vec2 n = cr_vec2_rotate(s->losses[0].normal, mb->c, mb->s);
         force->normal = cr_vec2_unit(cr_vec2_scale(n, -1), v);
     } else if (ma->body->grid.nx == 0) {
-        force->normal = cr_vec2_unit(normal_of_shape(ma, mb, &s->losses[1]), v);
+        force->normal = cr_vec2_unit(cr_vec2_rotate(s->losses[1].normal, ma->c, ma->s), v);
     } else if (!normal_of_patch(s, a, b, patch, v, &force->normal)) {
         return false;
     }

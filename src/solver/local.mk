@@ -9,6 +9,7 @@ libsolver_a_SOURCES = \
 	src/solver/force.c \
 	src/solver/kinematics.c \
 	src/solver/kinetics.c \
+	src/solver/reach.c \
 	src/solver/record.c \
 	src/solver/shape.c \
 	src/solver/solver.c \

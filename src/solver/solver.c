@@ -130,6 +130,8 @@ static bool new_grid(struct cr_solver *s, struct cr_moving *m) {
     for (size_t k = 0; k < n; k++) {
         m->left[k] = g->fill[k] > 1e-6 ? g->fill[k] : 0;
     }
+    m->rows = (struct cr_span){0, g->ny};
+    m->cols = (struct cr_span){0, g->nx};
     span_lines(m);
     measure_faces(m);
     m->lo = cr_vec2(g->x0, g->y0);

@@ -32,6 +32,7 @@ struct cr_moving {
     uint8_t *how;                      /* enum cr_crush flags */
     const double *unit[CR_BODY_MAX];   /* energy per unit of material against each partner, J */
     struct cr_span *row, *col;         /* live span of each row (along x) and column (along y) */
+    struct cr_span rows, cols;         /* rows and columns between which there is material */
     double *depth[CR_FACES];           /* crush of each line of a face, m: rows for front and
                                           rear, columns for left and right */
     double *outline[CR_FACES];         /* undeformed surface behind the foremost one, m */
@@ -53,8 +54,7 @@ struct cr_moving {
 
 /* One voxel that would lose material in this slice. */
 struct cr_loss {
-    int voxel;
-    uint8_t how;
+    int voxel, ix, iy;
     double amount; /* material, 0..1 */
     double energy; /* J */
 };
@@ -64,6 +64,8 @@ struct cr_losses {
     int n, size;
     struct cr_loss *loss;
     double energy;  /* of all, string included, J */
+    struct cr_vec2 first;  /* sum of energy x place of all, body frame, J m */
+    struct cr_vec2 normal; /* sum of energy x surface normal of a rigid partner, its frame, J */
     double induced; /* part outside the contact, string included, J */
     double area;    /* m2 */
     double stretch; /* energy that stretched the string in this slice, J */
@@ -76,7 +78,7 @@ struct cr_string {
     double *w;             /* depth, m */
     double *over;          /* depth of before, less the bow of the string, m */
     double *bend;          /* h^2 q / N0: second difference of the bow, m */
-    int *surface;          /* voxel at the surface, -1: the string is nailed to the line */
+    int *surface;          /* place of the surface along the line, -1: the string is nailed there */
     int *held;             /* lines that hold the string, a stack */
     bool *taut;            /* segment between lines i - 1 and i is stretched */
     struct cr_span window; /* lines looked at, both ends included */
@@ -167,10 +169,33 @@ CR_MUST_CHECK enum cr_err cr_check_case(const struct cr_case *cs, struct cr_erro
 double cr_shape_distance(const struct cr_shape *shape, struct cr_vec2 p, struct cr_vec2 *normal);
 void cr_shape_box(const struct cr_shape *shape, struct cr_vec2 *lo, struct cr_vec2 *hi);
 
+/* Place of a voxel of one body in another's frame: voxel (ix, iy) lies at
+ * (u + c ix - s iy, v + s ix + c iy), in voxels from the centre of voxel (0,0) of a grid, in m for
+ * a shape. */
+struct cr_map {
+    double u, v, c, s;
+    double per_c, per_s; /* reciprocals, finite */
+};
+
+/* What of a body its opponent can meet at their present places. */
+struct cr_reach {
+    struct cr_map map;
+    const struct cr_moving *me, *other;
+    struct cr_vec2 lo, hi; /* box of the opponent's material, in the map's units */
+    struct cr_span rows;   /* rows of me that it covers */
+};
+
+/* step 1, reach.c */
+void cr_reach_begin(struct cr_reach *reach, struct cr_moving *me, struct cr_moving *other);
+/* voxels of a row that the opponent can meet */
+struct cr_span cr_reach_row(const struct cr_reach *reach, int iy);
+
 /* step 1, deform.c: losses of both bodies of a pair at their present places (nothing changes);
  * false when memory is out */
 bool cr_deform_collect(struct cr_solver *s, int a, int b);
-bool cr_deform_add(struct cr_losses *losses, int voxel, uint8_t how, double amount, double energy);
+/* add a loss outside the contact */
+bool cr_deform_add(struct cr_losses *losses, const struct cr_grid *g, int ix, int iy, double amount,
+                   double energy);
 /* take the losses [from, n) out of the body; what is taken back is settled below */
 void cr_deform_apply(struct cr_moving *m, const struct cr_losses *losses, int from);
 /* give back the share 1 - lambda of the losses, and book the rest */

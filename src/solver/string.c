@@ -18,6 +18,7 @@ struct lines {
     const double *depth, *outline, *share; /* of the face */
     const struct cr_span *span;
     int n;
+    bool row;      /* lines are rows of the grid, else columns */
     int next;      /* from a voxel to its neighbour in the next line */
     int along;     /* to the next voxel of the line */
     bool from_end; /* inward is towards lower indices */
@@ -33,23 +34,25 @@ static struct lines lines_of(const struct cr_moving *m, const double *unit, enum
                           .share = m->share[face],
                           .span = row ? m->row : m->col,
                           .n = row ? g->ny : g->nx,
+                          .row = row,
                           .next = row ? g->nx : 1,
                           .along = row ? 1 : g->nx,
                           .from_end = face == CR_FACE_FRONT || face == CR_FACE_LEFT};
 }
 
-/* first voxel from outside that still has material, -1 if the line has none */
+static int voxel_at(const struct lines *l, int line, int along) {
+    return line * l->next + along * l->along;
+}
+
+/* place along a line of its first voxel from outside that still has material, -1 if none has */
 static int surface(const struct lines *l, int line) {
     const double *left = l->m->left;
-    struct cr_span span = l->span[line];
-    int first = line * l->next + (l->from_end ? span.hi - 1 : span.lo) * l->along;
-    int step = l->from_end ? -l->along : l->along;
-    for (int n = span.hi - span.lo; n > 0; n--, first += step) {
-        if (left[first] > 0) {
-            return first;
-        }
+    struct cr_span live = l->span[line];
+    while (live.lo < live.hi && left[voxel_at(l, line, l->from_end ? live.hi - 1 : live.lo)] <= 0) {
+        live.lo += !l->from_end;
+        live.hi -= l->from_end;
     }
-    return -1;
+    return live.lo >= live.hi ? -1 : l->from_end ? live.hi - 1 : live.lo;
 }
 
 static enum cr_face struck_face(const struct cr_moving *m, struct cr_vec2 inward) {
@@ -75,7 +78,7 @@ static bool taut(const struct lines *l, int i) {
 static void prepare_line(struct cr_string *st, const struct lines *l, int i, double tension) {
     int k = surface(l, i);
     st->surface[i] = k;
-    st->bend[i] = k < 0 ? 0 : l->unit[k] * l->share[i] / tension;
+    st->bend[i] = k < 0 ? 0 : l->unit[voxel_at(l, i, k)] * l->share[i] / tension;
     st->taut[i] = taut(l, i);
 }
 
@@ -203,12 +206,14 @@ static void relax(struct cr_string *st, const struct lines *l, double tension) {
 /* Take the material between the old and the new depth of a line, within its surface voxel: the next
  * one has another strength, and the next slice will know it. */
 static bool take(struct cr_string *st, const struct lines *l, int line, struct cr_losses *losses) {
-    int k = st->surface[line];
-    double h = l->m->body->grid.h, depth = l->depth[line], share = l->share[line];
-    double want = (st->w[line] - depth) / h * share, left = l->m->left[k];
+    const struct cr_grid *g = &l->m->body->grid;
+    int along = st->surface[line], k = voxel_at(l, line, along);
+    double depth = l->depth[line], share = l->share[line];
+    double want = (st->w[line] - depth) / g->h * share, left = l->m->left[k];
     double amount = want < left ? want : left;
-    st->w[line] = depth + amount * h / share;
-    return cr_deform_add(losses, k, CR_CRUSH_INDUCED, amount, amount * l->unit[k]);
+    st->w[line] = depth + amount * g->h / share;
+    return cr_deform_add(losses, g, l->row ? along : line, l->row ? line : along, amount,
+                         amount * l->unit[k]);
 }
 
 /* of the segments in the window; those beyond are as they were made */
