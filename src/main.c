@@ -35,11 +35,8 @@ struct word {
     int (*run)(int argc, char **argv);
 };
 static const struct word words[] = {
-    {"run", cr_batch_run},
-    {"stack", cr_batch_stack},
-    {"validate", cr_batch_validate},
-    {"models", cr_batch_models},
-    {"calibrate", cr_batch_calibrate},
+    {"run", cr_batch_run},       {"stack", cr_batch_stack},         {"validate", cr_batch_validate},
+    {"models", cr_batch_models}, {"calibrate", cr_batch_calibrate},
 };
 enum { WORDS = sizeof words / sizeof *words };
 
