@@ -3,6 +3,7 @@ librender_a_SOURCES = \
 	src/render/render.h src/render/render_priv.h \
 	src/render/assumed.c \
 	src/render/axis.c \
+	src/render/body_view.c \
 	src/render/cells.c \
 	src/render/dots.c \
 	src/render/draw.c \

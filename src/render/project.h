@@ -44,4 +44,13 @@ CR_MUST_CHECK enum cr_err cr_render_projection(struct cr_cells *cells, struct cr
 /* Rows that a view takes at this width, at most `most`. */
 int cr_render_projection_rows(const struct cr_projection *projection, int width, int most);
 
+/* A vehicle of a result in 3D with its deformation at the end: the shape is that of its type, also
+ * for own voxel models and A, B stiffness. Errors: NAME for an object, those of the model, MEMORY.
+ */
+CR_MUST_CHECK enum cr_err cr_render_body_view(struct cr_cells *cells, struct cr_rect at,
+                                              const struct cr_look *look,
+                                              const struct cr_model_lib *lib,
+                                              const struct cr_result *result, int body,
+                                              enum cr_project view, struct cr_error *err);
+
 #endif

@@ -15,7 +15,8 @@ test_render_picture_SOURCES = tests/unit/test_render_picture.c tests/unit/render
 	tests/unit/render_double.h
 test_render_picture_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 test_render_picture_LDADD = $(render_test_libs)
-test_render_project_SOURCES = tests/unit/test_render_project.c
+test_render_project_SOURCES = tests/unit/test_render_project.c tests/unit/render_double.c \
+	tests/unit/render_double.h
 test_render_project_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 test_render_project_LDADD = $(render_test_libs)
 test_render_golden_SOURCES = tests/unit/test_render_golden.c tests/unit/render_double.c \

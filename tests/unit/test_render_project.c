@@ -2,7 +2,10 @@
 #include "test.h"
 
 #include "render/project.h"
+#include "render_double.h"
 
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* 1.0 x 0.6 x 0.4 m of voxels of 0.1 m, standing 0.2 m above the road; the upper half is missing in
@@ -125,6 +128,49 @@ static void test_flat_has_no_side(void **state) {
     cr_cells_fini(&c);
 }
 
+/* the crash made by hand on the real models: the struck half of A's front carries digits */
+static void test_body_of_a_result(void **state) {
+    (void)state;
+    struct render_double d;
+    struct cr_model_lib *lib;
+    struct cr_cells c;
+    struct cr_error err = {0};
+    const struct cr_look look = {.ascii = true};
+    char dir[600];
+    snprintf(dir, sizeof dir, "%s/models", getenv("SRC"));
+    assert_int_equal(cr_model_lib_open(dir, &lib, &err), CR_ERR_OK);
+    render_double_init(&d);
+    struct cr_participant *p = &d.result.resolved.part[0];
+    double mass;
+    const struct cr_dims *dims = cr_model_dims(lib, p->type, &mass);
+    p->height = dims->height;
+    p->wheelbase = dims->wheelbase;
+    p->front_overhang = dims->front_overhang;
+    p->cg_behind_front_axle = p->length / 2 - p->front_overhang; /* its grid is centred */
+    p->cg_height = dims->cg_height;
+    const struct cr_rect at = {0, 0, 60, 20};
+    assert_int_equal(cr_cells_new(60, 20, &c, &err), CR_ERR_OK);
+    assert_int_equal(cr_render_body_view(&c, at, &look, lib, &d.result, 0, CR_PROJECT_TOP, &err),
+                     CR_ERR_OK);
+    int upper = 0, lower = 0, rear = 0;
+    for (int i = 60; i < 60 * 18; i++) { /* without title and legend */
+        bool digit = c.cell[i].role == CR_ROLE_CRUSHED;
+        upper += digit && i / 60 < 9;
+        lower += digit && i / 60 > 10;
+        rear += digit && i % 60 < 30;
+    }
+    assert_true(upper > 10);
+    assert_true(upper > 3 * lower);
+    assert_int_equal(rear, 0);
+    p->kind = CR_KIND_OBJECT;
+    assert_int_equal(cr_render_body_view(&c, at, &look, lib, &d.result, 0, CR_PROJECT_TOP, &err),
+                     CR_ERR_NAME);
+    assert_string_equal(err.text, "A is an object, it has no vehicle model");
+    cr_cells_fini(&c);
+    render_double_fini(&d);
+    cr_model_lib_free(lib);
+}
+
 static void test_words_and_rows(void **state) {
     (void)state;
     struct block b;
@@ -144,6 +190,7 @@ int main(void) {
         cmocka_unit_test(test_front),
         cmocka_unit_test(test_slice),
         cmocka_unit_test(test_flat_has_no_side),
+        cmocka_unit_test(test_body_of_a_result),
         cmocka_unit_test(test_words_and_rows),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,0 +1,70 @@
+/* A solved deformation back on the 3D model of its vehicle (the paper's Figure 3). */
+#include "render/project.h"
+
+#include "base/arena.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static const double EDGE = 0.05; /* m, voxels of the 3D models */
+
+static struct cr_model_query query_of(const struct cr_result *result, int body) {
+    const struct cr_participant *p = &result->resolved.part[body];
+    return (struct cr_model_query){
+        .type = p->type,
+        .pdof = result->of[body].pdof,
+        .dims = {.length = p->length,
+                 .width = p->width,
+                 .height = p->height,
+                 .wheelbase = p->wheelbase,
+                 .track = p->track,
+                 .front_overhang = p->front_overhang,
+                 .cg_behind_front_axle = p->cg_behind_front_axle,
+                 .cg_height = p->cg_height},
+        .mass_kg = p->mass,
+        .voxel = EDGE,
+        .curve = result->resolved.set.residual_curve == 1 ? CR_CURVE_RESIDUAL : CR_CURVE_DYNAMIC,
+        .z_hi = INFINITY,
+    };
+}
+
+enum cr_err cr_render_body_view(struct cr_cells *cells, struct cr_rect at,
+                                const struct cr_look *look, const struct cr_model_lib *lib,
+                                const struct cr_result *result, int body, enum cr_project view,
+                                struct cr_error *err) {
+    const struct cr_participant *part = &result->resolved.part[body];
+    const struct cr_outcome *o = &result->solution->body[body];
+    struct cr_arena arena = {0};
+    struct cr_voxels voxels;
+    if (part->kind != CR_KIND_VEHICLE) {
+        cr_err_set(err, CR_ERR_NAME, "%s is an object, it has no vehicle model", part->id);
+        cr_err_hint(err, "name a vehicle");
+        return CR_ERR_NAME;
+    }
+    struct cr_model_query query = query_of(result, body);
+    enum cr_err code = cr_model_voxels(lib, &query, &arena, &voxels, err);
+    if (code != CR_ERR_OK) {
+        goto out;
+    }
+    snprintf(voxels.name, sizeof voxels.name, "%.20s  %s", part->id, cr_type_word(part->type));
+    size_t n = (size_t)voxels.nx * (size_t)voxels.ny * (size_t)voxels.nz;
+    double *ees = cr_arena_take(&arena, n, sizeof *ees);
+    if (ees == NULL) {
+        code = cr_err_set(err, CR_ERR_MEMORY, "no memory for the model of %s", part->id);
+        goto out;
+    }
+    code = cr_voxels_ees(&voxels, ees, err);
+    if (code != CR_ERR_OK) {
+        goto out;
+    }
+    struct cr_projection p = {
+        .view = view, .voxels = &voxels, .ees = ees, .face = result->of[body].face};
+    if (o->left != NULL) {
+        p.grid = &result->compiled.cs.body[body].grid;
+        p.left = o->left;
+    }
+    code = cr_render_projection(cells, at, look, &p, err);
+out:
+    cr_arena_free(&arena);
+    return code;
+}
