@@ -12,3 +12,9 @@ test_voxels_LDADD = libmodel.a libbase.a $(CMOCKA_LIBS) $(CJSON_LIBS) $(NETTLE_L
 model_checks = tests/cli/models.sh tests/schema_models.sh
 TESTS += $(model_checks)
 EXTRA_DIST += $(model_checks)
+check_PROGRAMS += test_model_pdof
+TESTS += test_model_pdof
+test_model_pdof_SOURCES = tests/unit/test_model_pdof.c
+test_model_pdof_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
+test_model_pdof_LDADD = libresult.a libscene.a libsolver.a libmodel.a libbase.a $(CMOCKA_LIBS) \
+	$(CJSON_LIBS) $(NETTLE_LIBS)
