@@ -55,3 +55,6 @@ dist_validationlow_DATA = \
 validationpulsedir = $(pkgdatadir)/share/validation/pulse
 dist_validationpulse_DATA = \
 	share/validation/pulse/camry-10146.json
+validationdocdir = $(pkgdatadir)/share/doc
+dist_validationdoc_DATA = share/doc/validation.md
+dist_man_MANS += man/crumple-validation.7
