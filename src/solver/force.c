@@ -8,6 +8,9 @@ static const double cosine_min = 0.02;
 
 /* Spread of the patch, in voxels, over which its axis takes over from the relative velocity. */
 static const double patch_from = 1.0, patch_to = 4.0;
+/* spread (standard deviation) from which a patch knows its own direction better than the slices
+ * before it did, m: a flank rubbed along its length, as against a front corner */
+static const double patch_sure = 0.25;
 
 /* Time over which COE and the normal between two deforming bodies are averaged, s. */
 const double cr_force_memory = 8e-3;
@@ -70,11 +73,12 @@ static struct moments moments_of(const struct cr_solver *s, int a, int b, struct
 
 /* How far the patch has an axis, 0..1, and the axis' normal on the side of `outward`. */
 static double axis_of_patch(const struct moments *mo, double h, struct cr_vec2 outward,
-                            struct cr_vec2 *normal) {
+                            struct cr_vec2 *normal, double *trust) {
     double mean = 0.5 * (mo->xx + mo->yy), diff = 0.5 * (mo->xx - mo->yy);
     double root = sqrt(diff * diff + mo->xy * mo->xy);
     double major = sqrt(fmax(mean + root, 0)), minor = sqrt(fmax(mean - root, 0));
     double axis = 0.5 * atan2(mo->xy, diff); /* of the major axis */
+    *trust = fmax(1, major * major / (patch_sure * patch_sure));
     struct cr_vec2 n = {-sin(axis), cos(axis)};
     *normal = cr_vec2_dot(n, outward) < 0 ? cr_vec2_scale(n, -1) : n;
     double size = smoothstep((major / h - patch_from) / (patch_to - patch_from));
@@ -90,14 +94,15 @@ static struct cr_vec2 mix(struct cr_vec2 a, double w, struct cr_vec2 b) {
  * direction v of relative velocity while the patch is too small or too round to have an axis.
  * False where the bodies are leaving each other. */
 static bool normal_of_patch(const struct cr_solver *s, int a, int b, struct cr_vec2 coe,
-                            struct cr_vec2 v, struct cr_vec2 *normal) {
+                            struct cr_vec2 v, struct cr_force *force) {
+    struct cr_vec2 *normal = &force->normal;
     const struct cr_moving *ma = &s->m[a], *mb = &s->m[b];
     struct moments mo = moments_of(s, a, b, coe);
     struct cr_vec2 none = {0, 0};
     struct cr_vec2 out = cr_vec2_sub(cr_vec2_unit(cr_vec2_sub(coe, ma->pos), none),
                                      cr_vec2_unit(cr_vec2_sub(coe, mb->pos), none));
     out = cr_vec2_unit(out, v);
-    double w = axis_of_patch(&mo, ma->body->grid.h, out, normal);
+    double w = axis_of_patch(&mo, ma->body->grid.h, out, normal, &force->trust);
     if (cr_vec2_dot(mix(*normal, w, out), v) <= 0) {
         return false;
     }
@@ -163,10 +168,10 @@ void cr_force_update(struct cr_solver *s, int pair, int a, int b, struct cr_forc
     *force = whole;
 }
 
-/* Mean of the normals of the last slices, weighted by energy: the deformed voxels of one slice are
+/* Mean of the normals of the slices so far, weighted by energy: the deformed voxels of one slice are
  * too few to give a steady direction. */
 static struct cr_vec2 steady(const struct cr_solver *s, int pair, const struct cr_force *force) {
-    struct cr_vec2 sum = cr_vec2_scale(force->normal, force->energy);
+    struct cr_vec2 sum = cr_vec2_scale(force->normal, force->energy * force->trust);
     if (s->touch[pair].record >= 0) {
         sum = cr_vec2_axpy(sum, exp(-s->dt / cr_force_memory), s->touch[pair].normal_recent);
     }
@@ -192,7 +197,7 @@ bool cr_force_find(struct cr_solver *s, int pair, int a, int b, struct cr_force 
         force->normal = cr_vec2_unit(cr_vec2_scale(n, -1), v);
     } else if (ma->body->grid.nx == 0) {
         force->normal = cr_vec2_unit(cr_vec2_rotate(s->losses[1].normal, ma->c, ma->s), v);
-    } else if (!normal_of_patch(s, a, b, patch, v, &force->normal)) {
+    } else if (!normal_of_patch(s, a, b, patch, v, force)) {
         return false;
     }
     if (cr_vec2_dot(force->normal, v) <= 0) {

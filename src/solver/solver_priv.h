@@ -212,6 +212,7 @@ extern const double cr_force_memory;
 struct cr_force {
     struct cr_vec2 coe;       /* Eq. (3) */
     struct cr_vec2 normal;    /* from a to b */
+    double trust;             /* weight of this slice's normal against those before it, >= 1 */
     struct cr_vec2 direction; /* of the force on b */
     double cosine;            /* between the two */
     double energy;            /* Eq. (1), J */
