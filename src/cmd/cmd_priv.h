@@ -97,13 +97,14 @@ struct cr_placed *cr_placed_find(struct cr_state *state, const char *id);
 struct cr_state {
     struct cr_scene scene;
     struct cr_placed placed[CR_BODY_MAX]; /* in no order */
+    char file[CR_PATH_MAX];               /* it was read from or saved to, "" if it has none */
     char *command;                        /* that led here, NULL for the first */
     long rev;
 };
 
 struct cr_session {
     struct cr_session_opts opts;
-    char data_dir[CR_PATH_MAX], autosave[CR_PATH_MAX], file[CR_PATH_MAX];
+    char data_dir[CR_PATH_MAX], autosave[CR_PATH_MAX];
     struct cr_state **state; /* undo stack; state[now] is the present */
     int states, now;
     long last_rev, saved_rev, result_rev, failed_rev, compiled_rev;
@@ -120,6 +121,7 @@ struct cr_session {
     int lines, line_size;
     int depth;                                  /* of nested source commands */
     double work_began, work_polled, work_shown; /* s of the monotonic clock */
+    double work_took;                           /* s of the last solve */
 };
 
 void cr_say(struct cr_session *s, const char *fmt, ...) CR_PRINTF(2, 3);
@@ -197,6 +199,9 @@ enum cr_err cr_cmd_picture(struct cr_session *s, int width, int height,
                                                struct cr_rect at, struct cr_error *err),
                            void *user, struct cr_error *err);
 
+/* The selected vehicle's 3D model from `view` (enum cr_project). */
+enum cr_err cr_cmd_project(struct cr_session *s, int view, struct cr_error *err);
+
 /* ---- handlers ---- */
 
 #define CR_CMD_LIST(X)                                                                             \
@@ -206,9 +211,30 @@ enum cr_err cr_cmd_picture(struct cr_session *s, int width, int height,
     X(place)                                                                                       \
     X(move)                                                                                        \
     X(set)                                                                                         \
-    X(check) X(solve) X(show) X(view) X(table) X(pulse) X(explain) X(compare) X(assert) X(sweep)   \
-        X(load) X(save) X(export) X(source) X(undo) X(redo) X(history) X(new) X(list) X(remove)    \
-            X(copy) X(help) X(apropos) X(quit)
+    X(check)                                                                                       \
+    X(solve)                                                                                       \
+    X(show)                                                                                        \
+    X(view)                                                                                        \
+    X(table)                                                                                       \
+    X(pulse)                                                                                       \
+    X(explain)                                                                                     \
+    X(compare)                                                                                     \
+    X(assert)                                                                                      \
+    X(sweep)                                                                                       \
+    X(load)                                                                                        \
+    X(save)                                                                                        \
+    X(export)                                                                                      \
+    X(source)                                                                                      \
+    X(undo)                                                                                        \
+    X(redo)                                                                                        \
+    X(history)                                                                                     \
+    X(new)                                                                                         \
+    X(list)                                                                                        \
+    X(remove)                                                                                      \
+    X(copy)                                                                                        \
+    X(help)                                                                                        \
+    X(apropos)                                                                                     \
+    X(quit)
 #define X(name) enum cr_err cr_cmd_##name(struct cr_call *call, struct cr_error *err);
 CR_CMD_LIST(X)
 #undef X

@@ -40,7 +40,8 @@ enum cr_err cr_cmd_load(struct cr_call *call, struct cr_error *err) {
     }
     if (!recover && path == NULL) {
         cr_err_set(err, CR_ERR_MISSING, "load needs FILE (a scene)");
-        cr_err_hint(err, "for example: load %s", s->file[0] != '\0' ? s->file : "crash.json");
+        cr_err_hint(err, "for example: load %s",
+                    cr_session_file(s)[0] != '\0' ? cr_session_file(s) : "crash.json");
         return CR_ERR_MISSING;
     }
     enum cr_err code = cr_cmd_edit(call, &draft, err);
@@ -54,6 +55,7 @@ enum cr_err cr_cmd_load(struct cr_call *call, struct cr_error *err) {
     if (code != CR_ERR_OK) {
         return recover ? code : cr_cmd_blame(call, "FILE", code);
     }
+    draft->file[0] = '\0';
     if (recover) { /* relative model files start from where the program runs, as for a new scene */
         draft->scene.dir[0] = '\0';
         unlink(left);
@@ -61,8 +63,8 @@ enum cr_err cr_cmd_load(struct cr_call *call, struct cr_error *err) {
         call->fresh = true;
         snprintf(call->file, sizeof call->file, "%s", from);
     }
-    cr_say(s, "%s%s%d participants", draft->scene.name, draft->scene.name[0] != '\0' ? ": " : "",
-           draft->scene.n);
+    cr_say(s, "%s%s%d participant%s", draft->scene.name, draft->scene.name[0] != '\0' ? ": " : "",
+           draft->scene.n, draft->scene.n == 1 ? "" : "s");
     for (int i = 0; i < draft->scene.n; i++) {
         cr_cmd_describe(&draft->scene.part[i], line, sizeof line);
         cr_say(s, "%s", line);
@@ -72,7 +74,7 @@ enum cr_err cr_cmd_load(struct cr_call *call, struct cr_error *err) {
 
 /* a file that is there and is not the session's own is kept unless "!" was typed */
 static enum cr_err may_write(struct cr_call *call, const char *path, struct cr_error *err) {
-    if (call->force || strcmp(path, call->s->file) == 0 || !exists(path)) {
+    if (call->force || strcmp(path, cr_session_file(call->s)) == 0 || !exists(path)) {
         return CR_ERR_OK;
     }
     cr_err_set(err, CR_ERR_DUPLICATE, "%.150s is there already", path);
@@ -82,7 +84,7 @@ static enum cr_err may_write(struct cr_call *call, const char *path, struct cr_e
 
 enum cr_err cr_cmd_save(struct cr_call *call, struct cr_error *err) {
     struct cr_session *s = call->s;
-    const char *path = cr_cmd_text(call, "FILE", s->file);
+    const char *path = cr_cmd_text(call, "FILE", cr_session_file(s));
     if (path[0] == '\0') {
         cr_err_set(err, CR_ERR_MISSING, "the scene has no file yet");
         cr_err_hint(err, "for example: save crash.json");
@@ -96,7 +98,8 @@ enum cr_err cr_cmd_save(struct cr_call *call, struct cr_error *err) {
     if (code == CR_ERR_OK) {
         cr_session_saved(s, path);
         cr_session_autosave(s);
-        cr_say(s, "%s: %d participants", path, cr_session_scene(s)->n);
+        cr_say(s, "%s: %d participant%s", path, cr_session_scene(s)->n,
+               cr_session_scene(s)->n == 1 ? "" : "s");
     }
     return code;
 }

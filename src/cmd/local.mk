@@ -10,6 +10,7 @@ libcmd_a_SOURCES = \
 	src/cmd/measure.c src/cmd/measure.h \
 	src/cmd/model.c \
 	src/cmd/place.c \
+	src/cmd/project.c \
 	src/cmd/pulse.c src/cmd/pulse.h \
 	src/cmd/run.c \
 	src/cmd/scene.c \

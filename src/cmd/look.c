@@ -163,7 +163,8 @@ enum cr_err cr_cmd_show(struct cr_call *call, struct cr_error *err) {
         snprintf(view.colormap, sizeof view.colormap, "%s", cr_cmd_text(call, "colormap", ""));
     }
     call->s->view = view;
-    return show_scene(call->s, err);
+    int from = cr_cmd_word(call, "view", 0); /* plan, then the words of render/project.h */
+    return from > 0 ? cr_cmd_project(call->s, from - 1, err) : show_scene(call->s, err);
 }
 
 /* ---- view ---- */

@@ -430,6 +430,7 @@ enum cr_err cr_cmd_new(struct cr_call *call, struct cr_error *err) {
     }
     cr_scene_fini(&draft->scene);
     memset(draft->placed, 0, sizeof draft->placed);
+    draft->file[0] = '\0';
     if (name[0] != '\0') {
         code = cr_scene_set(&draft->scene, "name", name, err);
         if (code != CR_ERR_OK) {

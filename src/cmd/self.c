@@ -60,19 +60,20 @@ enum cr_err cr_cmd_quit(struct cr_call *call, struct cr_error *err) {
     char question[CR_PATH_MAX + 100];
     if (!call->force && unsaved > 0 && s->opts.ask && s->opts.out.ask != NULL) {
         snprintf(question, sizeof question, "%s has %d unsaved change%s: (s)ave (q)uit (c)ancel",
-                 s->file[0] != '\0' ? s->file : "the scene", unsaved, unsaved == 1 ? "" : "s");
+                 cr_session_file(s)[0] != '\0' ? cr_session_file(s) : "the scene", unsaved,
+                 unsaved == 1 ? "" : "s");
         int answer = s->opts.out.ask(s->opts.out.user, question, "sqc");
-        if (answer == 's' && s->file[0] == '\0') {
+        if (answer == 's' && cr_session_file(s)[0] == '\0') {
             cr_err_set(err, CR_ERR_MISSING, "the scene has no file yet");
             cr_err_hint(err, "for example: save crash.json");
             return CR_ERR_MISSING;
         }
         if (answer == 's') {
-            enum cr_err code = cr_scene_save(cr_session_scene(s), s->file, err);
+            enum cr_err code = cr_scene_save(cr_session_scene(s), cr_session_file(s), err);
             if (code != CR_ERR_OK) {
                 return code;
             }
-            cr_session_saved(s, s->file);
+            cr_session_saved(s, cr_session_file(s));
         } else if (answer != 'q') {
             cr_say(s, "not quit");
             return CR_ERR_OK;

@@ -305,7 +305,7 @@ const struct cr_model_lib *cr_session_models(struct cr_session *s) {
 }
 
 const char *cr_session_file(const struct cr_session *s) {
-    return s->file;
+    return cr_session_now(s)->file;
 }
 
 enum cr_solve_state cr_session_state(const struct cr_session *s) {

@@ -44,7 +44,11 @@ struct cr_context cr_session_context(struct cr_session *s) {
 static void say_result(struct cr_session *s) {
     const struct cr_result *r = s->result;
     struct cr_str line = {0};
-    cr_str_addf(&line, "%d steps: EES", r->solution->samples);
+    cr_str_addf(&line, "%d steps", r->solution->samples);
+    if (s->opts.ask) { /* a script says the same on every run */
+        cr_str_addf(&line, " in %.2f s", s->work_took);
+    }
+    cr_str_add(&line, ": EES");
     for (int i = 0; i < r->solution->bodies; i++) {
         if (r->compiled.cs.body[i].grid.nx > 0) {
             cr_str_addf(&line, " %s %.1f", r->resolved.part[i].id, cr_kmh(r->of[i].ees));
@@ -78,7 +82,7 @@ static enum cr_err run(struct cr_session *s, struct cr_error *err) {
     s->solving = true;
     cr_work_begin(s);
     code = cr_result_run(cr_session_scene(s), &ctx, &result, err);
-    cr_work_end(s);
+    s->work_took = cr_work_end(s);
     s->solving = false;
     s->failed_rev = code != CR_ERR_OK ? cr_session_now(s)->rev : 0;
     if (code == CR_ERR_OK) {

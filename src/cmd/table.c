@@ -188,6 +188,8 @@ static const struct cr_arg show_args[] = {
     KEY("follow", CR_VALUE_WORD, .words = "cog|world", .def = "cog",
         .help = "keep the bodies in the middle, or the place"),
     KEY("select", CR_VALUE_NAME, .words = "none", .help = "participant to mark"),
+    KEY("view", CR_VALUE_WORD, .words = "plan|side|top|front|slice", .def = "plan",
+        .help = "plan: the scene; else the selected vehicle's 3D model, with its damage"),
     KEY("colormap", CR_VALUE_WORD, .words = "viridis|magma|gray", .def = "viridis",
         .help = "colours of the field"),
     END,

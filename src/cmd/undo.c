@@ -36,6 +36,7 @@ enum cr_err cr_state_dup(const struct cr_state *from, struct cr_state **out, str
         return code;
     }
     memcpy(copy->placed, from->placed, sizeof copy->placed);
+    memcpy(copy->file, from->file, sizeof copy->file);
     *out = copy;
     return CR_ERR_OK;
 }
@@ -76,7 +77,8 @@ enum cr_err cr_session_commit(struct cr_session *s, struct cr_state *draft, cons
 
 void cr_session_saved(struct cr_session *s, const char *path) {
     s->saved_rev = cr_session_now(s)->rev;
-    snprintf(s->file, sizeof s->file, "%s", path);
+    struct cr_state *now = cr_session_now(s);
+    snprintf(now->file, sizeof now->file, "%s", path);
 }
 
 int cr_session_unsaved(const struct cr_session *s) {

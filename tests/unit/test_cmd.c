@@ -1,5 +1,6 @@
 #include "test.h"
 
+#include "base/file.h"
 #include "cmd/cmd.h"
 #include "cmd/cmd_priv.h"
 
@@ -214,6 +215,43 @@ static void test_undo_gives_back_every_state(void **state) {
     assert_int_equal(cr_session_unsaved(s), 0);
     run(s, "redo 51");
     check_near(cr_session_scene(s)->part[0].speed * 3.6, 50, 1e-9);
+    end(s, &h);
+}
+
+/* what is saved is what is loaded, and undo never leaves a scene with the file of another */
+static void test_save_and_load_are_inverses(void **state) {
+    (void)state;
+    char dir[] = "cr_save_XXXXXX", line[80], one_path[40], two_path[40], *one, *two;
+    size_t n1, n2;
+    struct heard h;
+    struct cr_session *s = session(&h, NULL);
+    assert_non_null(mkdtemp(dir));
+    snprintf(one_path, sizeof one_path, "%s/one.json", dir);
+    snprintf(two_path, sizeof two_path, "%s/two.json", dir);
+    run(s, "vehicle A type=suv mass=2260kg speed=56km/h brake=80% steer=1,1,0,0");
+    run(s, "vehicle B type=sedan mass=1.5t; place B facing A overlap=40% side=right gap=0.1m");
+    run(s, "object tree kind=pole diameter=0.3m; set restitution=auto name=crash");
+    snprintf(line, sizeof line, "save %s", one_path);
+    run(s, line);
+    assert_int_equal(cr_session_unsaved(s), 0);
+    snprintf(line, sizeof line, "new; load %s", one_path);
+    run(s, line);
+    snprintf(line, sizeof line, "save %s", two_path);
+    run(s, line);
+    assert_int_equal(cr_file_read(one_path, &one, &n1, NULL), CR_ERR_OK);
+    assert_int_equal(cr_file_read(two_path, &two, &n2, NULL), CR_ERR_OK);
+    assert_int_equal(n1, n2);
+    assert_memory_equal(one, two, n1);
+    free(one);
+    free(two);
+    assert_string_equal(cr_session_file(s), two_path);
+    run(s, "undo 2");
+    assert_string_equal(cr_session_file(s), one_path);
+    run(s, "redo");
+    assert_string_equal(cr_session_file(s), "");
+    unlink(one_path);
+    unlink(two_path);
+    rmdir(dir);
     end(s, &h);
 }
 
@@ -443,6 +481,7 @@ int main(void) {
         cmocka_unit_test(test_examples_of_help_run),
         cmocka_unit_test(test_prefixes),
         cmocka_unit_test(test_undo_gives_back_every_state),
+        cmocka_unit_test(test_save_and_load_are_inverses),
         cmocka_unit_test(test_an_error_changes_nothing),
         cmocka_unit_test(test_result_follows_the_scene),
         cmocka_unit_test(test_completion_by_type_of_argument),

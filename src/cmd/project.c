@@ -1,0 +1,130 @@
+/* show view=side: the 3D model of a vehicle from the side, above or the front, with the deformation
+ * of the solve carried back onto it (the paper's Figure 3). */
+#include "cmd/cmd_priv.h"
+
+#include "render/project.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* the vehicle to be drawn: the one selected, else the first */
+static int find_vehicle(const struct cr_scene *scene, const char *id) {
+    int first = -1;
+    for (int i = 0; i < scene->n; i++) {
+        bool vehicle = scene->part[i].kind == CR_KIND_VEHICLE;
+        if (vehicle && strcmp(scene->part[i].id, id) == 0) {
+            return i;
+        }
+        first = vehicle && first < 0 ? i : first;
+    }
+    return first;
+}
+
+/* PDOF of the model that was used: "suv/11" -> 330 deg */
+static double pdof_of(const struct cr_result *r, int part, const struct cr_participant *p) {
+    const char *slash = r != NULL ? strrchr(r->of[part].model, '/') : NULL;
+    if (p->model.pdof_kind == CR_PDOF_GIVEN) {
+        return p->model.pdof;
+    }
+    return slash != NULL ? cr_rad(30 * fmod(strtod(slash + 1, NULL), 12)) : 0;
+}
+
+static enum cr_err make_voxels(struct cr_session *s, const struct cr_scene *scene, int part,
+                               struct cr_arena *arena, struct cr_voxels *out,
+                               struct cr_error *err) {
+    const struct cr_participant *p = &scene->part[part];
+    bool solved = cr_session_state(s) == CR_STATE_SOLVED;
+    if (p->model.kind == CR_MODEL_FILE) {
+        char path[2 * CR_PATH_MAX];
+        bool whole = p->model.file[0] == '/' || scene->dir[0] == '\0';
+        snprintf(path, sizeof path, "%s%s%s", whole ? "" : scene->dir, whole ? "" : "/",
+                 p->model.file);
+        return cr_voxels_read(path, arena, out, NULL, err);
+    }
+    struct cr_model_query query = {.type = p->type,
+                                   .pdof = pdof_of(solved ? s->result : NULL, part, p),
+                                   .blend = p->model.blend,
+                                   .dims = {.length = p->length,
+                                            .width = p->width,
+                                            .height = p->height,
+                                            .wheelbase = p->wheelbase,
+                                            .track = p->track,
+                                            .front_overhang = p->front_overhang,
+                                            .cg_behind_front_axle = p->cg_behind_front_axle,
+                                            .cg_height = p->cg_height},
+                                   .mass_kg = p->mass,
+                                   .voxel = fmax(scene->set.voxel, 0.05),
+                                   .curve = scene->set.residual_curve == 1 ? CR_CURVE_RESIDUAL
+                                                                           : CR_CURVE_DYNAMIC,
+                                   .z_hi = INFINITY};
+    return cr_model_voxels(s->models, &query, arena, out, err);
+}
+
+struct projection_job {
+    struct cr_session *s;
+    struct cr_projection projection;
+};
+
+static enum cr_err draw(void *user, struct cr_cells *cells, struct cr_rect at,
+                        struct cr_error *err) {
+    struct projection_job *job = user;
+    return cr_render_projection(cells, at, &job->s->opts.look, &job->projection, err);
+}
+
+static enum cr_err draw_vehicle(struct cr_session *s, const struct cr_scene *scene, int part,
+                                enum cr_project view, struct cr_error *err) {
+    struct cr_arena arena = {0};
+    struct cr_voxels voxels;
+    int w, h;
+    enum cr_err code = make_voxels(s, scene, part, &arena, &voxels, err);
+    double *ees = NULL;
+    if (code == CR_ERR_OK) {
+        ees = cr_arena_take(&arena, (size_t)voxels.nx * (size_t)voxels.ny * (size_t)voxels.nz,
+                            sizeof *ees);
+        code = ees != NULL ? cr_voxels_ees(&voxels, ees, err)
+                           : cr_err_set(err, CR_ERR_MEMORY, "out of memory");
+    }
+    if (code == CR_ERR_OK) {
+        bool solved = cr_session_state(s) == CR_STATE_SOLVED;
+        const struct cr_grid *grid = solved ? &s->result->compiled.cs.body[part].grid : NULL;
+        struct projection_job job = {s,
+                                     {.view = view,
+                                      .voxels = &voxels,
+                                      .ees = ees,
+                                      .grid = grid,
+                                      .left = solved ? s->result->solution->body[part].left : NULL,
+                                      .face = solved ? s->result->of[part].face : CR_FACE_FRONT}};
+        cr_session_room(s, &w, &h);
+        cr_say(s, "%s: %s", scene->part[part].id, voxels.name);
+        code = cr_cmd_picture(s, w, cr_render_projection_rows(&job.projection, w, h - 4), draw,
+                              &job, err);
+    }
+    cr_arena_free(&arena);
+    return code;
+}
+
+enum cr_err cr_cmd_project(struct cr_session *s, int view, struct cr_error *err) {
+    struct cr_scene scene;
+    enum cr_err code = cr_session_need_models(s, err);
+    if (code == CR_ERR_OK) {
+        code = cr_scene_copy(cr_session_scene(s), &scene, err);
+    }
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    int part = find_vehicle(&scene, s->view.selected);
+    if (part < 0) {
+        cr_err_set(err, CR_ERR_MISSING, "there is no vehicle to draw");
+        cr_err_hint(err, "for example: vehicle A type=compact");
+        code = CR_ERR_MISSING;
+    } else {
+        code = cr_cmd_resolve(&scene, s->models, NULL, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = draw_vehicle(s, &scene, part, (enum cr_project)view, err);
+    }
+    cr_scene_fini(&scene);
+    return code;
+}
