@@ -101,11 +101,10 @@ static double value_at(const struct cr_grid *g, const double *field, int i, int 
     return i >= 0 && j >= 0 && i < g->nx && j < g->ny ? field[j * g->nx + i] : 0;
 }
 
-/* out of line, so that four_at is not */
-static void four_at_edge(const struct cr_grid *g, const double *field, int i, int j,
-                         struct four *f) {
-    *f = (struct four){value_at(g, field, i, j), value_at(g, field, i + 1, j),
-                       value_at(g, field, i, j + 1), value_at(g, field, i + 1, j + 1)};
+/* there is nothing beyond the edge of the grid */
+static struct four four_at_edge(const struct cr_grid *g, const double *field, int i, int j) {
+    return (struct four){value_at(g, field, i, j), value_at(g, field, i + 1, j),
+                         value_at(g, field, i, j + 1), value_at(g, field, i + 1, j + 1)};
 }
 
 static inline struct four four_at(const struct cr_grid *g, const double *field, int i, int j) {
@@ -153,23 +152,16 @@ static void meet_grid(const struct cr_reach *r, const double *their_unit, struct
         double u = u0 + map.c * ix, v = v0 + map.s * ix;
         int i = (int)(u + 2) - 2, j = (int)(v + 2) - 2; /* floor: both are > -2 */
         bool edge = i < 0 || j < 0 || i + 1 >= og->nx || j + 1 >= og->ny;
-        struct four material, unit;
-        if (edge) {
-            four_at_edge(og, their_left, i, j, &material);
-        } else {
-            material = four_at(og, their_left, i, j);
-        }
+        struct four material =
+            edge ? four_at_edge(og, their_left, i, j) : four_at(og, their_left, i, j);
         u -= i;
         v -= j;
         double phi = bilinear(material, u, v);
         if (left + phi - 1 <= crumb * left && phi < 1 - crumb) {
             continue;
         }
-        if (edge) {
-            four_at_edge(og, their_unit, i, j, &unit);
-        } else {
-            unit = four_at(og, their_unit, i, j);
-        }
+        struct four unit =
+            edge ? four_at_edge(og, their_unit, i, j) : four_at(og, their_unit, i, j);
         double amount = loss_beside(left, mine, material, unit, u, v);
         if (amount > 0) {
             lose(losses, row, ix, amount);
@@ -221,9 +213,9 @@ bool cr_deform_collect(struct cr_solver *s, int a, int b) {
     return collect_side(s, a, b, &s->losses[0]) && collect_side(s, b, a, &s->losses[1]);
 }
 
-static void dent(struct cr_moving *m, enum cr_face face, int line, double by) {
+static void dent(struct cr_moving *m, enum cr_face face, int line, double amount) {
     struct cr_span *span = &m->dented[face];
-    m->depth[face][line] += by / m->share[face][line];
+    m->depth[face][line] += amount * m->pitch[face][line];
     span->lo = line < span->lo ? line : span->lo;
     span->hi = line > span->hi ? line : span->hi;
 }
@@ -232,8 +224,8 @@ static void change(struct cr_moving *m, const struct cr_loss *loss, double amoun
     const struct cr_grid *g = &m->body->grid;
     double left = m->left[loss->voxel] - amount;
     m->left[loss->voxel] = left > 0 ? left : 0;
-    dent(m, 2 * loss->ix >= g->nx ? CR_FACE_FRONT : CR_FACE_REAR, loss->iy, amount * g->h);
-    dent(m, 2 * loss->iy >= g->ny ? CR_FACE_LEFT : CR_FACE_RIGHT, loss->ix, amount * g->h);
+    dent(m, 2 * loss->ix >= g->nx ? CR_FACE_FRONT : CR_FACE_REAR, loss->iy, amount);
+    dent(m, 2 * loss->iy >= g->ny ? CR_FACE_LEFT : CR_FACE_RIGHT, loss->ix, amount);
 }
 
 void cr_deform_apply(struct cr_moving *m, const struct cr_losses *losses, int from) {

@@ -39,54 +39,59 @@ static bool new_lines(struct cr_solver *s, struct cr_moving *m) {
         size_t n = f == CR_FACE_FRONT || f == CR_FACE_REAR ? ny : nx;
         m->depth[f] = cr_arena_take(&s->arena, n, sizeof(double));
         m->outline[f] = cr_arena_take(&s->arena, n, sizeof(double));
-        m->share[f] = cr_arena_take(&s->arena, n, sizeof(double));
-        if (m->depth[f] == NULL || m->outline[f] == NULL || m->share[f] == NULL) {
+        m->pitch[f] = cr_arena_take(&s->arena, n, sizeof(double));
+        if (m->depth[f] == NULL || m->outline[f] == NULL || m->pitch[f] == NULL) {
             return false;
         }
     }
     return m->row != NULL && m->col != NULL;
 }
 
+/* a line holds material in its voxel k */
+static inline void stretch_over(struct cr_span *line, int k) {
+    line->lo = k < line->lo ? k : line->lo;
+    line->hi = k + 1 > line->hi ? k + 1 : line->hi;
+}
+
+/* live spans of all lines, and their fullest voxel into the pitch of the front and left faces */
 static void span_lines(struct cr_moving *m) {
     const struct cr_grid *g = &m->body->grid;
+    double *row_most = m->pitch[CR_FACE_FRONT], *col_most = m->pitch[CR_FACE_LEFT];
     for (int ix = 0; ix < g->nx; ix++) {
         m->col[ix] = (struct cr_span){g->ny, 0};
     }
     for (int iy = 0; iy < g->ny; iy++) {
-        struct cr_span *row = &m->row[iy];
-        *row = (struct cr_span){g->nx, 0};
+        m->row[iy] = (struct cr_span){g->nx, 0};
         for (int ix = 0; ix < g->nx; ix++) {
-            if (m->left[iy * g->nx + ix] > 0) {
-                struct cr_span *col = &m->col[ix];
-                row->lo = ix < row->lo ? ix : row->lo;
-                row->hi = ix + 1;
-                col->lo = iy < col->lo ? iy : col->lo;
-                col->hi = iy + 1;
+            double fill = m->left[iy * g->nx + ix];
+            if (fill > 0) {
+                stretch_over(&m->row[iy], ix);
+                stretch_over(&m->col[ix], iy);
+                row_most[iy] = fill > row_most[iy] ? fill : row_most[iy];
+                col_most[ix] = fill > col_most[ix] ? fill : col_most[ix];
             }
         }
-        row->lo = row->hi == 0 ? 0 : row->lo;
     }
+    m->rows = (struct cr_span){0, g->ny};
+    m->cols = (struct cr_span){0, g->nx};
 }
 
-/* undeformed surface of every face, and how much of a line's width its voxels fill */
+/* undeformed surface of every line from both its ends, and the depth of its material */
 static void measure_faces(struct cr_moving *m) {
+    static const enum cr_face end[] = {CR_FACE_FRONT, CR_FACE_LEFT};
+    static const enum cr_face begin[] = {CR_FACE_REAR, CR_FACE_RIGHT};
     const struct cr_grid *g = &m->body->grid;
-    for (int f = 0; f < CR_FACES; f++) {
-        bool row = f == CR_FACE_FRONT || f == CR_FACE_REAR;
-        bool from_end = f == CR_FACE_FRONT || f == CR_FACE_LEFT;
-        int lines = row ? g->ny : g->nx, length = row ? g->nx : g->ny;
+    for (int axis = 0; axis < 2; axis++) {
+        enum cr_face hi = end[axis], lo = begin[axis];
+        const struct cr_span *span = axis == 0 ? m->row : m->col;
+        int lines = axis == 0 ? g->ny : g->nx, length = axis == 0 ? g->nx : g->ny;
         for (int i = 0; i < lines; i++) {
-            double most = 0, before = 0;
-            for (int k = 0; k < length; k++) {
-                int along = from_end ? length - 1 - k : k;
-                double fill = row ? m->left[i * g->nx + along] : m->left[along * g->nx + i];
-                before += most <= 0 && fill <= 0 ? g->h : 0;
-                most = fill > most ? fill : most;
-            }
-            m->share[f][i] = most > 0 ? most : 1;
-            m->outline[f][i] = before;
+            double most = m->pitch[hi][i];
+            m->pitch[hi][i] = m->pitch[lo][i] = g->h / (most > 0 ? most : 1);
+            m->outline[hi][i] = (length - span[i].hi) * g->h;
+            m->outline[lo][i] = span[i].lo * g->h;
         }
-        m->dented[f] = (struct cr_span){lines, -1};
+        m->dented[hi] = m->dented[lo] = (struct cr_span){lines, -1};
     }
 }
 
@@ -94,6 +99,9 @@ static void measure_faces(struct cr_moving *m) {
 static bool new_units(struct cr_solver *s, struct cr_moving *m) {
     const struct cr_grid *g = &m->body->grid;
     for (int p = 0; p < s->cs->n; p++) {
+        if (m == &s->m[p]) {
+            continue;
+        }
         const double *energy = m->body->energy_against[p];
         energy = energy != NULL ? energy : g->energy;
         for (int q = 0; q < p; q++) {
@@ -130,8 +138,6 @@ static bool new_grid(struct cr_solver *s, struct cr_moving *m) {
     for (size_t k = 0; k < n; k++) {
         m->left[k] = g->fill[k] > 1e-6 ? g->fill[k] : 0;
     }
-    m->rows = (struct cr_span){0, g->ny};
-    m->cols = (struct cr_span){0, g->nx};
     span_lines(m);
     measure_faces(m);
     m->lo = cr_vec2(g->x0, g->y0);

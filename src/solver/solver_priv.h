@@ -36,7 +36,8 @@ struct cr_moving {
     double *depth[CR_FACES];           /* crush of each line of a face, m: rows for front and
                                           rear, columns for left and right */
     double *outline[CR_FACES];         /* undeformed surface behind the foremost one, m */
-    double *share[CR_FACES];           /* fill of a line's voxels: less than 1 at the edges */
+    double *pitch[CR_FACES];           /* depth of a line per unit of material, m: more than a voxel's
+                                          edge at the sides, where voxels are filled in part */
     double membrane[CR_FACES];         /* string energy of a face, J */
     struct cr_span dented[CR_FACES];   /* lines that have lost material, both ends included */
     double energy, induced;            /* plastic so far, J */

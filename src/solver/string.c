@@ -15,7 +15,7 @@
 struct lines {
     const struct cr_moving *m;
     const double *unit;
-    const double *depth, *outline, *share; /* of the face */
+    const double *depth, *outline, *pitch; /* of the face */
     const struct cr_span *span;
     int n;
     bool row;      /* lines are rows of the grid, else columns */
@@ -31,7 +31,7 @@ static struct lines lines_of(const struct cr_moving *m, const double *unit, enum
                           .unit = unit,
                           .depth = m->depth[face],
                           .outline = m->outline[face],
-                          .share = m->share[face],
+                          .pitch = m->pitch[face],
                           .span = row ? m->row : m->col,
                           .n = row ? g->ny : g->nx,
                           .row = row,
@@ -45,14 +45,19 @@ static int voxel_at(const struct lines *l, int line, int along) {
 }
 
 /* place along a line of its first voxel from outside that still has material, -1 if none has */
-static int surface(const struct lines *l, int line) {
-    const double *left = l->m->left;
+static inline int surface(const struct lines *l, int line) {
+    const double *left = l->m->left + line * l->next;
     struct cr_span live = l->span[line];
-    while (live.lo < live.hi && left[voxel_at(l, line, l->from_end ? live.hi - 1 : live.lo)] <= 0) {
-        live.lo += !l->from_end;
-        live.hi -= l->from_end;
+    if (l->from_end) {
+        while (live.lo < live.hi && left[(live.hi - 1) * l->along] <= 0) {
+            live.hi--;
+        }
+        return live.lo < live.hi ? live.hi - 1 : -1;
     }
-    return live.lo >= live.hi ? -1 : l->from_end ? live.hi - 1 : live.lo;
+    while (live.lo < live.hi && left[live.lo * l->along] <= 0) {
+        live.lo++;
+    }
+    return live.lo < live.hi ? live.lo : -1;
 }
 
 static enum cr_face struck_face(const struct cr_moving *m, struct cr_vec2 inward) {
@@ -66,7 +71,7 @@ static enum cr_face struck_face(const struct cr_moving *m, struct cr_vec2 inward
 /* A segment, between lines i - 1 and i, is taut where the crush has stretched it beyond its
  * undeformed length: a wall that flattens a rounded end leaves it slack. The ends of a face hang
  * free. */
-static bool taut(const struct lines *l, int i) {
+static inline bool taut(const struct lines *l, int i) {
     if (i == 0 || i == l->n) {
         return false;
     }
@@ -74,11 +79,13 @@ static bool taut(const struct lines *l, int i) {
     return fabs(rest + moved) >= fabs(rest);
 }
 
-/* state of line i before the slice's pull; a line without material left nails the string */
-static void prepare_line(struct cr_string *st, const struct lines *l, int i, double tension) {
+/* State of line i before the slice's pull: a line without material left nails the string. The
+ * strength q is the energy of a unit of material over its depth and the width h of the line. */
+static inline void prepare_line(struct cr_string *st, const struct lines *l, int i,
+                                double per_tension) {
     int k = surface(l, i);
     st->surface[i] = k;
-    st->bend[i] = k < 0 ? 0 : l->unit[voxel_at(l, i, k)] * l->share[i] / tension;
+    st->bend[i] = k < 0 ? 0 : l->unit[voxel_at(l, i, k)] / l->pitch[i] * per_tension;
     st->taut[i] = taut(l, i);
 }
 
@@ -98,11 +105,11 @@ static void prepare_ends(struct cr_string *st, const struct lines *l) {
 
 /* the lines that the string may move: those with a dent and one on either side */
 static void prepare(struct cr_string *st, const struct lines *l, struct cr_span dented,
-                    double tension) {
+                    double per_tension) {
     st->window.lo = dented.lo > 0 ? dented.lo - 1 : 0;
     st->window.hi = dented.hi + 1 < l->n ? dented.hi + 1 : dented.hi;
     for (int i = st->window.lo; i <= st->window.hi; i++) {
-        prepare_line(st, l, i, tension);
+        prepare_line(st, l, i, per_tension);
     }
     prepare_ends(st, l);
 }
@@ -187,17 +194,17 @@ static bool moved(const struct cr_string *st, const struct lines *l, int i) {
 }
 
 /* Depths w of the string in all lines of the window, which grows until its ends are at rest. */
-static void relax(struct cr_string *st, const struct lines *l, double tension) {
+static void relax(struct cr_string *st, const struct lines *l, double per_tension) {
     struct cr_span *window = &st->window;
     for (bool lo = true, hi = true; lo || hi;) {
         settle_window(st, l);
         lo = window->lo > 0 && moved(st, l, window->lo);
         hi = window->hi + 1 < l->n && moved(st, l, window->hi);
         if (lo) {
-            prepare_line(st, l, --window->lo, tension);
+            prepare_line(st, l, --window->lo, per_tension);
         }
         if (hi) {
-            prepare_line(st, l, ++window->hi, tension);
+            prepare_line(st, l, ++window->hi, per_tension);
         }
         prepare_ends(st, l);
     }
@@ -208,10 +215,10 @@ static void relax(struct cr_string *st, const struct lines *l, double tension) {
 static bool take(struct cr_string *st, const struct lines *l, int line, struct cr_losses *losses) {
     const struct cr_grid *g = &l->m->body->grid;
     int along = st->surface[line], k = voxel_at(l, line, along);
-    double depth = l->depth[line], share = l->share[line];
-    double want = (st->w[line] - depth) / g->h * share, left = l->m->left[k];
+    double depth = l->depth[line], pitch = l->pitch[line];
+    double want = (st->w[line] - depth) / pitch, left = l->m->left[k];
     double amount = want < left ? want : left;
-    st->w[line] = depth + amount * g->h / share;
+    st->w[line] = depth + amount * pitch;
     return cr_deform_add(losses, g, l->row ? along : line, l->row ? line : along, amount,
                          amount * l->unit[k]);
 }
@@ -237,8 +244,9 @@ bool cr_string_pull(struct cr_solver *s, struct cr_moving *m, int partner, struc
     }
     struct lines l = lines_of(m, m->unit[partner], face);
     struct cr_string *st = &s->string;
-    prepare(st, &l, m->dented[face], tension);
-    relax(st, &l, tension);
+    double per_tension = g->h / tension;
+    prepare(st, &l, m->dented[face], per_tension);
+    relax(st, &l, per_tension);
     double before = losses->energy;
     for (int i = st->window.lo; i <= st->window.hi; i++) {
         if (moved(st, &l, i) && !take(st, &l, i, losses)) {

@@ -41,7 +41,11 @@ void cr_tyres_apply(struct cr_solver *s, int body) {
     for (int i = 0; i < b->wheels; i++) {
         const struct cr_wheel *w = &b->wheel[i];
         struct cr_vec2 r = cr_vec2_rotate(w->at, m->c, m->s);
-        double angle = m->heading + w->steer, c = cos(angle), sn = sin(angle);
+        double c = m->c, sn = m->s; /* of the wheel's heading */
+        if (w->steer != 0) {
+            c = cos(m->heading + w->steer);
+            sn = sin(m->heading + w->steer);
+        }
         struct cr_vec2 v = cr_vec2_axpy(m->vel, m->yaw_rate, cr_vec2_perp(r));
         struct cr_vec2 f = tyre_force(w, w->locked || m->drag[i], mu, cr_vec2_unrotate(v, c, sn));
         f = cr_vec2_rotate(f, c, sn);
