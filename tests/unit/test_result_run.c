@@ -157,45 +157,46 @@ static void check_order(const cJSON *object, const char *const *key, int n) {
     }
 }
 
+static const char *const TOP[] = {"crumple_result", "scene",    "version", "method",
+                                  "assumed",        "warnings", "input",   "time",
+                                  "participants",   "balance",  "trace"};
+static const char *const PART[] = {"id",
+                                   "ees_kmh",
+                                   "energy_kJ",
+                                   "energy_induced_kJ",
+                                   "delta_v_kmh",
+                                   "delta_v_forward_kmh",
+                                   "delta_v_left_kmh",
+                                   "delta_v_x_kmh",
+                                   "delta_v_y_kmh",
+                                   "pdof_deg",
+                                   "pdof_clock",
+                                   "model",
+                                   "cdc",
+                                   "yaw_rate_change_deg_s",
+                                   "speed_after_kmh",
+                                   "course_after_deg",
+                                   "yaw_rate_after_deg_s",
+                                   "deformation_max_m",
+                                   "deformation_dynamic_max_m",
+                                   "deformation_area_m2",
+                                   "crush_profile_m",
+                                   "deformation_outline_m",
+                                   "acceleration_max_g",
+                                   "acceleration_mean_g",
+                                   "pulse_ms",
+                                   "olc_g",
+                                   "asi",
+                                   "thiv_kmh",
+                                   "rest",
+                                   "injury"};
+static const char *const TRACE[] = {
+    "x_m",     "y_m",     "heading_deg",    "vx_mps",   "vy_mps",   "yaw_rate_deg_s",
+    "ax_mps2", "ay_mps2", "yaw_acc_deg_s2", "force_kN", "energy_kJ"};
+#define COUNT(a) ((int)(sizeof(a) / sizeof *(a)))
+
 static void json_has_the_keys_of_the_format(void **state) {
     (void)state;
-    static const char *const TOP[] = {"crumple_result", "scene",    "version", "method",
-                                      "assumed",        "warnings", "input",   "time",
-                                      "participants",   "balance",  "trace"};
-    static const char *const PART[] = {"id",
-                                       "ees_kmh",
-                                       "energy_kJ",
-                                       "energy_induced_kJ",
-                                       "delta_v_kmh",
-                                       "delta_v_forward_kmh",
-                                       "delta_v_left_kmh",
-                                       "delta_v_x_kmh",
-                                       "delta_v_y_kmh",
-                                       "pdof_deg",
-                                       "pdof_clock",
-                                       "model",
-                                       "cdc",
-                                       "yaw_rate_change_deg_s",
-                                       "speed_after_kmh",
-                                       "course_after_deg",
-                                       "yaw_rate_after_deg_s",
-                                       "deformation_max_m",
-                                       "deformation_dynamic_max_m",
-                                       "deformation_area_m2",
-                                       "crush_profile_m",
-                                       "deformation_outline_m",
-                                       "acceleration_max_g",
-                                       "acceleration_mean_g",
-                                       "pulse_ms",
-                                       "olc_g",
-                                       "asi",
-                                       "thiv_kmh",
-                                       "rest",
-                                       "injury"};
-    static const char *const TRACE[] = {
-        "x_m",     "y_m",     "heading_deg",    "vx_mps",   "vy_mps",   "yaw_rate_deg_s",
-        "ax_mps2", "ay_mps2", "yaw_acc_deg_s2", "force_kN", "energy_kJ"};
-#define COUNT(a) ((int)(sizeof(a) / sizeof *(a)))
     struct cr_result *r = solved(0, "");
     struct cr_str text = {0};
     struct cr_result_opts opts = {.trace = true, .resolved = true};
