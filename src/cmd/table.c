@@ -152,6 +152,7 @@ static const struct cr_arg set_args[] = {
     KEY_OF("end", "end", 0),
     KEY_OF("induced", "induced", 0),
     KEY_OF("heights", "heights", 0),
+    KEY_OF("dive", "dive", 0),
     KEY_OF("residual", "residual_curve", 0),
     KEY("name", CR_VALUE_TEXT, .help = "name of the scene"),
     KEY("echo", CR_VALUE_SWITCH, .words = "on|off", .def = "off",

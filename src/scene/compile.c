@@ -245,30 +245,55 @@ static enum cr_err make_body(struct making *m, int i) {
     return code == CR_ERR_OK ? make_motion(m, p, centre, body) : code;
 }
 
-/* Height range of a participant, m above the road. A vehicle's model knows itself what stands at
- * which height, so the vehicle counts from the road up. */
-static void heights_of(const struct cr_participant *p, double *lo, double *hi) {
-    bool vehicle = p->kind == CR_KIND_VEHICLE;
-    *lo = vehicle ? 0 : p->z_lo;
-    *hi = vehicle ? p->height : p->z_hi;
+/* What a vehicle's end holds out at another, as shares of its height: from under the bumper beam to
+ * the bonnet. The class medians of the recipes' profiles; a flank goes up to the roof. */
+static const double end_low = 0.12, end_high = 0.65;
+/* Material below this share of the height, or above this share of what meets, changes nothing that
+ * matters: most pairs need no second grid. */
+static const double low_share = 0.15, high_share = 0.8;
+
+struct range {
+    double lo, hi; /* m above the road */
+};
+
+/* Whether the partner comes at an end of vehicle i rather than at its flank. */
+static bool end_on(const struct making *m, int i, int k) {
+    const struct cr_body *a = &m->out->cs.body[i], *b = &m->out->cs.body[k];
+    struct cr_vec2 rel = cr_vec2_sub(b->vel, a->vel);
+    rel = cr_vec2_unrotate(rel, cos(a->heading), sin(a->heading));
+    return fabs(rel.x) >= fabs(rel.y);
 }
 
-/* The upper fifth of a body is glass and roof, and the lowest part air: leaving them out changes
- * nothing that matters, and most pairs need no second grid. */
-static bool meets_all(double lo, double hi, double height) {
-    return lo <= 0.05 && hi >= 0.8 * height;
+static double dive_of(const struct making *m, int i) {
+    const struct cr_participant *p = &m->scene->part[i];
+    bool counts = p->kind == CR_KIND_VEHICLE && m->scene->set.dive == 1;
+    return counts ? cr_scene_dive(p, m->scene->set.road_friction) : 0;
 }
 
-static enum cr_err make_partial(struct making *m, int i, double lo, double hi,
-                                const double **energy) {
+/* Heights that participant i holds out at k. A fixed or rigid partner meets a vehicle from the road
+ * to the roof: the vehicle's model knows itself what stands at which height. */
+static struct range held_out(const struct making *m, int i, int k) {
+    const struct cr_participant *p = &m->scene->part[i];
+    if (p->kind != CR_KIND_VEHICLE) {
+        return (struct range){p->z_lo, p->z_hi};
+    }
+    if (m->scene->part[k].kind != CR_KIND_VEHICLE) {
+        return (struct range){0, p->height};
+    }
+    double dive = dive_of(m, i);
+    bool end = end_on(m, i, k);
+    return (struct range){end_low * p->height - dive, (end ? end_high : 1) * p->height - dive};
+}
+
+static enum cr_err make_partial(struct making *m, int i, struct range meet, const double **energy) {
     const struct cr_grid *whole = &m->out->cs.body[i].grid;
     size_t n = (size_t)whole->nx * (size_t)whole->ny;
     struct cr_grid part;
-    if (!(lo < hi)) {
+    if (!(meet.lo < meet.hi)) {
         *energy = cr_arena_take(&m->out->arena, n, sizeof **energy);
         return *energy != NULL ? CR_ERR_OK : no_memory(m);
     }
-    enum cr_err code = make_grid(m, i, lo, hi, &part);
+    enum cr_err code = make_grid(m, i, meet.lo, meet.hi, &part);
     if (code == CR_ERR_OK && (part.nx != whole->nx || part.ny != whole->ny)) {
         code = cr_err_set(m->err, CR_ERR_MODEL, "model of \"%s\" changes its size with height",
                           m->scene->part[i].id);
@@ -279,27 +304,30 @@ static enum cr_err make_partial(struct making *m, int i, double lo, double hi,
     return code;
 }
 
+/* Layers of vehicle i, in its own heights, that partner k meets. */
+static struct range meeting(const struct making *m, int i, int k) {
+    struct range other = held_out(m, k, i);
+    double dive = dive_of(m, i);
+    return (struct range){fmax(0, other.lo + dive),
+                          fmin(m->scene->part[i].height, other.hi + dive)};
+}
+
 /* Energies of vehicle i in the heights in which it meets k (method.md 2, beyond the paper). */
 static enum cr_err make_against(struct making *m, int i, int k) {
-    double lo, hi, other_lo, other_hi;
-    heights_of(&m->scene->part[i], &lo, &hi);
-    heights_of(&m->scene->part[k], &other_lo, &other_hi);
-    double height = hi;
-    lo = fmax(lo, other_lo);
-    hi = fmin(hi, other_hi);
-    if (meets_all(lo, hi, height)) {
+    struct range own = held_out(m, i, k), meet = meeting(m, i, k);
+    double height = m->scene->part[i].height;
+    if (meet.lo <= low_share * height && meet.hi >= high_share * own.hi) {
         return CR_ERR_OK;
     }
     /* the same range as against an earlier partner is the same grid */
     for (int e = 0; e < k; e++) {
-        double e_lo, e_hi;
-        heights_of(&m->scene->part[e], &e_lo, &e_hi);
-        if (e != i && fmax(0, e_lo) == lo && fmin(height, e_hi) == hi) {
+        struct range before = meeting(m, i, e);
+        if (e != i && before.lo == meet.lo && before.hi == meet.hi) {
             m->out->cs.body[i].energy_against[k] = m->out->cs.body[i].energy_against[e];
             return CR_ERR_OK;
         }
     }
-    return make_partial(m, i, lo, hi, &m->out->cs.body[i].energy_against[k]);
+    return make_partial(m, i, meet, &m->out->cs.body[i].energy_against[k]);
 }
 
 static enum cr_err make_heights(struct making *m) {

@@ -74,6 +74,7 @@ static const struct cr_key settings_keys[] = {
     WORD("end", 0, cr_settings, end, end_words, "where the solve ends"),
     SWITCH("induced", 1, 0, induced, "induced deformation beside the contact (method.md 5)"),
     SWITCH("heights", 1, 0, heights, "only the heights in which both partners have material meet"),
+    SWITCH("dive", 1, 0, dive, "braking lowers the bumper, which shifts the heights that meet"),
     SWITCH("residual_curve", 0, 1, residual_curve,
            "voxels hold the residual crush curve, not the dynamic one"),
 };

@@ -2,6 +2,7 @@ noinst_LIBRARIES += libscene.a
 libscene_a_SOURCES = \
 	src/scene/check.c \
 	src/scene/compile.c \
+	src/scene/dive.c \
 	src/scene/keys.c src/scene/keys.h \
 	src/scene/list.c \
 	src/scene/outline.c \

@@ -18,7 +18,6 @@
 enum { CR_NAME_MAX = 64, CR_PATH_MAX = 512, CR_VERTEX_MAX = 64, CR_WAYPOINT_MAX = 100000 };
 
 enum cr_method { CR_METHOD_EXTENDED, CR_METHOD_PAPER };
-enum cr_dive { CR_DIVE_OFF, CR_DIVE_ON };
 
 struct cr_settings {
     enum cr_method method;
@@ -32,7 +31,7 @@ struct cr_settings {
     bool elastic_auto;    /* as long as the force at the end of the plastic phase asks for */
     enum cr_end end;
     /* what the profiles switch, each settable alone; -1: as the method says */
-    int induced, heights, residual_curve;
+    int induced, heights, dive, residual_curve;
     /* which of the above were given in the file, so that saving gives back the same file */
     unsigned given; /* bit i: row i of the settings table */
 };
@@ -144,6 +143,10 @@ void cr_assumed_fini(struct cr_assumed *assumed);
  * axles ...). Adds the keys to assumed. Errors: MISSING, RANGE, with JSON pointer and hint. */
 CR_MUST_CHECK enum cr_err cr_scene_resolve(struct cr_scene *scene, const struct cr_model_lib *lib,
                                            struct cr_assumed *assumed, struct cr_error *err);
+
+/* How far the bumper of a braking vehicle goes down, m: quasi-static load transfer on its springs
+ * (literature.md 3.4). Given a resolved vehicle and the friction of the road. */
+double cr_scene_dive(const struct cr_participant *p, double road_friction);
 
 /* What a compiled case was made of. */
 struct cr_compiled {
