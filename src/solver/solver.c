@@ -391,6 +391,31 @@ static bool finite_state(const struct cr_solver *s) {
     return true;
 }
 
+/* Work all pairs, in the order of the scene and backwards in turns: a body between two others feels
+ * the first of its contacts before the second, and the lead changes from slice to slice. */
+static bool work_pairs(struct cr_solver *s, bool in_contact[], bool *any) {
+    int n = s->cs->n, pairs = n * (n - 1) / 2;
+    s->backwards = !s->backwards;
+    for (int k = 0; k < pairs; k++) {
+        int p = s->backwards ? pairs - 1 - k : k, a = 0, first = 0;
+        while (p - first >= n - 1 - a) { /* pair first is (a, a + 1) */
+            first += n - 1 - a++;
+        }
+        int b = a + 1 + p - first;
+        bool before = s->touch[p].record >= 0;
+        double pushed = s->m[a].slice_weight;
+        if (!work_pair(s, p, a, b)) {
+            return false;
+        }
+        bool met = before || s->touch[p].record >= 0 || s->m[a].slice_weight > pushed;
+        *any = *any || met;
+        if (met && !s->touch[p].rubbing) {
+            in_contact[a] = in_contact[b] = true;
+        }
+    }
+    return true;
+}
+
 enum cr_status cr_solver_step(struct cr_solver *s, struct cr_error *err) {
     if (s->done) {
         return CR_STATUS_DONE;
@@ -399,19 +424,8 @@ enum cr_status cr_solver_step(struct cr_solver *s, struct cr_error *err) {
     s->dt = cr_kinematics_slice_length(s);
     begin_slice(s);
     cr_kinematics_move(s);
-    for (int p = 0, a = 0; a < s->cs->n; a++) {
-        for (int b = a + 1; b < s->cs->n; b++, p++) {
-            bool before = s->touch[p].record >= 0;
-            double pushed = s->m[a].slice_weight;
-            if (!work_pair(s, p, a, b)) {
-                return failed(err, CR_ERR_MEMORY, "no memory for the solve");
-            }
-            bool met = before || s->touch[p].record >= 0 || s->m[a].slice_weight > pushed;
-            any = any || met;
-            if (met && !s->touch[p].rubbing) {
-                in_contact[a] = in_contact[b] = true;
-            }
-        }
+    if (!work_pairs(s, in_contact, &any)) {
+        return failed(err, CR_ERR_MEMORY, "no memory for the solve");
     }
     for (int i = 0; i < s->cs->n; i++) {
         cr_tyres_apply(s, i);

@@ -116,6 +116,7 @@ struct cr_solver {
     struct cr_touch touch[CR_PAIR_MAX];
     double t, dt, dt_contact;
     bool touched;       /* some contact has begun */
+    bool backwards;     /* pairs are worked from the last in this slice */
     double t_free;      /* since when nothing is in contact, s; NaN while something is */
     double t_look;      /* when to look ahead for another touch, s */
     double t_struck;    /* last time anything was in contact, rubbing apart, s */
