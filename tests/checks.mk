@@ -46,7 +46,8 @@ clean-local:
 	rm -rf sanitizers fuzzing
 
 # the command language: each command with its success and its errors, the lessons, the prompt
-golden_checks = tests/golden/cmd/run.sh tests/golden/cmd/lessons.sh tests/golden/cmd/prompt.sh
+golden_checks = tests/golden/cmd/run.sh tests/golden/cmd/lessons.sh tests/golden/cmd/prompt.sh \
+	tests/golden/cmd/sources.sh
 TESTS += $(golden_checks)
 EXTRA_DIST += $(golden_checks) \
 	tests/golden/cmd/scene.test \

@@ -1,6 +1,8 @@
 /* Commands that look: show, view, table, and the drawing they share. */
 #include "cmd/sweep.h"
 
+#include "render/theme.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -159,8 +161,9 @@ enum cr_err cr_cmd_show(struct cr_call *call, struct cr_error *err) {
     }
     if (cr_cmd_given(call, "colormap")) {
         int map = cr_cmd_word(call, "colormap", 0);
+        const struct cr_arg *arg = &call->cmd->arg[cr_cmd_arg(call, "colormap") - call->value];
         call->s->opts.look.map = (enum cr_colormap)map;
-        snprintf(view.colormap, sizeof view.colormap, "%s", cr_cmd_text(call, "colormap", ""));
+        cr_cmd_word_at(arg->words, map, view.colormap, sizeof view.colormap);
     }
     call->s->view = view;
     int from = cr_cmd_word(call, "view", 0); /* plan, then the words of render/project.h */
@@ -240,7 +243,10 @@ enum cr_err cr_cmd_view(struct cr_call *call, struct cr_error *err) {
     s->view.pane = (enum cr_pane)cr_cmd_word(call, "PANE", (int)s->view.pane);
     s->view.zoom = cr_cmd_word(call, "zoom", s->view.zoom ? 0 : 1) == 0;
     if (cr_cmd_given(call, "theme")) {
-        snprintf(s->view.theme, sizeof s->view.theme, "%s", cr_cmd_text(call, "theme", ""));
+        const struct cr_arg *arg = &call->cmd->arg[cr_cmd_arg(call, "theme") - call->value];
+        cr_cmd_word_at(arg->words, cr_cmd_word(call, "theme", 0), s->view.theme,
+                       sizeof s->view.theme);
+        s->opts.look.theme = cr_theme_find(s->view.theme);
     }
     /* a screen shows the pane by itself */
     return s->opts.out.cells != NULL ? show_pane(s, s->view.pane, err) : CR_ERR_OK;

@@ -161,6 +161,11 @@ static enum cr_err run_file(struct cr_session *s, const char *path) {
         cr_err_set(&err, CR_ERR_SYNTAX, "a NUL byte is no text");
         cr_err_place(&err, path, 1, 1);
         code = say_error(&err);
+    } else if (text[strspn(text, " \t\r\n")] == '{') {
+        cr_err_set(&err, CR_ERR_USAGE, "a scene is no command file");
+        cr_err_hint(&err, "crumple run solves it, crumple -e 'load FILE' -i opens it");
+        cr_err_place(&err, path, 0, 0);
+        code = say_error(&err);
     } else {
         code = cr_session_script(s, text, path, 1);
     }
