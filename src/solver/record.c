@@ -53,8 +53,7 @@ bool cr_record_contact(struct cr_solver *s, int pair, int a, int b, const struct
     bool rigid = s->cs->body[a].grid.nx == 0 || s->cs->body[b].grid.nx == 0;
     const struct cr_opts *o = &s->cs->opts;
     double e = o->restitution_auto ? cr_restitution_auto(closing, rigid) : o->restitution;
-    e = t->rubbing ? 0 : e;
-    if (t->rubbing && old.rubbing) {
+    if (e <= 0 && t->rubbing && old.rubbing) {
         reopen(s, t, &old);
         return true;
     }
