@@ -120,16 +120,18 @@ static inline double bilinear(struct four f, double u, double v) {
     return lerp(lerp(f.a, f.b, u), lerp(f.c, f.d, u), v);
 }
 
-/* Loss of a voxel, of strength mine, beside the opponent's material in the four voxels about it, of
- * the strengths `unit`. Material without strength against this body (no layer at its height) is not
- * there for it. The weaker takes the loss; the two share it where they are nearly as strong. */
-static inline double loss_beside(double left, double mine, struct four material, struct four unit,
+/* What gives way of a voxel, of strength mine, beside the opponent's material in the four voxels
+ * about it, of the strengths theirs: the weaker of the two takes the excess, both do where they are
+ * nearly as strong. Material without strength against this body (no layer at its height) is not
+ * there for it. */
+static inline double loss_beside(double left, double mine, struct four material, struct four theirs,
                                  double u, double v) {
-    struct four there = {unit.a > 0 ? material.a : 0, unit.b > 0 ? material.b : 0,
-                         unit.c > 0 ? material.c : 0, unit.d > 0 ? material.d : 0};
-    struct four energy = {there.a * unit.a, there.b * unit.b, there.c * unit.c, there.d * unit.d};
-    double phi = bilinear(there, u, v), theirs = bilinear(energy, u, v);
-    double more = theirs - mine * phi, band = share_band * (theirs + mine * phi);
+    struct four there = {theirs.a > 0 ? material.a : 0, theirs.b > 0 ? material.b : 0,
+                         theirs.c > 0 ? material.c : 0, theirs.d > 0 ? material.d : 0};
+    struct four energy = {there.a * theirs.a, there.b * theirs.b, there.c * theirs.c,
+                          there.d * theirs.d};
+    double phi = bilinear(there, u, v), strength = bilinear(energy, u, v);
+    double more = strength - mine * phi, band = share_band * (strength + mine * phi);
     if (more <= -band) {
         return 0;
     }
@@ -140,29 +142,27 @@ static inline double loss_beside(double left, double mine, struct four material,
 /* the voxels span of a row against another body's voxels */
 static void meet_grid(const struct cr_reach *r, const double *their_unit, struct cr_span span,
                       struct row *row, struct cr_losses *losses) {
-    const struct cr_map map = r->map;
     const struct cr_grid *og = &r->other->body->grid;
     const double *their_left = r->other->left;
-    double u0 = map.u - map.s * row->iy, v0 = map.v + map.c * row->iy;
+    double c = r->map.c, s = r->map.s;
+    double u0 = r->map.u - s * row->iy, v0 = r->map.v + c * row->iy;
     for (int ix = span.lo; ix < span.hi; ix++) {
         double left = row->left[ix], mine = row->unit[ix];
         if (left <= 0 || mine <= 0) {
             continue;
         }
-        double u = u0 + map.c * ix, v = v0 + map.s * ix;
+        double u = u0 + c * ix, v = v0 + s * ix;
         int i = (int)(u + 2) - 2, j = (int)(v + 2) - 2; /* floor: both are > -2 */
         bool edge = i < 0 || j < 0 || i + 1 >= og->nx || j + 1 >= og->ny;
         struct four material =
             edge ? four_at_edge(og, their_left, i, j) : four_at(og, their_left, i, j);
-        u -= i;
-        v -= j;
-        double phi = bilinear(material, u, v);
+        double fu = u - i, fv = v - j, phi = bilinear(material, fu, fv);
         if (left + phi - 1 <= crumb * left && phi < 1 - crumb) {
-            continue;
+            continue; /* excess_of() in short: there is room */
         }
-        struct four unit =
+        struct four theirs =
             edge ? four_at_edge(og, their_unit, i, j) : four_at(og, their_unit, i, j);
-        double amount = loss_beside(left, mine, material, unit, u, v);
+        double amount = loss_beside(left, mine, material, theirs, fu, fv);
         if (amount > 0) {
             lose(losses, row, ix, amount);
         }
@@ -213,14 +213,14 @@ bool cr_deform_collect(struct cr_solver *s, int a, int b) {
     return collect_side(s, a, b, &s->losses[0]) && collect_side(s, b, a, &s->losses[1]);
 }
 
-static void dent(struct cr_moving *m, enum cr_face face, int line, double amount) {
+static inline void dent(struct cr_moving *m, enum cr_face face, int line, double amount) {
     struct cr_span *span = &m->dented[face];
     m->depth[face][line] += amount * m->pitch[face][line];
     span->lo = line < span->lo ? line : span->lo;
     span->hi = line > span->hi ? line : span->hi;
 }
 
-static void change(struct cr_moving *m, const struct cr_loss *loss, double amount) {
+static inline void change(struct cr_moving *m, const struct cr_loss *loss, double amount) {
     const struct cr_grid *g = &m->body->grid;
     double left = m->left[loss->voxel] - amount;
     m->left[loss->voxel] = left > 0 ? left : 0;

@@ -222,13 +222,12 @@ static bool new_scratch(struct cr_solver *s) {
     struct cr_string *st = &s->string;
     size_t n = (size_t)longest;
     st->w = cr_arena_take(&s->arena, n, sizeof *st->w);
-    st->over = cr_arena_take(&s->arena, n, sizeof *st->over);
     st->bend = cr_arena_take(&s->arena, n, sizeof *st->bend);
     st->surface = cr_arena_take(&s->arena, n, sizeof *st->surface);
     st->held = cr_arena_take(&s->arena, n, sizeof *st->held);
     st->taut = cr_arena_take(&s->arena, n, sizeof *st->taut);
     s->freed = cr_arena_take(&s->arena, 1, sizeof *s->freed);
-    return st->w != NULL && st->over != NULL && st->bend != NULL && st->surface != NULL &&
+    return st->w != NULL && st->bend != NULL && st->surface != NULL &&
            st->held != NULL && st->taut != NULL && s->freed != NULL;
 }
 

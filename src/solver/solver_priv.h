@@ -74,14 +74,20 @@ struct cr_losses {
     int contact;       /* the first losses are of contact, the rest induced */
 };
 
+/* A line that holds the string. */
+struct cr_hold {
+    int line;
+    double over;  /* its depth, less the bow of the string, m */
+    double slope; /* of the hull between the hold before and this one, m a line */
+};
+
 /* Scratch of string.c, one entry a line of the longest face. */
 struct cr_string {
     double *w;             /* depth, m */
-    double *over;          /* depth of before, less the bow of the string, m */
     double *bend;          /* h^2 q / N0: second difference of the bow, m */
     int *surface;          /* place of the surface along the line, -1: the string is nailed there */
-    int *held;             /* lines that hold the string, a stack */
     bool *taut;            /* segment between lines i - 1 and i is stretched */
+    struct cr_hold *held;  /* a stack */
     struct cr_span window; /* lines looked at, both ends included */
 };
 

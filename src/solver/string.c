@@ -79,95 +79,77 @@ static inline bool taut(const struct lines *l, int i) {
     return fabs(rest + moved) >= fabs(rest);
 }
 
-/* State of line i before the slice's pull: a line without material left nails the string. The
- * strength q is the energy of a unit of material over its depth and the width h of the line. */
-static inline void prepare_line(struct cr_string *st, const struct lines *l, int i,
-                                double per_tension) {
-    int k = surface(l, i);
-    st->surface[i] = k;
-    st->bend[i] = k < 0 ? 0 : l->unit[voxel_at(l, i, k)] / l->pitch[i] * per_tension;
-    st->taut[i] = taut(l, i);
+/* State of some lines before the slice's pull; a line without material left nails the string, and
+ * so do the lines beside the window, which are at rest. The strength q is the energy of a unit of
+ * material over its depth and the width h of the line. */
+static void prepare(struct cr_string *st, const struct lines *lines, struct cr_span part,
+                    double tension) {
+    const struct lines l = *lines;
+    double per_tension = l.m->body->grid.h / tension;
+    for (int i = part.lo; i <= part.hi; i++) {
+        int k = surface(&l, i);
+        st->surface[i] = k;
+        st->bend[i] = k < 0 ? 0 : l.unit[voxel_at(&l, i, k)] / l.pitch[i] * per_tension;
+        st->taut[i] = taut(&l, i);
+    }
+    int before = st->window.lo - 1, behind = st->window.hi + 1;
+    if (before >= 0) {
+        st->surface[before] = -1;
+        st->bend[before] = 0;
+    }
+    if (behind < l.n) {
+        st->surface[behind] = -1;
+        st->bend[behind] = 0;
+        st->taut[behind] = taut(&l, behind);
+    }
 }
 
-/* the lines beside the window are at rest: there the string is nailed too */
-static void prepare_ends(struct cr_string *st, const struct lines *l) {
-    int lo = st->window.lo - 1, hi = st->window.hi + 1;
-    if (lo >= 0) {
-        st->surface[lo] = -1;
-        st->bend[lo] = 0;
-    }
-    if (hi < l->n) {
-        st->surface[hi] = -1;
-        st->bend[hi] = 0;
-        st->taut[hi] = taut(l, hi);
-    }
-}
-
-/* the lines that the string may move: those with a dent and one on either side */
-static void prepare(struct cr_string *st, const struct lines *l, struct cr_span dented,
-                    double per_tension) {
-    st->window.lo = dented.lo > 0 ? dented.lo - 1 : 0;
-    st->window.hi = dented.hi + 1 < l->n ? dented.hi + 1 : dented.hi;
-    for (int i = st->window.lo; i <= st->window.hi; i++) {
-        prepare_line(st, l, i, per_tension);
-    }
-    prepare_ends(st, l);
-}
-
-/* Whether the last of n held lines lies below the hull once line i is on it. Ahead of a first line
- * that hangs free the hull is level. */
-static bool below(const struct cr_string *st, int n, bool nailed, int i) {
-    int q = st->held[n - 1];
-    double rise = st->over[i] - st->over[q];
-    if (n == 1) {
-        return !nailed && rise >= 0;
-    }
-    int p = st->held[n - 2];
-    return rise * (q - p) >= (st->over[q] - st->over[p]) * (i - q);
-}
-
-/* Lines of a piece that hold the string, into st->held; returns how many. Puts the bow of the
- * piece into st->w, and its slope behind the last line into slope. */
+/* The lines that hold a piece of the string, into st->held, each with the slope of the hull ahead
+ * of it; returns how many. Puts the bow of the piece into st->w, and its slope behind the last line
+ * into slope. */
 static int hull(struct cr_string *st, const double *depth, struct cr_span piece, double *slope) {
     bool nailed = st->surface[piece.lo] < 0;
-    double bow = 0;
+    double bow = 0, bow_slope = 0;
     int n = 0;
-    *slope = 0;
     for (int i = piece.lo; i <= piece.hi; i++) {
-        st->w[i] = bow;
-        st->over[i] = depth[i] - bow;
-        while (n > 0 && below(st, n, nailed, i)) {
-            n--;
+        double over = depth[i] - bow, ahead = 0;
+        for (; n > 0; n--) {
+            const struct cr_hold *last = &st->held[n - 1];
+            ahead = (over - last->over) / (i - last->line);
+            if (ahead < last->slope) {
+                break;
+            }
         }
-        st->held[n++] = i;
-        *slope += st->bend[i];
-        bow += *slope;
+        if (n == 0) { /* ahead of a line that hangs free the hull is level */
+            ahead = nailed ? (double)INFINITY : 0;
+        }
+        st->held[n++] = (struct cr_hold){i, over, ahead};
+        st->w[i] = bow;
+        bow_slope += st->bend[i];
+        bow += bow_slope;
     }
     /* a string that hangs free leaves its last line level */
-    for (; st->surface[piece.hi] >= 0 && n > 1; n--) {
-        int p = st->held[n - 2], q = st->held[n - 1];
-        if (st->over[q] - st->over[p] >= -*slope * (q - p)) {
-            break;
-        }
+    while (st->surface[piece.hi] >= 0 && n > 1 && st->held[n - 1].slope < -bow_slope) {
+        n--;
     }
+    *slope = bow_slope;
     return n;
 }
 
 /* depths of a piece of the string whose segments are all taut, both end lines included */
 static void settle(struct cr_string *st, const double *depth, struct cr_span piece) {
     double slope;
-    int n = hull(st, depth, piece, &slope), before = piece.lo - 1;
+    int n = hull(st, depth, piece, &slope), i = piece.lo;
     for (int j = 0; j < n; j++) {
-        int at = st->held[j];
-        double rise = j == 0 ? 0 : (st->over[at] - st->over[before]) / (at - before);
-        for (int i = before + 1; i < at; i++) {
-            st->w[i] += st->over[at] - rise * (at - i);
+        struct cr_hold at = st->held[j];
+        for (; i < at.line; i++) {
+            st->w[i] += at.over - at.slope * (at.line - i);
         }
-        st->w[at] = depth[at];
-        before = at;
+        st->w[i++] = depth[at.line];
     }
-    for (int i = before + 1; i <= piece.hi; i++) {
-        st->w[i] += st->over[before] - slope * (i - before);
+    struct cr_hold last = st->held[n - 1];
+    for (; i <= piece.hi; i++) {
+        st->w[i] += last.over - slope * (i - last.line);
     }
 }
 
@@ -193,20 +175,27 @@ static bool moved(const struct cr_string *st, const struct lines *l, int i) {
     return st->w[i] > l->depth[i] + slight;
 }
 
-/* Depths w of the string in all lines of the window, which grows until its ends are at rest. */
-static void relax(struct cr_string *st, const struct lines *l, double per_tension) {
+/* Depths w of the string in all lines that it may move: those with a dent and two on either side,
+ * more while the outermost move. */
+static void relax(struct cr_string *st, const struct lines *l, struct cr_span dented,
+                  double tension) {
+    int end = l->n - 1;
     struct cr_span *window = &st->window;
+    *window = (struct cr_span){dented.lo > 2 ? dented.lo - 2 : 0,
+                               dented.hi + 2 < end ? dented.hi + 2 : end};
+    prepare(st, l, *window, tension);
     for (bool lo = true, hi = true; lo || hi;) {
         settle_window(st, l);
         lo = window->lo > 0 && moved(st, l, window->lo);
-        hi = window->hi + 1 < l->n && moved(st, l, window->hi);
+        hi = window->hi < end && moved(st, l, window->hi);
+        window->lo -= lo;
+        window->hi += hi;
         if (lo) {
-            prepare_line(st, l, --window->lo, per_tension);
+            prepare(st, l, (struct cr_span){window->lo, window->lo}, tension);
         }
         if (hi) {
-            prepare_line(st, l, ++window->hi, per_tension);
+            prepare(st, l, (struct cr_span){window->hi, window->hi}, tension);
         }
-        prepare_ends(st, l);
     }
 }
 
@@ -244,9 +233,7 @@ bool cr_string_pull(struct cr_solver *s, struct cr_moving *m, int partner, struc
     }
     struct lines l = lines_of(m, m->unit[partner], face);
     struct cr_string *st = &s->string;
-    double per_tension = g->h / tension;
-    prepare(st, &l, m->dented[face], per_tension);
-    relax(st, &l, per_tension);
+    relax(st, &l, m->dented[face], tension);
     double before = losses->energy;
     for (int i = st->window.lo; i <= st->window.hi; i++) {
         if (moved(st, &l, i) && !take(st, &l, i, losses)) {
