@@ -55,6 +55,12 @@ static double planned_impulse(const struct cr_solver *s, const struct cr_touch *
     return t->elastic_plan * (falling ? from * from - to * to : from - to);
 }
 
+/* the tangential part of the force's direction, and what is left of it along the normal */
+static struct cr_vec2 tangential(const struct cr_touch *t, struct cr_vec2 *normal) {
+    *normal = cr_vec2_scale(t->normal, cr_vec2_dot(t->direction, t->normal));
+    return cr_vec2_sub(t->direction, *normal);
+}
+
 void cr_elastic_begin(struct cr_solver *s, int pair, int a, int b) {
     struct cr_touch *t = &s->touch[pair];
     struct cr_contact *c = &s->contact[t->record];
@@ -67,6 +73,8 @@ void cr_elastic_begin(struct cr_solver *s, int pair, int a, int b) {
         finish(s, t, c);
         return;
     }
+    struct cr_vec2 normal, tangent = cr_vec2_unit(tangential(t, &normal), cr_vec2(0, 0));
+    t->slip = fmax(cr_vec2_dot(cr_relative_velocity(s, a, b, t->coe), tangent), 0);
     c->phase = CR_PHASE_COMPRESSION;
     t->elastic_plan = v / give;
     begin_phase(s, t, c->phase);
@@ -82,17 +90,35 @@ static double last_impulse(const struct cr_contact *c, double v, double give, do
     return (v + sqrt(v * v + 2 * give * fmax(c->stored, 0) / along)) / give;
 }
 
+/* Direction of the force over an impulse j, not longer than 1. Sliding friction may turn the slip
+ * round to as much as it was when the elastic phases began, as Poisson's impulse does at the limit
+ * of sticking (literature.md 2.1), but not further: it would give back more than it took. */
+static struct cr_vec2 sliding_direction(const struct cr_solver *s, int a, int b,
+                                        const struct cr_touch *t, struct cr_vec2 rel, double j) {
+    struct cr_vec2 normal, tangent = tangential(t, &normal);
+    double size = cr_vec2_len(tangent);
+    if (!t->sliding || size < 1e-9 || !(j > 0)) {
+        return t->direction;
+    }
+    struct cr_vec2 unit = cr_vec2_scale(tangent, 1 / size);
+    double spare = cr_vec2_dot(rel, unit) + t->slip;
+    double by_normal = cr_vec2_dot(cr_compliance(s, a, b, t->coe, normal), unit);
+    double by_tangent = cr_vec2_dot(cr_compliance(s, a, b, t->coe, tangent), unit);
+    double share = spare > 0 ? cr_clamp((spare / j - by_normal) / by_tangent, 0, 1) : 0;
+    return cr_vec2_axpy(normal, share, tangent);
+}
+
 void cr_elastic_slice(struct cr_solver *s, int pair, int a, int b) {
     struct cr_touch *t = &s->touch[pair];
     struct cr_contact *c = &s->contact[t->record];
-    struct cr_vec2 axis = axis_of(t), f = t->direction;
-    struct cr_vec2 rel = cr_relative_velocity(s, a, b, t->coe);
+    struct cr_vec2 axis = axis_of(t), rel = cr_relative_velocity(s, a, b, t->coe);
+    double v = cr_vec2_dot(rel, axis), planned = planned_impulse(s, t, c->phase);
+    struct cr_vec2 f = sliding_direction(s, a, b, t, rel, planned);
     struct cr_vec2 yield = cr_compliance(s, a, b, t->coe, f);
-    double v = cr_vec2_dot(rel, axis), give = cr_vec2_dot(yield, axis);
-    double along = cr_vec2_dot(f, axis);
+    double give = cr_vec2_dot(yield, axis), along = cr_vec2_dot(f, axis);
     bool last = t->elastic_left - s->dt <= 1e-12;
     double most = give > 0 ? last_impulse(c, v, give, along) : (double)INFINITY;
-    double j = last && give > 0 ? most : fmin(planned_impulse(s, t, c->phase), most);
+    double j = last && give > 0 ? most : fmin(planned, most);
     double stored = along * j * (v - 0.5 * give * j);
     double work = j * (cr_vec2_dot(rel, f) - 0.5 * cr_vec2_dot(yield, f) * j);
     cr_impulse_apply(s, a, b, t->coe, cr_vec2_scale(f, j));
@@ -105,10 +131,13 @@ void cr_elastic_slice(struct cr_solver *s, int pair, int a, int b) {
     t->elastic_done += j;
     struct cr_slice *sl = cr_record_slice(s, pair);
     if (sl != NULL) {
+        double size = cr_vec2_len(f);
         *sl = (struct cr_slice){.sample = s->samples, .contact = t->record, .phase = c->phase,
-                                .coe = t->coe, .normal = t->normal, .direction = f,
-                                .approach = v, .path = v * s->dt, .force = j / s->dt,
-                                .impulse = j, .mass_eff = 1 / cr_vec2_dot(yield, f),
+                                .coe = t->coe, .normal = t->normal,
+                                .direction = cr_vec2_unit(f, t->direction), .approach = v,
+                                .path = v * s->dt, .force = j * size / s->dt,
+                                .impulse = j * size,
+                                .mass_eff = size * size / cr_vec2_dot(yield, f),
                                 .friction = work - stored};
     }
     t->elastic_left -= s->dt;

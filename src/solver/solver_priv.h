@@ -102,6 +102,7 @@ struct cr_touch {
     double spent;         /* crush energy of the pair's contacts that are over, J */
     bool rubbing;         /* this touch is too slight to count as part of the crash */
     double force;         /* along direction, mean of the last plastic slices, N */
+    double slip;          /* against the tangential force when the elastic phases began, m/s */
     double elastic_time;  /* length of the elastic phase, s */
     double elastic_left;  /* what is left of it, s */
     double elastic_plan;  /* impulse the phase is to give, N s */
