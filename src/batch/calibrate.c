@@ -444,7 +444,8 @@ enum cr_err cr_calibration_fit(const struct cr_calibration_data *data, struct cr
     return rc;
 }
 
-static enum cr_err calibrate(struct fit *f, const char *write_to, struct cr_error *err) {
+static enum cr_err calibrate(struct fit *f, const char *dir, const char *write_to,
+                             struct cr_error *err) {
     struct cr_str out = {0};
     enum cr_err rc = take(f, err);
     if (!rc) {
@@ -456,6 +457,9 @@ static enum cr_err calibrate(struct fit *f, const char *write_to, struct cr_erro
     if (!rc) {
         print_fit(f, &out);
         print_speeds(f, &out);
+        rc = cr_calibration_cells(dir, f->lib, &out, err);
+    }
+    if (!rc) {
         rc = cr_batch_emit(NULL, &out, err);
     }
     if (!rc && write_to != NULL) {
@@ -498,7 +502,7 @@ int cr_batch_calibrate(int argc, char **argv) {
     }
     if (!rc) {
         struct fit f = {.data = &data, .lib = shared.models, .ctx = shared.ctx};
-        rc = calibrate(&f, write_to, &err);
+        rc = calibrate(&f, dir, write_to, &err);
     }
     cr_calibration_fini(&data);
     cr_batch_close(&shared);

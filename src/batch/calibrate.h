@@ -69,6 +69,10 @@ CR_MUST_CHECK enum cr_err cr_calibration_fit(const struct cr_calibration_data *d
                                              struct cr_model_lib *lib, const struct cr_context *ctx,
                                              int rounds, struct cr_error *err);
 
+/* Table of where the energy of a front sits, measured and modelled. Errors: IO, MEMORY. */
+CR_MUST_CHECK enum cr_err cr_calibration_cells(const char *dir, const struct cr_model_lib *lib,
+                                               struct cr_str *out, struct cr_error *err);
+
 /* How well a face does in its tests: percentage errors of the residual depth. */
 struct cr_calibration_fit {
     int tests, borrowed; /* own ones, and those of the neighbour */

@@ -5,7 +5,7 @@ libbatch_a_SOURCES = \
 	src/batch/crashtest.c src/batch/crashtest.h \
 	src/batch/crashtest_solve.c \
 	src/batch/calibrate.c src/batch/calibrate.h \
-	src/batch/calibrate_data.c src/batch/calibrate_write.c \
+	src/batch/calibrate_cells.c src/batch/calibrate_data.c src/batch/calibrate_write.c \
 	src/batch/data.c \
 	src/batch/feed.c src/batch/feed.h \
 	src/batch/models.c src/batch/models.h src/batch/models_list.c \
