@@ -3,6 +3,8 @@
 
 /* share of a voxel that two bodies may approach each other by in one slice */
 static const double approach_max = 0.5;
+/* half the size of a contact patch: what turns about the COE within it, m */
+static const double patch_reach = 0.75;
 /* free motion after a contact: slices up to this many times longer */
 static const double free_stretch = 4;
 
@@ -111,12 +113,26 @@ static double gap(const struct cr_moving *a, const struct cr_moving *b) {
     return p.x - car->reach;
 }
 
+/* Approach speed of a pair that matters for the slice: where they are in contact that of the COE and
+ * of the patch about it, else the bound over both bodies. */
+static double approach_speed(const struct cr_solver *s, int pair, int a, int b) {
+    const struct cr_touch *t = &s->touch[pair];
+    const struct cr_moving *ma = &s->m[a], *mb = &s->m[b];
+    double bound = closing_bound(ma, mb);
+    if (t->record < 0) {
+        return bound;
+    }
+    double at_coe = cr_vec2_len(cr_relative_velocity(s, a, b, t->coe));
+    return fmin(bound, at_coe + patch_reach * fabs(ma->yaw_rate - mb->yaw_rate));
+}
+
 /* Longest slice in which a pair that may touch approaches by no more than half a voxel: a whole
  * part of `most`, so that the slices of a crash are of one length. */
-static double within_reach(const struct cr_moving *a, const struct cr_moving *b, double most) {
-    double fast = closing_bound(a, b), h = fmax(a->body->grid.h, b->body->grid.h);
-    if ((a->inv_mass == 0 && b->inv_mass == 0) || !(fast > 0) || !(h > 0) ||
-        gap(a, b) > fast * most) {
+static double within_reach(const struct cr_solver *s, int pair, int a, int b, double most) {
+    const struct cr_moving *ma = &s->m[a], *mb = &s->m[b];
+    double fast = approach_speed(s, pair, a, b), h = fmax(ma->body->grid.h, mb->body->grid.h);
+    if ((ma->inv_mass == 0 && mb->inv_mass == 0) || !(fast > 0) || !(h > 0) ||
+        gap(ma, mb) > fast * most) {
         return most;
     }
     return most / fmax(ceil(fast * most / (approach_max * h) - 1e-9), 1);
@@ -130,7 +146,7 @@ double cr_kinematics_slice_length(const struct cr_solver *s) {
     double most = s->cs->opts.dt * (free ? free_stretch : 1), dt = most;
     for (int p = 0, a = 0; a < s->cs->n; a++) {
         for (int b = a + 1; b < s->cs->n; b++, p++) {
-            dt = fmin(dt, within_reach(&s->m[a], &s->m[b], most));
+            dt = fmin(dt, within_reach(s, p, a, b, most));
             if (s->touch[p].record >= 0) {
                 dt = fmin(dt, cr_abort_within(s, p));
             }
