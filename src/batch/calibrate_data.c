@@ -170,7 +170,7 @@ static enum cr_err read_walls(const char *dir, const struct cr_type_rules *rules
                                  .dynamic = NAN,
                                  .peak_g = NAN};
         for (int i = 0; i < 6; i++) {
-            char name[8];
+            char name[16];
             snprintf(name, sizeof name, "c%d", i + 1);
             w.c[i] = number(&t, name) / 1000;
         }

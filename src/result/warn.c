@@ -44,6 +44,32 @@ static bool is_narrow(const struct cr_participant *p) {
             (p->shape == CR_OBJECT_BOX && fmin(p->length, p->width) < NARROW));
 }
 
+/* Direct damage narrower than this share of the width at one end of the front: outside the rails
+ * (validation.md, small overlap). */
+static const double SMALL_OVERLAP = 0.3;
+
+static void check_face(struct cr_result *r, const struct cr_contact *c, int car, int other) {
+    const struct cr_severity *s = &r->of[car];
+    const struct cr_participant *p = &r->resolved.part[car], *q = &r->resolved.part[other];
+    bool side = s->face == CR_FACE_LEFT || s->face == CR_FACE_RIGHT;
+    if (side && !is_narrow(q)) {
+        cr_result_warn(r,
+                       "%s: side struck by the wide %s, but the sides of the models rest on narrow "
+                       "poles: depth and EES are estimates; own A, B stiffness of the side can be "
+                       "given",
+                       p->id, q->id);
+    }
+    // a narrow object in the middle of the front is no small overlap
+    bool edge = s->cdc[0] && (s->cdc[3] == 'L' || s->cdc[3] == 'R');
+    if (s->face == CR_FACE_FRONT && edge && q->kind == CR_KIND_OBJECT &&
+        c->energy[0] + c->energy[1] > 0 && s->contact_width < SMALL_OVERLAP * p->width) {
+        cr_result_warn(r,
+                       "%s: small overlap outside the rails: tested cars slid off rounded edges "
+                       "and poles, the model holds on; take delta-v and EES as upper bounds",
+                       p->id);
+    }
+}
+
 static void check_contact(struct cr_result *r, const struct cr_contact *c) {
     bool vehicle[2] = {is_vehicle(r, c->a), is_vehicle(r, c->b)};
     int car = vehicle[0] ? c->a : c->b, other = vehicle[0] ? c->b : c->a;
@@ -62,6 +88,11 @@ static void check_contact(struct cr_result *r, const struct cr_contact *c) {
                        "%s: closing speed %.0f km/h is outside the %.0f to %.0f km/h of the %s "
                        "tests behind the models: depth and EES are extrapolated",
                        id, cr_kmh(c->closing), cr_kmh(lo), cr_kmh(hi), side ? "side" : "front");
+    }
+    for (int k = 0; k < 2; k++) {
+        if (vehicle[k]) {
+            check_face(r, c, k ? c->b : c->a, k ? c->a : c->b);
+        }
     }
     if (c->restitution > RESTITUTION_HI) {
         cr_result_warn(r,
