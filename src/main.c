@@ -3,6 +3,7 @@
 #include "base/str.h"
 #include "batch/batch.h"
 #include "repl/repl.h"
+#include "tui/tui.h"
 
 #include <locale.h>
 #include <stdio.h>
@@ -60,6 +61,18 @@ static int unknown(const char *what, const char *given) {
     return 2;
 }
 
+static int interactive(int argc, char **argv, const char *data_dir) {
+    const char *why = cr_tui_refusal();
+    char state[1024];
+    if (why == NULL) {
+        return cr_tui_main(data_dir, cr_repl_state_dir(state, sizeof state));
+    }
+    if (why[0] != '\0') {
+        fprintf(stderr, "crumple: no full screen (%s), so the plain prompt\n", why);
+    }
+    return cr_repl_main(argc, argv, data_dir);
+}
+
 int main(int argc, char **argv) {
     setlocale(LC_ALL, "");
     /* JSON and command files have a decimal point wherever the program runs */
@@ -76,8 +89,11 @@ int main(int argc, char **argv) {
             return words[i].run(argc - 1, argv + 1);
         }
     }
+    char data[4096];
+    if (argc <= 1) {
+        return interactive(argc, argv, cr_data_dir(data, sizeof data));
+    }
     if (word[0] == '\0' || cr_repl_takes(word)) {
-        char data[4096];
         return cr_repl_main(argc, argv, cr_data_dir(data, sizeof data));
     }
     return unknown(word[0] == '-' ? "option" : "word", word);

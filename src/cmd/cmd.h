@@ -156,6 +156,7 @@ CR_MUST_CHECK enum cr_err cr_session_new(const struct cr_session_opts *opts,
 void cr_session_free(struct cr_session *s);
 void cr_session_set_out(struct cr_session *s, const struct cr_out *out);
 void cr_session_set_look(struct cr_session *s, const struct cr_look *look);
+const struct cr_look *cr_session_look(const struct cr_session *s);
 
 /* Run a line as typed at the prompt (several commands with ";" are fine). It is logged and
  * numbered; an error has been shown through out.fault already. A line that ends with "\" needs

@@ -100,6 +100,10 @@ void cr_session_set_look(struct cr_session *s, const struct cr_look *look) {
     s->opts.look = *look;
 }
 
+const struct cr_look *cr_session_look(const struct cr_session *s) {
+    return &s->opts.look;
+}
+
 /* ---- text ---- */
 
 static void log_add(struct cr_session *s, enum cr_tone tone, const char *line) {

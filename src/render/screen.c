@@ -21,8 +21,12 @@ static void say(const struct stage *st, struct cr_rect in, const char *text) {
 
 static enum cr_err draw_scene(const struct stage *st, struct cr_rect in) {
     const struct cr_screen *s = st->screen;
-    return cr_render_scene(st->cells, in, st->look, s->compiled, s->scene, s->result,
-                           &s->scene_view, st->err);
+    struct cr_scene_view view = s->scene_view;
+    if (s->stale) { /* what was solved is no longer this scene */
+        view.time = (double)NAN;
+    }
+    return cr_render_scene(st->cells, in, st->look, s->compiled, s->scene,
+                           s->stale ? NULL : s->result, &view, st->err);
 }
 
 static enum cr_err draw_pulse(const struct stage *st, struct cr_rect in) {

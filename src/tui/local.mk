@@ -1,4 +1,16 @@
 noinst_LIBRARIES += libtui.a
 libtui_a_SOURCES = \
-	src/tui/tui.h
+	src/tui/keys.c \
+	src/tui/log.c \
+	src/tui/main.c \
+	src/tui/mouse.c \
+	src/tui/overlay.c \
+	src/tui/paint.c \
+	src/tui/play.c \
+	src/tui/preview.c \
+	src/tui/prompt.c \
+	src/tui/screen.c \
+	src/tui/sweep.c \
+	src/tui/term.c \
+	src/tui/tui.h src/tui/tui_priv.h
 libtui_a_CFLAGS = $(CR_CFLAGS) $(NCURSES_CFLAGS) $(READLINE_CFLAGS)

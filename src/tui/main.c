@@ -1,0 +1,324 @@
+/* The full screen as a whole: the session's output, running lines, one loop that sleeps until a
+ * key, a signal or the next frame. */
+#include "tui/tui_priv.h"
+
+#include <curses.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+enum { PROMPT_W = 9, FRAMES_PER_S = 30 };
+
+double cr_tui_clock(void) {
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+/* ---- what signals ask for ---- */
+
+static void act_on_signals(struct cr_tui *t) {
+    if (cr_tui_stopping) {
+        cr_term_suspend();
+    }
+    if (cr_tui_continued) {
+        cr_term_redraw();
+        t->dirty = true;
+    }
+    if (cr_tui_resized) {
+        cr_term_resize(&t->w, &t->h);
+        t->dirty = true;
+    }
+    if (cr_tui_interrupted) {
+        const struct cr_input interrupt = {.code = 3};
+        cr_tui_interrupted = 0;
+        cr_tui_input(t, &interrupt);
+    }
+}
+
+/* ---- the session's output ---- */
+
+static void on_text(void *user, enum cr_tone tone, const char *line) {
+    static const enum cr_role roles[] = {[CR_TONE_ANSWER] = CR_ROLE_TEXT,
+                                         [CR_TONE_WARN] = CR_ROLE_WARN,
+                                         [CR_TONE_ERROR] = CR_ROLE_BAD,
+                                         [CR_TONE_ECHO] = CR_ROLE_KEY};
+    struct cr_tui *t = user;
+    if (!t->mute || tone == CR_TONE_WARN) {
+        cr_dialogue_add(&t->log, roles[tone], line);
+        t->dirty = true;
+    }
+}
+
+static void on_fault(void *user, const struct cr_fault *fault) {
+    struct cr_tui *t = user;
+    struct cr_fault shown = *fault;
+    struct cr_str text = {0};
+    /* a caret below a line that is folded would point anywhere */
+    shown.many = fault->many || PROMPT_W + (int)strlen(fault->text) >= t->w - 2;
+    cr_fault_text(&shown, PROMPT_W, &text);
+    for (char *p = text.s, *end; p != NULL && (end = strchr(p, '\n')) != NULL; p = end + 1) {
+        *end = '\0';
+        cr_dialogue_add(&t->log, CR_ROLE_BAD, p);
+    }
+    cr_str_fini(&text);
+    t->dirty = true;
+}
+
+static void on_progress(void *user, const struct cr_progress *progress) {
+    struct cr_tui *t = user;
+    t->progress = progress;
+    t->dirty = true;
+    if (progress != NULL) {
+        cr_tui_draw_due(t);
+        t->progress = NULL; /* it is the caller's, and only valid until we return */
+    }
+}
+
+/* ^C cancels; a new size and ^Z are acted on; what is typed ahead waits */
+static int on_cancel(void *user) {
+    struct cr_tui *t = user;
+    struct cr_input in;
+    if (cr_tui_interrupted) {
+        cr_tui_interrupted = 0;
+        t->cancel = true;
+    }
+    act_on_signals(t);
+    while (cr_term_read(&in)) {
+        if (!in.function && in.code == 3) {
+            t->cancel = true;
+        } else if (!in.function && in.code == 26) {
+            cr_term_suspend();
+        } else if (t->pendings < CR_PENDING) {
+            t->pending[t->pendings++] = in;
+        }
+    }
+    return t->cancel || cr_tui_ending;
+}
+
+static int on_ask(void *user, const char *question, const char *answers) {
+    struct cr_tui *t = user;
+    int answer = 0;
+    t->question = question;
+    while (answer == 0) {
+        struct cr_input in;
+        t->dirty = true;
+        act_on_signals(t);
+        cr_tui_draw(t);
+        if (!cr_term_wait(-1) || cr_tui_ending) {
+            answer = 'c';
+        }
+        while (answer == 0 && cr_term_read(&in)) {
+            if (!in.function && (in.code == 3 || in.code == 27)) {
+                answer = 'c';
+            } else if (!in.function && in.code < 128 && strchr(answers, (int)in.code) != NULL) {
+                answer = (int)in.code;
+            }
+        }
+    }
+    t->question = NULL;
+    t->dirty = true;
+    return answer;
+}
+
+static void on_size(void *user, int *width, int *height) {
+    const struct cr_tui *t = user;
+    *width = t->w;
+    *height = t->h;
+}
+
+static struct cr_out out_of(struct cr_tui *t) {
+    return (struct cr_out){.user = t,
+                           .text = on_text,
+                           .fault = on_fault,
+                           .progress = on_progress,
+                           .cancel = on_cancel,
+                           .ask = on_ask,
+                           .size = on_size};
+}
+
+/* ---- running lines ---- */
+
+struct before {
+    const struct cr_result *result;
+    struct cr_view view;
+    int undos, lines;
+    const char *file;
+};
+
+/* Did the line change what the panes show? Then its answer must not cover them. */
+static bool changed(const struct cr_tui *t, const struct before *b) {
+    const struct cr_view *v = cr_session_view(t->session);
+    return b->result != cr_session_result(t->session) || b->undos != cr_session_undos(t->session) ||
+           memcmp(&b->view, v, sizeof *v) != 0;
+}
+
+static void run(struct cr_tui *t, const char *line) {
+    struct before b = {.result = cr_session_result(t->session),
+                       .view = *cr_session_view(t->session),
+                       .undos = cr_session_undos(t->session),
+                       .lines = t->log.n};
+    t->cancel = false;
+    t->log_back = 0;
+    t->sheet_from = -1;
+    t->sheet_down = 0;
+    cr_completion_fini(&t->candidates);
+    cr_preview_forget(t);
+    t->failed = cr_session_run(t->session, line) != CR_ERR_OK;
+    t->progress = NULL;
+    if (t->log.n > b.lines && (t->failed || !changed(t, &b))) {
+        t->sheet_from = b.lines - 1; /* with the command itself */
+    }
+    t->dirty = true;
+}
+
+void cr_tui_run(struct cr_tui *t, const char *line) {
+    struct cr_str shown = {0};
+    cr_play_stop(t);
+    if (line[strspn(line, " \t\n")] == '\0') {
+        t->sheet_from = -1;
+        return;
+    }
+    cr_str_addf(&shown, "crumple> %s", line);
+    for (char *p = shown.s; p != NULL && *p != '\0'; p++) {
+        *p = *p == '\n' ? ' ' : *p;
+    }
+    cr_dialogue_add(&t->log, CR_ROLE_KEY, cr_str_get(&shown));
+    if (shown.s != NULL && !shown.failed) {
+        cr_prompt_remember(shown.s + PROMPT_W, true);
+    }
+    cr_str_fini(&shown);
+    run(t, line);
+}
+
+void cr_tui_run_key(struct cr_tui *t, const char *line) {
+    cr_dialogue_key(&t->log, line);
+    cr_prompt_remember(line, false);
+    /* the title bar and the panes show what these change */
+    t->mute = strncmp(line, "show ", 5) == 0 || strncmp(line, "move ", 5) == 0 ||
+              strncmp(line, "view ", 5) == 0;
+    run(t, line);
+    t->mute = false;
+}
+
+void cr_tui_run_quiet(struct cr_tui *t, const char *line) {
+    t->mute = true;
+    if (cr_session_script(t->session, line, "key", 1) != CR_ERR_OK) {
+        cr_play_stop(t);
+    }
+    t->mute = false;
+    t->dirty = true;
+}
+
+/* ---- the loop ---- */
+
+static void show_stderr(struct cr_tui *t) {
+    struct cr_str text = {0};
+    cr_term_stderr(&text);
+    for (char *p = text.s, *end; p != NULL && *p != '\0'; p = end) {
+        end = p + strcspn(p, "\n");
+        end += *end == '\n' ? (*end = '\0', 1) : 0;
+        cr_dialogue_add(&t->log, CR_ROLE_WARN, p);
+        t->dirty = true;
+    }
+    cr_str_fini(&text);
+}
+
+static void take_keys(struct cr_tui *t) {
+    struct cr_input in;
+    while (t->pendings > 0 && !cr_session_over(t->session)) {
+        in = t->pending[0];
+        memmove(t->pending, t->pending + 1, (size_t)--t->pendings * sizeof in);
+        cr_tui_input(t, &in);
+    }
+    while (!cr_session_over(t->session) && !cr_tui_ending && cr_term_read(&in)) {
+        cr_tui_input(t, &in);
+    }
+}
+
+static void loop(struct cr_tui *t) {
+    bool there = true;
+    while (there && !cr_session_over(t->session) && !cr_tui_ending && !t->broken) {
+        act_on_signals(t);
+        cr_play_tick(t);
+        int ms = t->pendings > 0 ? 0 : cr_tui_draw_due(t);
+        if (t->play.on && (ms < 0 || ms > 1000 / FRAMES_PER_S)) {
+            ms = 1000 / FRAMES_PER_S;
+        }
+        there = cr_term_wait(ms);
+        take_keys(t);
+        show_stderr(t);
+    }
+    if (!there && !cr_tui_ending) {
+        cr_tui_ending = SIGHUP;
+    }
+}
+
+static void greet(struct cr_tui *t, const char *state_dir) {
+    cr_dialogue_add(&t->log, CR_ROLE_TEXT,
+                    "Crumple: crash simulation by voxels. F1 shows the keys, help the commands.");
+    cr_dialogue_add(&t->log, CR_ROLE_TEXT,
+                    state_dir[0] != '\0' && cr_session_left_behind(state_dir)
+                        ? "  An earlier session ended without being quit. Its scene: load --recover"
+                        : "  Begin with: load share/scenes/q7-fiat500.json   then F5");
+}
+
+static void say(const struct cr_error *err) {
+    char line[1200];
+    fprintf(stderr, "crumple: %s\n", cr_err_format(err, line, sizeof line));
+}
+
+static void fini(struct cr_tui *t) {
+    cr_preview_forget(t);
+    cr_completion_fini(&t->candidates);
+    cr_dialogue_fini(&t->log);
+    cr_str_fini(&t->open);
+    cr_cells_fini(&t->cells);
+    free(t);
+}
+
+static int run_screen(struct cr_tui *t, const char *state_dir) {
+    struct cr_error err;
+    if (cr_term_open(&err) != CR_ERR_OK) {
+        say(&err);
+        return cr_err_status(err.code);
+    }
+    struct cr_look look = {.ascii = cr_term_ascii(), .color = cr_term_color()};
+    cr_session_set_look(t->session, &look);
+    cr_prompt_open(t, state_dir);
+    cr_term_resize(&t->w, &t->h);
+    greet(t, state_dir);
+    t->dirty = true;
+    loop(t);
+    cr_prompt_close();
+    cr_term_close();
+    if (cr_tui_ending) { /* as the sender expects, and without giving up the autosave */
+        signal(cr_tui_ending, SIG_DFL);
+        raise(cr_tui_ending);
+    }
+    return t->broken ? cr_err_status(CR_ERR_MEMORY) : 0;
+}
+
+int cr_tui_main(const char *data_dir, const char *state_dir) {
+    struct cr_error err;
+    struct cr_tui *t = calloc(1, sizeof *t);
+    if (t == NULL) {
+        return cr_err_status(CR_ERR_MEMORY);
+    }
+    t->focus = CR_AREAS;
+    t->sheet_from = t->taken = t->dragged = -1;
+    struct cr_session_opts opts = {.data_dir = data_dir,
+                                   .state_dir = state_dir[0] != '\0' ? state_dir : NULL,
+                                   .ask = true,
+                                   .out = out_of(t)};
+    if (cr_session_new(&opts, &t->session, &err) != CR_ERR_OK) {
+        say(&err);
+        free(t);
+        return cr_err_status(err.code);
+    }
+    int status = run_screen(t, state_dir);
+    cr_session_free(t->session);
+    fini(t);
+    return status;
+}

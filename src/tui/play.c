@@ -1,0 +1,81 @@
+/* Playing the recorded crash in slow motion. */
+#include "tui/tui_priv.h"
+
+#include "render/picture.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#define WATCH_S 6.0 /* wall clock for the crash itself; what follows runs at the same rate */
+
+/* s of the wall clock for one second of the crash */
+static double slowness(const struct cr_solution *sol) {
+    int n = cr_render_samples(sol);
+    double span = n > 0 ? sol->t[n - 1] - sol->t_contact : 0;
+    return span > 0 ? WATCH_S / span : 1;
+}
+
+static const struct cr_solution *playable(const struct cr_tui *t) {
+    const struct cr_result *r = cr_session_result(t->session);
+    return r != NULL && cr_session_state(t->session) == CR_STATE_SOLVED && r->solution->samples > 1
+               ? r->solution
+               : NULL;
+}
+
+static void set_frame(struct cr_tui *t, int frame, bool logged) {
+    char line[40];
+    snprintf(line, sizeof line, "show frame=%d", frame);
+    if (logged) {
+        cr_tui_run_key(t, line);
+    } else {
+        cr_tui_run_quiet(t, line);
+    }
+}
+
+void cr_play_start(struct cr_tui *t, int frame) {
+    const struct cr_solution *sol = playable(t);
+    if (sol == NULL) {
+        return;
+    }
+    double since = frame > 0 ? sol->t[frame - 1] - sol->t_contact : 0;
+    t->play = (struct cr_play){true, cr_tui_clock() - since * slowness(sol)};
+    set_frame(t, frame, false);
+}
+
+void cr_play_stop(struct cr_tui *t) {
+    if (t->play.on) {
+        t->play.on = false;
+        set_frame(t, cr_session_view(t->session)->frame, true);
+    }
+}
+
+void cr_play_toggle(struct cr_tui *t) {
+    int frame = cr_session_view(t->session)->frame;
+    if (t->play.on) {
+        cr_play_stop(t);
+    } else if (playable(t) == NULL) {
+        cr_dialogue_add(&t->log, CR_ROLE_WARN, "  nothing to play before  solve  (F5)");
+        t->dirty = true;
+    } else {
+        cr_play_start(t, frame >= cr_session_frames(t->session) ? 0 : frame);
+    }
+}
+
+void cr_play_tick(struct cr_tui *t) {
+    const struct cr_solution *sol = t->play.on ? playable(t) : NULL;
+    if (sol == NULL) {
+        t->play.on = false;
+        return;
+    }
+    double time = (cr_tui_clock() - t->play.began) / slowness(sol);
+    int frame = cr_session_view(t->session)->frame, last = sol->samples;
+    while (frame < last && sol->t[frame] - sol->t_contact <= time) {
+        frame++;
+    }
+    if (frame != cr_session_view(t->session)->frame) {
+        set_frame(t, frame, false);
+    }
+    if (frame >= last) {
+        cr_play_stop(t);
+    }
+}

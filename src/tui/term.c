@@ -1,0 +1,411 @@
+/* The terminal: curses on and off, signals, and standard error kept off the screen.
+ *
+ * Whatever ends the process, the terminal is given back: an ordinary end and SIGTERM or SIGHUP
+ * through cr_term_close, a fault through on_fault, which calls only what POSIX allows there. */
+#include "tui/tui_priv.h"
+
+#include <curses.h>
+#include <term.h>
+
+#include <errno.h>
+#include <fcntl.h>
+#include <langinfo.h>
+#include <poll.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <sys/stat.h>
+#include <termios.h>
+#include <unistd.h>
+
+volatile sig_atomic_t cr_tui_resized, cr_tui_interrupted, cr_tui_ending, cr_tui_stopping,
+    cr_tui_continued;
+
+enum { RESTORE_MAX = 512, ESCAPE_MS = 40 };
+
+/* curses and the handlers know no argument for it: one terminal per process */
+static struct {
+    bool open;
+    SCREEN *screen;
+    WINDOW *input; /* a pad: reading from it draws nothing */
+    int wake[2];   /* written by handlers, so that no signal is missed before poll */
+    struct termios before;
+    char restore[RESTORE_MAX]; /* what a fault writes to the terminal */
+    volatile sig_atomic_t restore_len;
+    int stderr_before, stderr_file;
+    off_t stderr_read;
+} term = {.wake = {-1, -1}, .stderr_before = -1, .stderr_file = -1};
+
+/* ---- signals ---- */
+
+static const int faults[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGQUIT};
+enum { FAULTS = sizeof faults / sizeof *faults };
+static struct sigaction before_fault[FAULTS];
+
+static void give_back(void) {
+    int kept = errno;
+    if (term.restore_len > 0) {
+        ssize_t n = write(STDOUT_FILENO, term.restore, (size_t)term.restore_len);
+        (void)n;
+        tcsetattr(STDIN_FILENO, TCSANOW, &term.before);
+        term.restore_len = 0;
+    }
+    if (term.stderr_before >= 0) {
+        dup2(term.stderr_before, STDERR_FILENO);
+    }
+    errno = kept;
+}
+
+static void on_fault(int sig) {
+    static const char text[] = "crumple: a fault ended it; the scene is kept: load --recover\n";
+    give_back();
+    if (sig != SIGQUIT) {
+        ssize_t n = write(STDERR_FILENO, text, sizeof text - 1);
+        (void)n;
+    }
+    for (int i = 0; i < FAULTS; i++) {
+        if (faults[i] == sig) {
+            sigaction(sig, &before_fault[i], NULL);
+        }
+    }
+    raise(sig);
+}
+
+static void on_signal(int sig) {
+    int kept = errno;
+    char byte = 0;
+    switch (sig) {
+    case SIGWINCH:
+        cr_tui_resized = 1;
+        break;
+    case SIGINT:
+        cr_tui_interrupted = 1;
+        break;
+    case SIGTSTP:
+        cr_tui_stopping = 1;
+        break;
+    case SIGCONT:
+        cr_tui_continued = 1;
+        break;
+    default:
+        if (cr_tui_ending == sig) { /* asked twice: do not wait for the work under way */
+            give_back();
+            signal(sig, SIG_DFL);
+            raise(sig);
+        }
+        cr_tui_ending = sig;
+        break;
+    }
+    ssize_t n = write(term.wake[1], &byte, 1);
+    (void)n;
+    errno = kept;
+}
+
+static const int caught[] = {SIGWINCH, SIGINT, SIGTSTP, SIGCONT, SIGTERM, SIGHUP};
+enum { CAUGHT = sizeof caught / sizeof *caught };
+
+static void catch_signals(void) {
+    struct sigaction action = {.sa_handler = on_signal};
+    sigemptyset(&action.sa_mask);
+    for (int i = 0; i < CAUGHT; i++) {
+        sigaction(caught[i], &action, NULL);
+    }
+    action.sa_handler = SIG_IGN;
+    sigaction(SIGPIPE, &action, NULL);
+    /* a stack that has overflowed cannot carry its own handler */
+    static char room[65536];
+    stack_t stack = {.ss_sp = room, .ss_size = sizeof room};
+    sigaltstack(&stack, NULL);
+    struct sigaction fault = {.sa_handler = on_fault, .sa_flags = SA_ONSTACK | SA_NODEFER};
+    sigemptyset(&fault.sa_mask);
+    for (int i = 0; i < FAULTS; i++) {
+        sigaction(faults[i], &fault, &before_fault[i]);
+    }
+}
+
+/* ---- standard error ---- */
+
+static void capture_stderr(void) {
+    FILE *file = tmpfile();
+    if (file == NULL) {
+        return;
+    }
+    term.stderr_file = dup(fileno(file));
+    fclose(file);
+    term.stderr_before = dup(STDERR_FILENO);
+    if (term.stderr_file >= 0 && term.stderr_before >= 0) {
+        fflush(stderr);
+        dup2(term.stderr_file, STDERR_FILENO);
+    }
+}
+
+static void release_stderr(bool show) {
+    char buf[4096];
+    ssize_t n;
+    off_t at = 0;
+    if (term.stderr_before < 0) {
+        return;
+    }
+    fflush(stderr);
+    dup2(term.stderr_before, STDERR_FILENO);
+    while (show && term.stderr_file >= 0 &&
+           (n = pread(term.stderr_file, buf, sizeof buf, at)) > 0) {
+        at += n;
+        if (write(STDERR_FILENO, buf, (size_t)n) != n) {
+            break;
+        }
+    }
+    close(term.stderr_before);
+    term.stderr_before = -1;
+    if (term.stderr_file >= 0) {
+        close(term.stderr_file);
+    }
+    term.stderr_file = -1;
+    term.stderr_read = 0;
+}
+
+void cr_term_stderr(struct cr_str *out) {
+    char buf[1024];
+    ssize_t n;
+    struct stat st;
+    if (term.stderr_file < 0 || fstat(term.stderr_file, &st) != 0 ||
+        st.st_size <= term.stderr_read) {
+        return;
+    }
+    while ((n = pread(term.stderr_file, buf, sizeof buf, term.stderr_read)) > 0) {
+        term.stderr_read += n;
+        cr_str_addn(out, buf, (size_t)n);
+    }
+}
+
+/* ---- curses ---- */
+
+static const char *no_screen(const char *name) {
+    int status;
+    if (name == NULL || name[0] == '\0' || strcmp(name, "dumb") == 0) {
+        return "TERM is not set, or dumb";
+    }
+    if (setupterm(name, STDOUT_FILENO, &status) != OK) {
+        return "the terminal named by TERM is not known here";
+    }
+    const char *cup = tigetstr("cup");
+    bool able = cup != NULL && cup != (char *)-1;
+    del_curterm(cur_term);
+    return able ? NULL : "this terminal cannot place the cursor";
+}
+
+const char *cr_tui_refusal(void) {
+    if (!isatty(STDIN_FILENO) || !isatty(STDOUT_FILENO)) {
+        return "";
+    }
+    return no_screen(getenv("TERM"));
+}
+
+/* a string of terminfo without its padding marks */
+static void add_restore(const char *name) {
+    const char *s = tigetstr(name);
+    int n = term.restore_len;
+    if (s == NULL || s == (char *)-1) {
+        return;
+    }
+    while (*s != '\0' && n < RESTORE_MAX - 1) {
+        if (s[0] == '$' && s[1] == '<' && strchr(s, '>') != NULL) {
+            s = strchr(s, '>') + 1;
+        } else {
+            term.restore[n++] = *s++;
+        }
+    }
+    term.restore_len = n;
+}
+
+static bool knows_mouse(void) {
+    const char *s = tigetstr("kmous");
+    return s != NULL && s != (char *)-1;
+}
+
+static const char mouse_on[] = "\033[?1002h", mouse_off[] = "\033[?1002l";
+
+static void mouse(bool on) {
+    if (knows_mouse()) {
+        fputs(on ? mouse_on : mouse_off, stdout); /* drags; clicks are switched by curses */
+        fflush(stdout);
+    }
+}
+
+static void prepare_restore(void) {
+    static const char off[] = "\033[?1000l\033[?1002l\033[?1003l\033[?1006l";
+    term.restore_len = 0;
+    if (knows_mouse()) {
+        memcpy(term.restore, off, sizeof off - 1);
+        term.restore_len = sizeof off - 1;
+    }
+    add_restore("sgr0");
+    add_restore("op");
+    add_restore("rmkx");
+    add_restore("rmcup");
+    add_restore("cnorm");
+}
+
+static void set_modes(void) {
+    raw();
+    noecho();
+    nonl();
+    meta(stdscr, TRUE);
+    keypad(term.input, TRUE);
+    nodelay(term.input, TRUE);
+    intrflush(stdscr, FALSE);
+    mouseinterval(0);
+    mousemask(ALL_MOUSE_EVENTS | REPORT_MOUSE_POSITION, NULL);
+    if (has_colors()) {
+        start_color();
+        use_default_colors();
+    }
+}
+
+enum cr_err cr_term_open(struct cr_error *err) {
+    const char *name = getenv("TERM");
+    if (tcgetattr(STDIN_FILENO, &term.before) != 0 || pipe(term.wake) != 0) {
+        return cr_err_set(err, CR_ERR_IO, "the terminal cannot be used: %s", strerror(errno));
+    }
+    for (int i = 0; i < 2; i++) {
+        fcntl(term.wake[i], F_SETFL, O_NONBLOCK);
+        fcntl(term.wake[i], F_SETFD, FD_CLOEXEC);
+    }
+    catch_signals(); /* before curses, which then leaves them alone */
+    if (getenv("ESCDELAY") == NULL) {
+        set_escdelay(ESCAPE_MS);
+    }
+    term.screen = newterm(NULL, stdout, stdin);
+    if (term.screen == NULL) {
+        return cr_err_set(err, CR_ERR_IO, "curses cannot use the terminal %s", name);
+    }
+    term.open = true;
+    term.input = newpad(1, 1);
+    if (term.input == NULL) {
+        cr_term_close();
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for the screen");
+    }
+    prepare_restore();
+    capture_stderr();
+    set_modes();
+    mouse(true);
+    atexit(cr_term_close);
+    return CR_ERR_OK;
+}
+
+void cr_term_close(void) {
+    if (!term.open) {
+        return;
+    }
+    term.open = false;
+    mouse(false);
+    endwin();
+    term.restore_len = 0;
+    release_stderr(true);
+    if (term.input != NULL) {
+        delwin(term.input);
+    }
+    cr_paint_forget();
+    delscreen(term.screen);
+    term.screen = NULL;
+}
+
+void cr_term_suspend(void) {
+    struct sigaction stop = {.sa_handler = SIG_DFL}, ours;
+    sigset_t only, kept;
+    sigemptyset(&stop.sa_mask);
+    mouse(false);
+    endwin();
+    sigaction(SIGTSTP, &stop, &ours);
+    sigemptyset(&only);
+    sigaddset(&only, SIGTSTP);
+    sigprocmask(SIG_UNBLOCK, &only, &kept);
+    kill(0, SIGTSTP); /* stops here until the shell continues us */
+    sigprocmask(SIG_SETMASK, &kept, NULL);
+    sigaction(SIGTSTP, &ours, NULL);
+    cr_tui_stopping = 0;
+    cr_tui_continued = 1;
+    cr_tui_resized = 1; /* the window may have changed meanwhile */
+}
+
+void cr_term_resize(int *w, int *h) {
+    struct winsize size;
+    cr_tui_resized = 0;
+    if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 && size.ws_row > 0 &&
+        (size.ws_row != LINES || size.ws_col != COLS)) {
+        resize_term(size.ws_row, size.ws_col);
+        cr_term_redraw();
+    }
+    *w = COLS;
+    *h = LINES;
+}
+
+void cr_term_redraw(void) {
+    if (cr_tui_continued) {
+        cr_tui_continued = 0;
+        reset_prog_mode();
+        mouse(true);
+    }
+    cr_paint_forget();
+    clearok(curscr, TRUE);
+}
+
+enum cr_color cr_term_color(void) {
+    const char *no_color = getenv("NO_COLOR");
+    if (!has_colors() || (no_color != NULL && no_color[0] != '\0')) {
+        return CR_COLOR_NONE;
+    }
+    return COLORS >= 256 ? CR_COLOR_256 : COLORS >= 8 ? CR_COLOR_16 : CR_COLOR_NONE;
+}
+
+bool cr_term_ascii(void) {
+    const char *name = getenv("TERM");
+    /* the fonts of the Linux console have no braille */
+    return strcmp(nl_langinfo(CODESET), "UTF-8") != 0 || wcwidth(L'\u2588') != 1 ||
+           wcwidth(L'\u28FF') != 1 || strcmp(name != NULL ? name : "", "linux") == 0;
+}
+
+/* ---- input ---- */
+
+bool cr_term_wait(int ms) {
+    struct pollfd fds[2] = {{.fd = STDIN_FILENO, .events = POLLIN},
+                            {.fd = term.wake[0], .events = POLLIN}};
+    char drain[64];
+    int n = poll(fds, 2, ms);
+    while (read(term.wake[0], drain, sizeof drain) > 0) {
+        continue;
+    }
+    return n <= 0 || (fds[0].revents & (POLLERR | POLLHUP | POLLNVAL)) == 0;
+}
+
+static bool read_one(struct cr_input *out) {
+    wint_t code;
+    int got = wget_wch(term.input, &code);
+    if (got == ERR) {
+        return false;
+    }
+    *out = (struct cr_input){.function = got == KEY_CODE_YES, .code = code};
+    return true;
+}
+
+bool cr_term_read(struct cr_input *out) {
+    if (!read_one(out)) {
+        return false;
+    }
+    if (out->function && out->code == KEY_MOUSE) {
+        MEVENT event;
+        if (getmouse(&event) == OK) {
+            out->x = event.x;
+            out->y = event.y;
+            out->mouse = event.bstate;
+        }
+    } else if (!out->function && out->code == 27) {
+        struct cr_input next;
+        if (read_one(&next)) { /* Alt is sent as an escape before the key */
+            *out = next;
+            out->alt = true;
+        }
+    }
+    return true;
+}

@@ -1,0 +1,185 @@
+/* What the files of the full screen share. */
+#ifndef CR_TUI_TUI_PRIV_H
+#define CR_TUI_TUI_PRIV_H
+
+#include "cmd/cmd.h"
+#include "render/screen.h"
+#include "tui/tui.h"
+
+#include <signal.h>
+#include <stdbool.h>
+#include <wchar.h>
+
+/* ---- terminal (term.c): curses, signals, captured standard error ---- */
+
+/* What signals have asked for; set by handlers, cleared by who acts on it. */
+extern volatile sig_atomic_t cr_tui_resized, cr_tui_interrupted, cr_tui_ending, cr_tui_stopping,
+    cr_tui_continued;
+
+/* Takes the terminal over, or says why not; cr_term_close gives it back and may be called twice. */
+CR_MUST_CHECK enum cr_err cr_term_open(struct cr_error *err);
+void cr_term_close(void);
+/* Stops this process as ^Z does, and takes the terminal again when it goes on. */
+void cr_term_suspend(void);
+/* Takes over the terminal's new size. */
+void cr_term_resize(int *w, int *h);
+/* Everything is to be drawn again, whatever the terminal shows. */
+void cr_term_redraw(void);
+enum cr_color cr_term_color(void); /* colours of the terminal, NO_COLOR considered */
+bool cr_term_ascii(void);          /* no UTF-8, or block characters of a doubtful width */
+
+/* Waits for a key or a signal, at most so many ms (-1: any time). False: the terminal is gone. */
+bool cr_term_wait(int ms);
+
+/* A key or a character. */
+struct cr_input {
+    bool function; /* code is a KEY_ of curses, else a character */
+    bool alt;      /* came after an escape */
+    wint_t code;
+    int x, y;            /* of the mouse */
+    unsigned long mouse; /* its buttons, when code is KEY_MOUSE */
+};
+bool cr_term_read(struct cr_input *out); /* false: no key is waiting */
+
+/* What libraries have written to standard error since the last call, appended to out. */
+void cr_term_stderr(struct cr_str *out);
+
+/* ---- drawing cells (paint.c) ---- */
+
+/* Brings the terminal up to date with the cells, which are of its size. cursor < 0: hidden. */
+void cr_paint(const struct cr_cells *cells, const struct cr_look *look, int cursor_x, int cursor_y);
+void cr_paint_forget(void); /* the next cr_paint draws every cell */
+
+/* ---- dialogue (log.c) ---- */
+
+/* Lines of commands and answers, as they are shown; texts owned. */
+struct cr_dialogue {
+    struct cr_render_line *line;
+    int n, size;
+    int repeats; /* of the last line, when it is a command run by a key */
+    char *again; /* that command, NULL: none */
+};
+void cr_dialogue_add(struct cr_dialogue *d, enum cr_role role, const char *text);
+/* A command that a key has run: the same again is counted instead of repeated. */
+void cr_dialogue_key(struct cr_dialogue *d, const char *command);
+void cr_dialogue_fini(struct cr_dialogue *d);
+/* The lines from `from` on, folded to a width; the caller frees the result with
+ * cr_dialogue_fini. */
+void cr_dialogue_fold(const struct cr_dialogue *d, int from, int width, struct cr_dialogue *out);
+
+/* ---- prompt (prompt.c): readline without its screen ---- */
+
+struct cr_tui;
+void cr_prompt_open(struct cr_tui *t, const char *state_dir);
+void cr_prompt_close(void);
+/* A character or key for the line being typed. */
+void cr_prompt_key(const struct cr_input *in);
+const char *cr_prompt_line(int *point); /* the line so far, and its cursor in bytes */
+bool cr_prompt_empty(void);
+void cr_prompt_set(const char *line); /* replaces what is typed */
+void cr_prompt_clear(void);           /* ^C: gives the line up */
+void cr_prompt_remember(const char *line, bool file);
+/* Draws it into a row; *x receives the column of the cursor. */
+void cr_prompt_draw(struct cr_cells *cells, struct cr_rect at, int *x);
+
+/* ---- the program ---- */
+
+enum cr_overlay { CR_OVERLAY_NONE, CR_OVERLAY_HELP, CR_OVERLAY_PALETTE };
+enum { CR_FILTER_MAX = 40, CR_PENDING = 256 };
+
+struct cr_play {
+    bool on;
+    double began; /* s of the clock at which frame 0 was, or would have been, shown */
+};
+
+struct cr_tui {
+    struct cr_session *session;
+    struct cr_cells cells;
+    struct cr_layout layout;
+    struct cr_dialogue log;
+    int w, h;
+    bool dirty, broken; /* broken: no memory for a screen */
+    bool mute;          /* answers are not shown */
+    bool failed;        /* the last line that was run */
+    double drawn_at;    /* s of the clock */
+    enum cr_area focus; /* CR_AREAS: the prompt */
+    int log_back, table_down, sweep_row;
+    struct cr_play play;
+    /* sheet above the prompt: an answer that is too long for the dialogue, or candidates */
+    int sheet_from, sheet_down;      /* first line of the answer, -1: none; rows scrolled */
+    struct cr_completion candidates; /* n = 0: none */
+    enum cr_overlay overlay;
+    char filter[CR_FILTER_MAX];          /* of the palette */
+    int chosen;                          /* row of the palette */
+    const struct cr_progress *progress;  /* of the work under way, NULL: none */
+    bool cancel;                         /* ^C while working */
+    const char *question;                /* being asked, NULL: none */
+    struct cr_input pending[CR_PENDING]; /* typed while working */
+    int pendings;
+    struct cr_str open; /* lines that "\" joins to the one being typed */
+    /* dragging with the mouse */
+    bool scrubbing;
+    int taken, dragged;         /* participants, -1: none; dragged once the pointer has moved */
+    struct cr_vec2 drag_from;   /* world point at which it was taken */
+    struct cr_vec2 drag_by;     /* m, so far */
+    struct cr_preview *preview; /* of the unsolved scene (preview.c) */
+};
+
+double cr_tui_clock(void); /* s, monotonic */
+
+/* Runs a line that was typed; or one that a key stands for, which is shown and kept in the
+ * history; or one step of many, which is not (play and drag end with one that is). */
+void cr_tui_run(struct cr_tui *t, const char *line);
+void cr_tui_run_key(struct cr_tui *t, const char *line);
+void cr_tui_run_quiet(struct cr_tui *t, const char *line);
+
+/* ---- screen.c ---- */
+/* Colours, glyphs and theme as the session has them now. */
+struct cr_look cr_tui_look(const struct cr_tui *t);
+void cr_tui_draw(struct cr_tui *t);
+/* Draws if something changed and the last frame is old enough; else returns the ms until then, -1:
+ * nothing to draw. */
+int cr_tui_draw_due(struct cr_tui *t);
+/* Is the pane on the screen now? */
+bool cr_tui_shows(const struct cr_tui *t, enum cr_area pane);
+
+/* ---- keys.c, overlay.c, mouse.c, play.c ---- */
+void cr_tui_input(struct cr_tui *t, const struct cr_input *in);
+/* Keys of the bar for the present focus; returns how many. */
+int cr_tui_bar(const struct cr_tui *t, struct cr_render_key *out, int max);
+/* Runs what the key of that name in the bar stands for. */
+void cr_tui_press(struct cr_tui *t, const char *name);
+void cr_tui_focus(struct cr_tui *t, enum cr_area pane);
+/* Rows of the help overlay: key and explanation. */
+struct cr_help_row {
+    const char *key, *help;
+    bool heading;
+};
+int cr_tui_help_rows(const struct cr_tui *t, struct cr_help_row *out, int max);
+
+void cr_overlay_draw(struct cr_tui *t);
+bool cr_overlay_input(struct cr_tui *t, const struct cr_input *in); /* true: it was for it */
+void cr_sheet_draw(struct cr_tui *t);
+
+void cr_mouse(struct cr_tui *t, const struct cr_input *in);
+/* Scale of the scene picture one round step up (1) or down (-1); its middle moved (h, j, k, l). */
+void cr_scene_zoom(struct cr_tui *t, int step);
+void cr_scene_pan(struct cr_tui *t, int key);
+
+void cr_play_toggle(struct cr_tui *t);
+void cr_play_start(struct cr_tui *t, int frame);
+void cr_play_stop(struct cr_tui *t);
+void cr_play_tick(struct cr_tui *t); /* shows the frame that is due */
+
+/* ---- preview.c: the predicted first contact of a scene that is not solved ---- */
+void cr_preview_draw(struct cr_tui *t, const struct cr_compiled *compiled);
+void cr_preview_forget(struct cr_tui *t);
+
+/* ---- sweep.c: the last sweep as a sheet ---- */
+struct cr_sweep_sheet;
+CR_MUST_CHECK enum cr_err cr_sweep_sheet_new(const struct cr_tui *t, struct cr_sweep_sheet **out,
+                                             struct cr_error *err);
+const struct cr_sheet *cr_sweep_sheet_get(const struct cr_sweep_sheet *s);
+void cr_sweep_sheet_free(struct cr_sweep_sheet *s);
+
+#endif
