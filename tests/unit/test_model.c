@@ -3,12 +3,15 @@
 
 #include "test.h"
 
+#include "base/file.h"
 #include "base/vec.h"
 #include "model/model.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 static struct cr_model_lib *lib;
 
@@ -161,12 +164,235 @@ static void test_symmetric_bits(void **state) {
     }
 }
 
+/* CRASH3: category 4 front, A 62.3 kN/m, B 234 kN/m2 (stiffness.md 1.1), 1.8 m wide, residual crush
+ * of 0.2 m all over: 1.8 m (12.46 + 4.68 + 8.293) kN = 45.78 kJ. As a dynamic curve the same energy
+ * lies the springback deeper. */
+static void test_stiffness(void **state) {
+    static const struct cr_stiffness face[3] = {{62.3e3, 234e3}, {0, 0}, {0, 0}};
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        struct cr_model_query q = query_of(CR_TYPE_SEDAN, 12, 0.025);
+        struct cr_arena arena = {0};
+        struct cr_grid g;
+        q.dims.width = 1.8;
+        q.mass_kg = 1500;
+        q.curve = k == 0 ? CR_CURVE_RESIDUAL : CR_CURVE_DYNAMIC;
+        assert_int_equal(cr_model_from_stiffness(lib, &q, face, &arena, &g, NULL), CR_ERR_OK);
+        double depth = 0.2 + (k == 0 ? 0 : g.springback[CR_FACE_FRONT]);
+        int n = (int)(depth / 0.025);
+        double below = face_energy(&g, CR_FACE_FRONT, n),
+               above = face_energy(&g, CR_FACE_FRONT, n + 1);
+        double u = depth / 0.025 - n;
+        double want = 1.8 * (62.3e3 * 0.2 + 234e3 * 0.2 * 0.2 / 2 + 62.3e3 * 62.3e3 / (2 * 234e3));
+        check_near(want, 45.78e3, 10);
+        check_near(below + u * (above - below), want, k == 0 ? 1e-6 * want : 2e-3 * want);
+        assert_true(k == 1 || g.springback[CR_FACE_FRONT] == 0);
+        cr_arena_free(&arena);
+    }
+    struct cr_model_query q = query_of(CR_TYPE_SEDAN, 12, 0.025);
+    struct cr_arena arena = {0};
+    struct cr_grid g;
+    struct cr_error err = {0};
+    const struct cr_stiffness bad[3] = {{-1, 234e3}, {0, 0}, {0, 0}};
+    assert_int_equal(cr_model_from_stiffness(lib, &q, bad, &arena, &g, &err), CR_ERR_RANGE);
+    assert_non_null(strstr(err.text, "front stiffness A -1"));
+}
+
+/* The residual curve is the dynamic one moved by the springback, once the first metres are passed.
+ */
+static void test_residual_curve(void **state) {
+    (void)state;
+    for (int t = 0; t < CR_TYPES; t++) {
+        struct cr_model_query q = query_of((enum cr_type)t, 12, 0.025);
+        struct cr_arena arena = {0};
+        struct cr_grid g;
+        q.curve = CR_CURVE_RESIDUAL;
+        assert_int_equal(cr_model_substitute(lib, &q, &arena, &g, NULL), CR_ERR_OK);
+        const struct cr_model_face *f = cr_model_face(lib, q.type, CR_MODEL_FRONT);
+        double want = wanted(f, q.mass_kg, 0.4 + f->springback);
+        check_near(face_energy(&g, CR_FACE_FRONT, 16), want, 1e-9 * want);
+        check_near(face_energy(&g, CR_FACE_FRONT, 0), 0, 0);
+        cr_arena_free(&arena);
+    }
+}
+
+/* What is below a height and what is above it are together the whole; bumper and rails of a sedan
+ * lie between 0.33 and 0.58 m with two thirds of the front's energy (stiffness.md 5: 62 %). */
+static void test_heights(void **state) {
+    (void)state;
+    struct cr_arena arena = {0};
+    struct cr_grid part[3], whole;
+    struct cr_model_query q = query_of(CR_TYPE_SEDAN, 12, 0.025);
+    static const double cut[] = {0, 0.33, 0.58, 99};
+    assert_int_equal(cr_model_substitute(lib, &q, &arena, &whole, NULL), CR_ERR_OK);
+    for (int k = 0; k < 3; k++) {
+        q.z_lo = cut[k];
+        q.z_hi = cut[k + 1];
+        assert_int_equal(cr_model_substitute(lib, &q, &arena, &part[k], NULL), CR_ERR_OK);
+    }
+    for (int i = 0; i < whole.nx * whole.ny; i++) {
+        double sum = part[0].energy[i] + part[1].energy[i] + part[2].energy[i];
+        check_near(sum, whole.energy[i], 1e-12 * (1 + whole.energy[i]));
+        assert_true(part[1].fill[i] >= 0 && part[1].fill[i] <= whole.fill[i]);
+    }
+    double share =
+        face_energy(&part[1], CR_FACE_FRONT, 30) / face_energy(&whole, CR_FACE_FRONT, 30);
+    check_near(share, 0.62, 0.05);
+    /* nothing of a car is above its roof */
+    q.z_lo = 2;
+    assert_int_equal(cr_model_substitute(lib, &q, &arena, &part[0], NULL), CR_ERR_OK);
+    check_near(face_energy(&part[0], CR_FACE_FRONT, 100000), 0, 0);
+    cr_arena_free(&arena);
+}
+
+/* a barrier of 0.5 x 1.7 m with 350 kJ/m2 takes 297.5 kJ, also where voxels stick out */
+static void test_block(void **state) {
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        struct cr_arena arena = {0};
+        struct cr_grid g;
+        assert_int_equal(cr_model_block(0.5, 1.7, k == 0 ? 0.025 : 0.03, 350e3, &arena, &g, NULL),
+                         CR_ERR_OK);
+        double sum = 0;
+        for (int i = 0; i < g.nx * g.ny; i++) {
+            sum += g.energy[i];
+        }
+        check_near(sum, 297.5e3, 1e-6);
+        cr_arena_free(&arena);
+    }
+    struct cr_arena arena = {0};
+    struct cr_grid g;
+    assert_int_equal(cr_model_block(NAN, 1, 0.025, 1, &arena, &g, NULL), CR_ERR_RANGE);
+}
+
+/* Half way between the middles of two sectors: the mean of both models. */
+static void test_blend(void **state) {
+    (void)state;
+    struct cr_arena arena = {0};
+    struct cr_grid one, two, mixed;
+    struct cr_model_query q = query_of(CR_TYPE_COMPACT, 1, 0.05);
+    assert_int_equal(cr_model_substitute(lib, &q, &arena, &one, NULL), CR_ERR_OK);
+    q.pdof = 2 * CR_PI / 6;
+    assert_int_equal(cr_model_substitute(lib, &q, &arena, &two, NULL), CR_ERR_OK);
+    q.pdof = 1.5 * CR_PI / 6;
+    q.blend = true;
+    assert_int_equal(cr_model_substitute(lib, &q, &arena, &mixed, NULL), CR_ERR_OK);
+    for (int i = 0; i < one.nx * one.ny; i++) {
+        double mean = (one.energy[i] + two.energy[i]) / 2;
+        check_near(mixed.energy[i], mean, 1e-12 * (1 + mean));
+    }
+    cr_arena_free(&arena);
+}
+
+static void test_queries_refused(void **state) {
+    (void)state;
+    struct cr_arena arena = {0};
+    struct cr_grid g;
+    struct cr_error err = {0};
+    struct cr_model_query q = query_of(CR_TYPE_SUV, 12, 0.025);
+    q.mass_kg = 0;
+    assert_int_equal(cr_model_substitute(lib, &q, &arena, &g, &err), CR_ERR_RANGE);
+    assert_non_null(strstr(err.text, "mass 0 kg"));
+    q = query_of(CR_TYPE_SUV, 12, NAN);
+    assert_int_equal(cr_model_substitute(lib, &q, &arena, &g, &err), CR_ERR_RANGE);
+    q = query_of(CR_TYPE_SUV, 12, 0.025);
+    q.dims.wheelbase = q.dims.length;
+    assert_int_equal(cr_model_substitute(lib, &q, &arena, &g, &err), CR_ERR_RANGE);
+    assert_non_null(strstr(err.text, "rear end"));
+    q = query_of(CR_TYPE_SUV, 12, 0.025);
+    q.dims.track = q.dims.width + 0.1;
+    assert_int_equal(cr_model_substitute(lib, &q, &arena, &g, &err), CR_ERR_RANGE);
+    assert_non_null(strstr(err.text, "flank"));
+}
+
+/* ---- recipes that are wrong ---- */
+
+/* The sedan's recipe with one text in place of another, read from a folder of its own. */
+static enum cr_err read_changed(const char *from, const char *to, struct cr_error *err) {
+    const char *dir = "test_model.tmp";
+    enum cr_err rc = CR_ERR_OK;
+    mkdir(dir, 0700);
+    for (int i = 0; i < CR_TYPES; i++) {
+        char path[600], *text = NULL;
+        size_t len = 0;
+        struct cr_str out = {0};
+        const char *word = cr_type_word((enum cr_type)i);
+        snprintf(path, sizeof path, "%s/models/%s.json", getenv("SRC"), word);
+        assert_int_equal(cr_file_read(path, &text, &len, NULL), CR_ERR_OK);
+        const char *at = i == CR_TYPE_SEDAN ? strstr(text, from) : NULL;
+        assert_true(i != CR_TYPE_SEDAN || at != NULL);
+        cr_str_addn(&out, text, at != NULL ? (size_t)(at - text) : len);
+        if (at != NULL) {
+            cr_str_add(&out, to);
+            cr_str_add(&out, at + strlen(from));
+        }
+        snprintf(path, sizeof path, "%s/%s.json", dir, word);
+        assert_int_equal(cr_file_write(path, out.s, out.len, NULL), CR_ERR_OK);
+        cr_str_fini(&out);
+        free(text);
+    }
+    struct cr_model_lib *other = NULL;
+    rc = cr_model_lib_open(dir, &other, err);
+    if (!rc) {
+        cr_model_lib_free(other);
+    }
+    for (int i = 0; i < CR_TYPES; i++) {
+        char path[600];
+        snprintf(path, sizeof path, "%s/%s.json", dir, cr_type_word((enum cr_type)i));
+        remove(path);
+    }
+    rmdir(dir);
+    return rc;
+}
+
+static void test_recipes_refused(void **state) {
+    static const struct {
+        const char *from, *to;
+        enum cr_err code;
+        const char *where, *says;
+    } bad[] = {
+        {"\"mass_kg\": 1666", "\"mass_kg\": -1", CR_ERR_RANGE, "/reference/mass_kg",
+         "-1 is outside"},
+        {"\"mass_kg\": 1666,", "", CR_ERR_MISSING, "/reference/mass_kg", "missing"},
+        {"\"between\": \"ees\"", "\"between\": \"eess\"", CR_ERR_NAME, "/faces/front/between",
+         "ees"},
+        {"\"front_m\": [[0, 0]", "\"front_m\": [[0, 0.1]", CR_ERR_MODEL, "/shape/front_m",
+         "[0, 0]"},
+        {"\"lateral\": 0.2 }", "\"latreal\": 0.2 }", CR_ERR_KEY, "/structures/0/latreal",
+         "lateral"},
+        {"\"depth_m_ees_kmh\": [[0, 0], ", "\"depth_m_ees_kmh\": [[0, 0], [0.1, 500], ",
+         CR_ERR_MODEL, "/faces/front/depth_m_ees_kmh", "never fall"},
+        {"\"body_weight\": {", "\"body_weight\": [", CR_ERR_SYNTAX, "", ""},
+        {"\"y_m\": [0, ", "\"y_m\": [9, ", CR_ERR_RANGE, "/structures/0/y_m", "9 is outside"},
+    };
+    (void)state;
+    struct cr_error err = {0};
+    assert_int_equal(read_changed("\"label\"", "\"label\"", &err), CR_ERR_OK);
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        memset(&err, 0, sizeof err);
+        enum cr_err rc = read_changed(bad[i].from, bad[i].to, &err);
+        if (rc != bad[i].code || strcmp(err.where, bad[i].where) != 0 ||
+            strstr(err.text, bad[i].says) == NULL || err.line == 0 ||
+            strstr(err.src, "sedan.json") == NULL) {
+            char buf[1024];
+            fail_msg("case %zu: code %d: %s", i, (int)rc, cr_err_format(&err, buf, sizeof buf));
+        }
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_types),
         cmocka_unit_test(test_face_energy),
         cmocka_unit_test(test_energy_per_kg_kept),
         cmocka_unit_test(test_symmetric_bits),
+        cmocka_unit_test(test_stiffness),
+        cmocka_unit_test(test_residual_curve),
+        cmocka_unit_test(test_heights),
+        cmocka_unit_test(test_block),
+        cmocka_unit_test(test_blend),
+        cmocka_unit_test(test_queries_refused),
+        cmocka_unit_test(test_recipes_refused),
     };
     return cmocka_run_group_tests(tests, open_lib, close_lib);
 }
