@@ -40,6 +40,7 @@ static struct cr_test *add(struct cr_test_list *list, struct cr_error *err) {
     memset(c, 0, sizeof *c);
     c->pulse = cr_compare_default();
     c->pulse.as_is = true;
+    c->at = NONE;
     for (int m = 0; m < CR_MEASURES; m++) {
         c->reference[m] = NONE;
         for (int k = 0; k < CR_TEST_RUNS; k++) {
@@ -340,6 +341,8 @@ static enum cr_err scene_case(const cJSON *json, const cJSON *expect, const char
     snprintf(c->title, sizeof c->title, "%s", word(json, "x_title"));
     cr_file_dir(path, c->dir, sizeof c->dir);
     read_pulse(json, c);
+    const cJSON *at = cJSON_GetObjectItemCaseSensitive(json, "x_at_ms");
+    c->at = cJSON_IsNumber(at) ? 1e-3 * at->valuedouble : NONE;
     struct cr_str copy = {0};
     cr_str_add(&copy, text);
     enum cr_err rc = set_scene(c, &copy, err);

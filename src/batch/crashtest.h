@@ -79,6 +79,7 @@ struct cr_test {
     char dir[CR_PATH_MAX];         /* folder of the scene file */
     char file[2 * CR_PATH_MAX];    /* measured pulse, "" without */
     char column[CR_NAME_MAX];
+    double at; /* when the motion was read, s after the first contact; NaN: end of the contact */
     struct cr_compare_opts pulse;
     int number;                              /* test number of a record, 0 without */
     struct cr_test_outcome of[CR_TEST_RUNS]; /* CR_METHOD_EXTENDED, _PAPER, CR_TEST_CROSS */

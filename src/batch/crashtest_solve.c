@@ -27,6 +27,21 @@ static void take_measures(const struct cr_severity *s, double *to) {
     memcpy(to, value, sizeof value);
 }
 
+/* Motion as it was read in the test, some time after the first contact: tyres and rubbing have turned
+ * the cars on since they parted. */
+static void take_motion(const struct cr_solution *sol, int body, double at, double *to) {
+    const struct cr_sample *before = &sol->body[body].before, *then = before;
+    for (int i = 0; i < sol->samples && sol->t[i] <= sol->t_contact + at; i++) {
+        then = &sol->trace[(size_t)i * (size_t)sol->bodies + (size_t)body];
+    }
+    struct cr_vec2 dv = cr_vec2_sub(then->vel, before->vel);
+    struct cr_vec2 own = cr_vec2_unrotate(dv, cos(before->heading), sin(before->heading));
+    to[CR_MEASURE_DELTA_V] = cr_kmh(cr_vec2_len(dv));
+    to[CR_MEASURE_DV_FORWARD] = cr_kmh(own.x);
+    to[CR_MEASURE_DV_LEFT] = cr_kmh(own.y);
+    to[CR_MEASURE_YAW_RATE] = cr_deg(then->yaw_rate - before->yaw_rate);
+}
+
 static enum cr_err rate_pulse(const struct cr_test *test, const struct cr_result *r, int body,
                               struct cr_test_pulse *out, struct cr_error *err) {
     struct cr_signal measured;
@@ -53,10 +68,16 @@ void cr_test_solve(struct cr_test *test, int run, const struct cr_context *ctx) 
     snprintf(scene.dir, sizeof scene.dir, "%s", test->dir);
     const char *name = run == CR_METHOD_PAPER ? "paper" : "extended";
     rc = rc ? rc : cr_scene_set(&scene, "method", name, &err);
+    if (!rc && !isnan(test->at)) {
+        rc = cr_scene_set(&scene, "end", "rest", &err);
+    }
     rc = rc ? rc : cr_result_run(&scene, ctx, &r, &err);
     for (int i = 0; !rc && i < scene.n; i++) {
         if (!strcmp(scene.part[i].id, test->part)) {
             take_measures(&r->of[i], o->value);
+            if (!isnan(test->at)) {
+                take_motion(r->solution, i, test->at, o->value);
+            }
             rc = test->file[0] ? rate_pulse(test, r, i, &o->pulse, &err) : CR_ERR_OK;
         }
     }
