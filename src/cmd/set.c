@@ -12,6 +12,8 @@ static bool session_value(const struct cr_session *s, const char *name, char *bu
     static const char *const colors[] = {"none", "16", "256"};
     if (strcmp(name, "name") == 0) {
         snprintf(buf, (size_t)size, "%s", cr_session_scene(s)->name);
+    } else if (strcmp(name, "pair") == 0) {
+        snprintf(buf, (size_t)size, "%s", cr_session_scene(s)->pair);
     } else if (strcmp(name, "echo") == 0) {
         snprintf(buf, (size_t)size, "%s", s->echo ? "on" : "off");
     } else if (strcmp(name, "ascii") == 0) {
@@ -93,7 +95,8 @@ static void set_session(struct cr_call *call) {
 }
 
 static bool is_scene_setting(const struct cr_arg *arg) {
-    return arg->type == CR_VALUE_KEY || strcmp(arg->name, "name") == 0;
+    return arg->type == CR_VALUE_KEY || strcmp(arg->name, "name") == 0 ||
+           strcmp(arg->name, "pair") == 0;
 }
 
 enum cr_err cr_cmd_set(struct cr_call *call, struct cr_error *err) {
@@ -121,9 +124,12 @@ enum cr_err cr_cmd_set(struct cr_call *call, struct cr_error *err) {
     if (code == CR_ERR_OK && of_scene > 0) {
         code = cr_cmd_set_keys(call, &draft->scene, NULL, err);
     }
-    if (code == CR_ERR_OK && cr_cmd_given(call, "name")) {
-        code = cr_scene_set(&draft->scene, "name", cr_cmd_text(call, "name", ""), err);
-        code = code == CR_ERR_OK ? code : cr_cmd_blame(call, "name", code);
+    static const char *const texts[] = {"name", "pair"};
+    for (int i = 0; i < 2 && code == CR_ERR_OK; i++) {
+        if (cr_cmd_given(call, texts[i])) {
+            code = cr_scene_set(&draft->scene, texts[i], cr_cmd_text(call, texts[i], ""), err);
+            code = code == CR_ERR_OK ? code : cr_cmd_blame(call, texts[i], code);
+        }
     }
     if (code != CR_ERR_OK) {
         return code;

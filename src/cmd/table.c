@@ -155,6 +155,8 @@ static const struct cr_arg set_args[] = {
     KEY_OF("dive", "dive", 0),
     KEY_OF("residual", "residual_curve", 0),
     KEY("name", CR_VALUE_TEXT, .help = "name of the scene"),
+    KEY("pair", CR_VALUE_TEXT,
+        .help = "name that joins two scenes: the same crash with and without a safety system"),
     KEY("echo", CR_VALUE_SWITCH, .words = "on|off", .def = "off",
         .help = "scripts show their lines"),
     KEY("ascii", CR_VALUE_SWITCH, .words = "on|off", .help = "pictures of plain ASCII"),

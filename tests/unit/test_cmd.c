@@ -150,6 +150,23 @@ static void test_every_row_is_complete(void **state) {
     }
 }
 
+/* a setting that the scene gets is a setting that the command knows */
+static void test_set_knows_every_setting(void **state) {
+    (void)state;
+    int n;
+    const struct cr_key *row = cr_scene_keys(CR_KEYS_SETTINGS, &n);
+    const struct cr_command *set = cr_command_find("set", NULL);
+    for (int i = 0; i < n; i++) {
+        bool found = false;
+        for (int k = 0; set->arg[k].name != NULL; k++) {
+            found = found || cr_arg_key(&set->arg[k]) == &row[i];
+        }
+        if (!found) {
+            fail_msg("set has no %s", row[i].name);
+        }
+    }
+}
+
 /* in a folder of their own, since some write files; each in a session that the row's setup made */
 static void test_examples_of_help_run(void **state) {
     (void)state;
@@ -478,6 +495,7 @@ int main(void) {
         cmocka_unit_test(test_statements_end_at_semicolon_and_open_line_end),
         cmocka_unit_test(test_bytes_that_are_no_text_are_refused),
         cmocka_unit_test(test_every_row_is_complete),
+        cmocka_unit_test(test_set_knows_every_setting),
         cmocka_unit_test(test_examples_of_help_run),
         cmocka_unit_test(test_prefixes),
         cmocka_unit_test(test_undo_gives_back_every_state),
