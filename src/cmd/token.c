@@ -135,12 +135,16 @@ static int read_word(const char *text, int at, char **pool, struct cr_token *tok
     return end - at;
 }
 
-/* bytes up to the first line end that is not hidden: at least those of the statement */
+/* at least the bytes of the statement: up to a ";" outside quotes or a line end that is not hidden
+ */
 static size_t statement_len(const char *text) {
     size_t n = 0;
-    while (text[n] != '\0' && text[n] != '\n') {
-        int blank = blank_len(text + n);
-        n += blank > 0 ? (size_t)blank : 1;
+    bool quoted = false;
+    while (text[n] != '\0' && text[n] != '\n' && (quoted || text[n] != ';')) {
+        int blank = quoted ? 0 : blank_len(text + n);
+        bool escaped = quoted && text[n] == '\\' && (text[n + 1] == '"' || text[n + 1] == '\\');
+        quoted = text[n] == '"' ? !quoted : quoted;
+        n += blank > 0 ? (size_t)blank : escaped ? 2 : 1;
     }
     return n;
 }
