@@ -95,6 +95,28 @@ static void measure_faces(struct cr_moving *m) {
     }
 }
 
+/* The string is of the layers that meet a partner as the foundation is: its tension is the face's
+ * by the share of energy that these layers have in the half of the body behind the face. */
+static void tune_string(struct cr_moving *m, int partner, const double *energy) {
+    const struct cr_grid *g = &m->body->grid;
+    double whole[CR_FACES] = {0}, met[CR_FACES] = {0};
+    for (int iy = 0; iy < g->ny && energy != g->energy; iy++) {
+        enum cr_face side = 2 * iy >= g->ny ? CR_FACE_LEFT : CR_FACE_RIGHT;
+        for (int ix = 0; ix < g->nx; ix++) {
+            enum cr_face end = 2 * ix >= g->nx ? CR_FACE_FRONT : CR_FACE_REAR;
+            int k = iy * g->nx + ix;
+            whole[end] += g->energy[k];
+            whole[side] += g->energy[k];
+            met[end] += energy[k];
+            met[side] += energy[k];
+        }
+    }
+    for (int f = 0; f < CR_FACES; f++) {
+        double share = energy == g->energy ? 1 : whole[f] > 0 ? met[f] / whole[f] : 0;
+        m->tension[partner][f] = g->tension[f] * share;
+    }
+}
+
 /* energy per unit of material against each partner, shared where the layers are the same */
 static bool new_units(struct cr_solver *s, struct cr_moving *m) {
     const struct cr_grid *g = &m->body->grid;
@@ -108,11 +130,13 @@ static bool new_units(struct cr_solver *s, struct cr_moving *m) {
             const double *other = m->body->energy_against[q];
             if ((other != NULL ? other : g->energy) == energy) {
                 m->unit[p] = m->unit[q];
+                memcpy(m->tension[p], m->tension[q], sizeof m->tension[p]);
             }
         }
         if (m->unit[p] != NULL) {
             continue;
         }
+        tune_string(m, p, energy);
         size_t n = (size_t)g->nx * (size_t)g->ny;
         double *unit = cr_arena_take(&s->arena, n, sizeof *unit);
         if (unit == NULL) {
@@ -250,8 +274,7 @@ enum cr_err cr_solver_new(const struct cr_case *cs, struct cr_solver **out, stru
     for (int p = 0; ok && p < CR_PAIR_MAX; p++) {
         s->touch[p].record = -1;
     }
-    code =
-        ok ? check_overlap(s, err) : cr_err_set(err, CR_ERR_MEMORY, "no memory for the solve");
+    code = ok ? check_overlap(s, err) : cr_err_set(err, CR_ERR_MEMORY, "no memory for the solve");
     if (code != CR_ERR_OK) {
         cr_solver_free(s);
         return code;

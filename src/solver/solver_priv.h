@@ -31,6 +31,7 @@ struct cr_moving {
     double *t_sum;                     /* sum of time x material lost: gives t_crushed */
     uint8_t *how;                      /* enum cr_crush flags */
     const double *unit[CR_BODY_MAX];   /* energy per unit of material against each partner, J */
+    double tension[CR_BODY_MAX][CR_FACES]; /* of the string against each partner, N */
     struct cr_span *row, *col;         /* live span of each row (along x) and column (along y) */
     struct cr_span rows, cols;         /* rows and columns between which there is material */
     double *depth[CR_FACES];           /* crush of each line of a face, m: rows for front and

@@ -227,7 +227,7 @@ bool cr_string_pull(struct cr_solver *s, struct cr_moving *m, int partner, struc
     const struct cr_grid *g = &m->body->grid;
     enum cr_face face = struck_face(m, inward);
     losses->face = face;
-    double tension = g->nx > 0 ? g->tension[face] : 0;
+    double tension = g->nx > 0 ? m->tension[partner][face] : 0;
     if (losses->n == 0 || !(tension > 0) || m->dented[face].hi < 0) {
         return true;
     }
