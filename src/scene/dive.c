@@ -14,7 +14,8 @@ double cr_scene_dive(const struct cr_participant *p, double road_friction) {
     double front = p->mass * rear_arm / p->wheelbase, rear = p->mass - front;
     /* load that goes to the front axle: m a h / wheelbase */
     double shift = p->mass * CR_G * road_friction * braking * p->cg_height / p->wheelbase;
-    double per_mass = 4 * CR_PI * CR_PI * ride_hz * ride_hz; /* spring rate of an axle per kg on it */
+    double per_mass =
+        4 * CR_PI * CR_PI * ride_hz * ride_hz; /* spring rate of an axle per kg on it */
     double down = shift / (front * per_mass), up = shift / (rear * per_mass);
     double nose = down + (down + up) / p->wheelbase * p->front_overhang;
     return (1 - anti_dive) * nose;

@@ -251,8 +251,8 @@ static bool new_scratch(struct cr_solver *s) {
     st->held = cr_arena_take(&s->arena, n, sizeof *st->held);
     st->taut = cr_arena_take(&s->arena, n, sizeof *st->taut);
     s->freed = cr_arena_take(&s->arena, 1, sizeof *s->freed);
-    return st->w != NULL && st->bend != NULL && st->surface != NULL &&
-           st->held != NULL && st->taut != NULL && s->freed != NULL;
+    return st->w != NULL && st->bend != NULL && st->surface != NULL && st->held != NULL &&
+           st->taut != NULL && s->freed != NULL;
 }
 
 enum cr_err cr_solver_new(const struct cr_case *cs, struct cr_solver **out, struct cr_error *err) {
