@@ -188,6 +188,10 @@ static enum cr_err plan_of(const struct cr_model_recipe *r, struct kept *k, doub
     return rc;
 }
 
+static double height_of(const struct cr_model_stretch *stretch, double top, double z) {
+    return z >= top ? (double)INFINITY : cr_model_map_ref(&stretch->z, z > 0 ? z : 0);
+}
+
 static enum cr_err substitute(const struct cr_model_lib *lib, const struct cr_model_query *q,
                               const struct cr_model_face face[CR_MODEL_ENDS],
                               struct cr_arena *arena, struct cr_grid *out, struct cr_error *err) {
@@ -203,9 +207,8 @@ static enum cr_err substitute(const struct cr_model_lib *lib, const struct cr_mo
         return rc;
     }
     double top = q->dims.height;
-    double lo = cr_model_map_ref(&stretch.z, cr_clamp(q->z_lo, 0, top));
-    double hi =
-        q->z_hi >= top ? (double)INFINITY : cr_model_map_ref(&stretch.z, cr_clamp(q->z_hi, 0, top));
+    /* the top cells of the body are not whole ones: the roof and all above it are one end */
+    double lo = height_of(&stretch, top, q->z_lo), hi = height_of(&stretch, top, q->z_hi);
     pthread_mutex_lock(&lib->cache->lock);
     rc = plan_of(r, &lib->cache->kept[q->type], lo, hi, &scratch, &plan, err);
     pthread_mutex_unlock(&lib->cache->lock);
