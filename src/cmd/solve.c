@@ -84,7 +84,8 @@ static enum cr_err run(struct cr_session *s, struct cr_error *err) {
     code = cr_result_run(cr_session_scene(s), &ctx, &result, err);
     s->work_took = cr_work_end(s);
     s->solving = false;
-    s->failed_rev = code != CR_ERR_OK ? cr_session_now(s)->rev : 0;
+    bool failed = code != CR_ERR_OK && code != CR_ERR_INTERRUPTED;
+    s->failed_rev = failed ? cr_session_now(s)->rev : 0;
     if (code == CR_ERR_OK) {
         cr_session_take_result(s, result);
     } else if (err != NULL && err->hint[0] == '\0' && code != CR_ERR_INTERRUPTED) {

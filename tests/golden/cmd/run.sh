@@ -13,6 +13,7 @@ trap 'rm -rf "$tmp"' EXIT
 trap 'exit 130' INT TERM
 unset COLUMNS XDG_STATE_HOME
 cp "$folder"/*.csv "$folder"/*.json "$folder"/*.crumple "$tmp" || exit 99
+mkdir "$tmp/sub" || exit 99
 cd "$tmp" || exit 99
 
 # split FILE: n.in, n.want, n.name, n.status for each block
@@ -64,7 +65,7 @@ for file in "$folder"/*.test; do
     blocks=$(split "$file")
     i=1
     while [ "$i" -le "$blocks" ]; do
-        rm -f mine.* empty.json
+        rm -f mine.* empty.json sub/*
         "$CRUMPLE" <"$i.in" >"$i.got" 2>&1
         status=$?
         verdict=$(matches "$i.got" "$i.want")
