@@ -235,6 +235,9 @@ enum cr_err cr_cmd_project(struct cr_session *s, int view, struct cr_error *err)
     X(help)                                                                                        \
     X(apropos)                                                                                     \
     X(quit)
+/* compare with a file of a pulse (compare.c); path is where the file was found. */
+enum cr_err cr_cmd_compare_pulse(struct cr_call *call, const char *path, struct cr_error *err);
+
 #define X(name) enum cr_err cr_cmd_##name(struct cr_call *call, struct cr_error *err);
 CR_CMD_LIST(X)
 #undef X

@@ -3,6 +3,7 @@ libcmd_a_SOURCES = \
 	src/cmd/args.c \
 	src/cmd/assert.c \
 	src/cmd/cmd.h src/cmd/cmd_priv.h \
+	src/cmd/compare.c \
 	src/cmd/complete.c \
 	src/cmd/files.c \
 	src/cmd/help.c \

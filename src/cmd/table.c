@@ -238,9 +238,17 @@ static const struct cr_arg explain_args[] = {
 };
 
 static const struct cr_arg compare_args[] = {
-    POSITION("FILE", CR_VALUE_FILE, .words = ".json", .help = "measured values"),
+    POSITION("FILE", CR_VALUE_FILE, .words = ".json|.csv",
+             .help = "measured values"),
     KEY("within", CR_VALUE_NUMBER, .unit = "%", .lo = 0, .hi = 1000,
-        .help = "largest error that passes"),
+        .help = "largest error of a value that passes"),
+    KEY("of", CR_VALUE_NAME, .help = "whose pulse, where more than one moves"),
+    KEY("column", CR_VALUE_TEXT, .help = "column of the pulse; else the first beside the time"),
+    KEY("axis", CR_VALUE_WORD, .words = "forward|left", .def = "forward", .help = "of the pulse"),
+    KEY("sign", CR_VALUE_WORD, .words = "plus|minus", .def = "plus",
+        .help = "minus where rearward or right is positive"),
+    KEY("rating", CR_VALUE_NUMBER, .lo = 0, .hi = 1,
+        .help = "least rating of ISO/TS 18571 that passes"),
     END,
 };
 
@@ -369,7 +377,7 @@ static const struct cr_command commands[] = {
      .setup = PAIR_SETUP, .see = "table solve"},
     {ROW(compare, SOLVE, compare_args, "errors of the result against measured values"),
      .example = {"compare share/tutorial/reference.json",
-                 "compare share/tutorial/reference.json within=80%"},
+                 "compare share/validation/data/taurus_7292_veh1_pulse.csv of=A"},
      .setup = NHTSA_7292 "solve\n", .see = "assert pulse"},
     {ROW(assert, SOLVE, assert_args, "stop with status 1 unless a result is as expected"),
      .example = {"assert A.ees == 45km/h +- 50%", "assert B.delta_v > A.delta_v"}, .setup = SOLVED,

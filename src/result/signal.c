@@ -171,7 +171,7 @@ static int find_time(const struct table *t) {
     return -1;
 }
 
-static enum cr_err choose(const struct table *t, const char *name, int time, int *column,
+static enum cr_err choose(const struct table *t, int line, const char *name, int time, int *column,
                           struct cr_error *err) {
     const char *names[COLUMNS];
     for (int i = 0; i < t->n; i++) {
@@ -183,12 +183,21 @@ static enum cr_err choose(const struct table *t, const char *name, int time, int
         }
     }
     if (!name) {
-        return fault(err, t, 1, 1, CR_ERR_MISSING, "no column beside the time");
+        return fault(err, t, line, 1, CR_ERR_MISSING, "no column beside the time");
     }
     cr_err_set(err, CR_ERR_NAME, "no column '%s'", name);
-    cr_err_place(err, t->path, 1, 1);
+    cr_err_place(err, t->path, line, 1);
     const char *near = cr_str_nearest(name, names, t->n);
-    cr_err_hint(err, "%s '%s'", near ? "did you mean" : "the first one is", near ? near : names[0]);
+    struct cr_str list = {0};
+    for (int i = 0; !near && i < t->n; i++) {
+        cr_str_addf(&list, "%s%s", i > 0 ? ", " : "", names[i]);
+    }
+    if (near) {
+        cr_err_hint(err, "did you mean '%s'?", near);
+    } else {
+        cr_err_hint(err, "its columns: %.160s", cr_str_get(&list));
+    }
+    cr_str_fini(&list);
     return CR_ERR_NAME;
 }
 
@@ -274,7 +283,7 @@ static enum cr_err parse(struct table *t, const char *text, const char *column,
                 rc = fault(err, t, line, 1, CR_ERR_MISSING, "no column named t or time");
                 cr_err_hint(err, "name it t_s or t_ms");
             }
-            rc = rc ? rc : choose(t, column, want[0], &want[1], err);
+            rc = rc ? rc : choose(t, line, column, want[0], &want[1], err);
             continue;
         }
         rc = read_row(t, p, line, want, row, err);

@@ -110,7 +110,7 @@ static void faults_have_a_place(void **state) {
     struct cr_signal s;
     struct cr_error err;
     assert_int_equal(load("t_s,accel_g\n0,1\n1,2\n", "acel_g", &s, &err), CR_ERR_NAME);
-    assert_string_equal(err.hint, "did you mean 'accel_g'");
+    assert_string_equal(err.hint, "did you mean 'accel_g'?");
     assert_int_equal(cr_signal_load("/nonexistent.csv", NULL, &s, NULL), CR_ERR_IO);
 }
 

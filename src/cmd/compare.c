@@ -1,0 +1,129 @@
+/* compare with a measured pulse: overlay, RMS error and ratings, by the code of crumple validate.
+ */
+#include "cmd/cmd_priv.h"
+
+#include "base/units.h"
+#include "render/render.h"
+#include "result/compare.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* the participant that was named, else the only one that moves; -1 if there is none */
+static int whose(struct cr_call *call, struct cr_error *err) {
+    const struct cr_result *r = call->s->result;
+    const char *name = cr_cmd_text(call, "of", NULL);
+    int found = -1, moving = 0;
+    for (int i = 0; i < r->resolved.n; i++) {
+        bool moves = cr_render_moves(r, i);
+        if (name != NULL ? strcmp(r->resolved.part[i].id, name) == 0 : moves) {
+            found = i;
+        }
+        moving += moves;
+    }
+    if (name == NULL && moving > 1) {
+        cr_err_set(err, CR_ERR_MISSING, "a pulse is that of one vehicle");
+        cr_err_hint(err, "add of=%s", r->resolved.part[0].id);
+        return -1;
+    }
+    if (found < 0) {
+        cr_err_set(err, CR_ERR_NAME, "there is no '%s' in this result", name != NULL ? name : "");
+        cr_cmd_blame(call, "of", CR_ERR_NAME);
+    }
+    return found;
+}
+
+struct overlay {
+    struct cr_session *s;
+    struct cr_plot plot;
+};
+
+static enum cr_err draw(void *user, struct cr_cells *cells, struct cr_rect at,
+                        struct cr_error *err) {
+    struct overlay *o = user;
+    return cr_render_plot(cells, at, &o->s->opts.look, &o->plot, err);
+}
+
+/* both curves in the unit that is shown, over ms */
+static enum cr_err plot(struct cr_session *s, const struct cr_compare *c, int body, double unit,
+                        const char *unit_name, struct cr_error *err) {
+    double *memory = calloc(3 * (size_t)c->n, sizeof *memory);
+    int w, h;
+    if (memory == NULL) {
+        return cr_err_set(err, CR_ERR_MEMORY, "out of memory");
+    }
+    double *t = memory, *test = t + c->n, *own = test + c->n;
+    for (int i = 0; i < c->n; i++) {
+        t[i] = 1e3 * (c->t0 + i * c->dt);
+        test[i] = c->measured[i] / unit;
+        own[i] = c->simulated[i] / unit;
+    }
+    const char *id = s->result->resolved.part[body].id;
+    const struct cr_curve_line curve[] = {
+        {.x = t, .y = own, .n = c->n, .mark = id[0], .name = id, .role = cr_render_role_of(body)},
+        {.x = t,
+         .y = test,
+         .n = c->n,
+         .mark = 't',
+         .name = "test",
+         .role = CR_ROLE_REFERENCE,
+         .dashed = true}};
+    struct overlay o = {.s = s,
+                        .plot = {.title = "measured and computed",
+                                 .x_unit = "ms",
+                                 .y_unit = unit_name,
+                                 .curves = 2,
+                                 .curve = curve,
+                                 .cursor = (double)NAN}};
+    cr_session_room(s, &w, &h);
+    enum cr_err code = cr_cmd_picture(s, w, h - 8 > 10 ? h - 8 : 10, draw, &o, err);
+    free(memory);
+    return code;
+}
+
+static void say(struct cr_session *s, const struct cr_compare *c, double unit, const char *name) {
+    cr_say(s, "%.0f to %.0f ms: RMS error %.3g %s", 1e3 * c->t0, 1e3 * (c->t0 + (c->n - 1) * c->dt),
+           c->rms / unit, name);
+    cr_say(s, "largest: test %.4g %s at %.1f ms, result %.4g %s at %.1f ms",
+           c->peak_measured / unit, name, 1e3 * c->t_peak_measured, c->peak_simulated / unit, name,
+           1e3 * c->t_peak_simulated);
+    cr_say(s,
+           "ISO/TS 18571: corridor %.2f, phase %.2f, magnitude %.2f, slope %.2f, rating %.2f (%s)",
+           c->iso.corridor, c->iso.phase, c->iso.magnitude, c->iso.slope, c->iso.total,
+           cr_rating_grade(c->iso.total));
+    cr_say(s, "CORA: corridor %.2f, progression %.2f, phase %.2f, size %.2f, rating %.2f",
+           c->cora.corridor, c->cora.progression, c->cora.phase, c->cora.size, c->cora.total);
+}
+
+enum cr_err cr_cmd_compare_pulse(struct cr_call *call, const char *path, struct cr_error *err) {
+    struct cr_session *s = call->s;
+    struct cr_signal measured = {0};
+    struct cr_compare c = {0};
+    struct cr_compare_opts opts = cr_compare_default();
+    double least = cr_cmd_number(call, "rating", 0);
+    int body = whose(call, err);
+    if (body < 0) {
+        return err != NULL ? err->code : CR_ERR_MISSING;
+    }
+    opts.axis = cr_cmd_word(call, "axis", 0) == 1 ? CR_COMPARE_LEFT : CR_COMPARE_FORWARD;
+    opts.sign = cr_cmd_word(call, "sign", 0) == 1 ? -1 : 1;
+    enum cr_err code = cr_signal_load(path, cr_cmd_text(call, "column", NULL), &measured, err);
+    if (code == CR_ERR_OK) {
+        code = cr_compare_pulse(s->result->solution, body, &measured, &opts, &c, err);
+    }
+    if (code == CR_ERR_OK) {
+        bool velocity = strcmp(measured.unit, "m/s") == 0;
+        double unit = velocity ? 1 / 3.6 : CR_G;
+        const char *name = velocity ? "km/h" : "g";
+        code = plot(s, &c, body, unit, name, err);
+        say(s, &c, unit, name);
+    }
+    if (code == CR_ERR_OK && c.iso.total < least) {
+        code = cr_err_set(err, CR_ERR_MISSED, "the rating is %.2f, less than %.10g", c.iso.total,
+                          least);
+    }
+    cr_compare_fini(&c);
+    cr_signal_free(&measured);
+    return code == CR_ERR_OK ? code : cr_cmd_blame(call, "FILE", code);
+}
