@@ -7,7 +7,8 @@ solver_tests = test_solver_wall test_solver_impact test_solver_oblique \
 	test_solver_phases test_solver_tyre test_solver_input test_solver_objects
 solver_test_libs = libcases.a libsolver.a libmodel.a libbase.a $(CMOCKA_LIBS) $(NETTLE_LIBS)
 check_PROGRAMS += $(solver_tests)
-TESTS += $(solver_tests)
+TESTS += $(solver_tests) tests/cases/conservation.sh
+EXTRA_DIST += tests/cases/conservation.sh
 test_solver_wall_SOURCES = tests/unit/test_solver_wall.c
 test_solver_wall_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 test_solver_wall_LDADD = $(solver_test_libs)
