@@ -146,7 +146,18 @@ static enum cr_err run_stream(struct cr_session *s) {
     return code;
 }
 
-static enum cr_err run_file(struct cr_session *s, const char *path) {
+/* "share/tutorial/..." works wherever the program is run, as it does for source */
+static const char *find_file(const char *path, const char *data_dir, char *buf, int size) {
+    if (access(path, F_OK) != 0 && path[0] != '/' && data_dir[0] != '\0') {
+        snprintf(buf, (size_t)size, "%s/%s", data_dir, path);
+        return access(buf, F_OK) == 0 ? buf : path;
+    }
+    return path;
+}
+
+static enum cr_err run_file(struct cr_session *s, const char *name, const char *data_dir) {
+    char buf[4096];
+    const char *path = find_file(name, data_dir, buf, sizeof buf);
     struct cr_error err;
     char *text;
     size_t len;
@@ -167,19 +178,19 @@ static enum cr_err run_file(struct cr_session *s, const char *path) {
         cr_err_place(&err, path, 0, 0);
         code = say_error(&err);
     } else {
-        code = cr_session_script(s, text, path, 1);
+        code = cr_session_script(s, text, name, 1);
     }
     free(text);
     return code;
 }
 
-static enum cr_err run_sources(struct cr_session *s, int argc, char **argv) {
+static enum cr_err run_sources(struct cr_session *s, int argc, char **argv, const char *data_dir) {
     enum cr_err code = CR_ERR_OK;
     for (int i = 1; i < argc && code == CR_ERR_OK && !cr_session_over(s); i++) {
         if (strcmp(argv[i], "-e") == 0) {
             code = cr_session_script(s, argv[++i], "-e", 1);
         } else if (argv[i][0] != '-' || argv[i][1] == '\0') {
-            code = run_file(s, argv[i]);
+            code = run_file(s, argv[i], data_dir);
         }
     }
     return code;
@@ -218,7 +229,7 @@ int cr_repl_main(int argc, char **argv, const char *data_dir) {
         say_error(&err);
         return cr_err_status(err.code);
     }
-    enum cr_err code = o.sources > 0 ? run_sources(s, argc, argv) : CR_ERR_OK;
+    enum cr_err code = o.sources > 0 ? run_sources(s, argc, argv, data_dir) : CR_ERR_OK;
     if (prompt && code == CR_ERR_OK && !cr_session_over(s)) {
         t.prompt = true;
         greet(s, state_dir);
