@@ -29,7 +29,12 @@ static int edge(const struct field *f, int x, int y, int side) {
     return of[side];
 }
 
-static void link_square(struct field *f, int x, int y) {
+/* bits of the left corners of the square (x, y): 1 the lower, 8 the upper one holds material */
+static int left_corners(const struct field *f, int x, int y) {
+    return (value(f, x, y) >= LEVEL) | (value(f, x, y + 1) >= LEVEL) << 3;
+}
+
+static void link_row(struct field *f, int y) {
     // corners lower left, lower right, upper right, upper left; from edge -> to edge, with the
     // material on the left hand; the two saddles keep the corners of material apart
     static const signed char TABLE[16][4] = {
@@ -38,10 +43,14 @@ static void link_square(struct field *f, int x, int y) {
         {3, 2, -1, -1},   {0, 2, -1, -1}, {1, 0, 3, 2},   {1, 2, -1, -1},
         {3, 1, -1, -1},   {0, 1, -1, -1}, {3, 0, -1, -1}, {-1, -1, -1, -1},
     };
-    int kind = (value(f, x, y) >= LEVEL) | (value(f, x + 1, y) >= LEVEL) << 1 |
-               (value(f, x + 1, y + 1) >= LEVEL) << 2 | (value(f, x, y + 1) >= LEVEL) << 3;
-    for (int i = 0; i < 4 && TABLE[kind][i] >= 0; i += 2) {
-        f->next[edge(f, x, y, TABLE[kind][i])] = edge(f, x, y, TABLE[kind][i + 1]);
+    int left = left_corners(f, 0, y);
+    for (int x = 0; x + 1 < f->w; x++) {
+        int right = left_corners(f, x + 1, y);
+        int kind = left | (right & 1) << 1 | (right & 8) >> 1;
+        for (int i = 0; i < 4 && TABLE[kind][i] >= 0; i += 2) {
+            f->next[edge(f, x, y, TABLE[kind][i])] = edge(f, x, y, TABLE[kind][i + 1]);
+        }
+        left = right;
     }
 }
 
@@ -130,9 +139,7 @@ enum cr_err cr_deform_outline(const struct cr_grid *grid, const double *left, do
     }
     memset(f.next, 0xff, edges * sizeof *f.next);
     for (int y = 0; y + 1 < f.h; y++) {
-        for (int x = 0; x + 1 < f.w; x++) {
-            link_square(&f, x, y);
-        }
+        link_row(&f, y);
     }
     int points = 0;
     int start = largest(&f, &points);

@@ -51,8 +51,8 @@ static inline double excess_of(double left, double phi) {
 struct row {
     const struct cr_grid *g;
     int iy;
-    const double *left, *unit; /* of its voxels */
-    double energy, energy_x;   /* sums over its losses, J and J m */
+    const double *left, *unit;          /* of its voxels */
+    double energy, energy_x, energy_xx; /* sums over its losses: J, J m, J m2 */
 };
 
 static inline void lose(struct cr_losses *losses, struct row *row, int ix, double amount) {
@@ -61,6 +61,7 @@ static inline void lose(struct cr_losses *losses, struct row *row, int ix, doubl
     losses->loss[losses->n++] = (struct cr_loss){row->iy * g->nx + ix, ix, row->iy, amount, energy};
     row->energy += energy;
     row->energy_x += energy * x;
+    row->energy_xx += energy * x * x;
 }
 
 /* share of a voxel at p, the shape's frame, that a rigid shape fills; the voxel's edge along x is
@@ -173,6 +174,9 @@ static void add_row(struct cr_losses *losses, const struct row *row) {
     double y = row->g->y0 + (row->iy + 0.5) * row->g->h;
     losses->energy += row->energy;
     losses->first = cr_vec2_add(losses->first, cr_vec2(row->energy_x, y * row->energy));
+    losses->xx += row->energy_xx;
+    losses->xy += y * row->energy_x;
+    losses->yy += y * y * row->energy;
 }
 
 static bool collect_side(struct cr_solver *s, int me, int other, struct cr_losses *losses) {
@@ -181,6 +185,7 @@ static bool collect_side(struct cr_solver *s, int me, int other, struct cr_losse
     losses->n = losses->contact = 0;
     losses->energy = losses->induced = losses->stretch = 0;
     losses->first = losses->normal = cr_vec2(0, 0);
+    losses->xx = losses->xy = losses->yy = 0;
     if (g->nx == 0) {
         return true;
     }

@@ -39,36 +39,34 @@ static double energy_and_coe(const struct cr_solver *s, int a, int b, struct cr_
     return energy;
 }
 
-/* second moments of the contact voxels of both bodies about a world point */
+/* central second moments of the contact voxels of both bodies, each weighing its energy, world axes */
 struct moments {
-    double w, xx, xy, yy;
-    struct cr_vec2 first;
+    double xx, xy, yy;
 };
 
-static struct moments moments_of(const struct cr_solver *s, int a, int b, struct cr_vec2 about) {
+/* adds those of one body about a world point */
+static void add_moments(struct moments *mo, const struct cr_moving *m,
+                        const struct cr_losses *losses, struct cr_vec2 about) {
+    double w = losses->energy, c = m->c, s = m->s;
+    if (!(w > 0)) {
+        return;
+    }
+    struct cr_vec2 mean = cr_vec2_scale(losses->first, 1 / w);
+    double xx = losses->xx - w * mean.x * mean.x, yy = losses->yy - w * mean.y * mean.y;
+    double xy = losses->xy - w * mean.x * mean.y;
+    struct cr_vec2 d = cr_vec2_sub(cr_to_world(m, mean), about);
+    mo->xx += c * c * xx - 2 * c * s * xy + s * s * yy + w * d.x * d.x;
+    mo->yy += s * s * xx + 2 * c * s * xy + c * c * yy + w * d.y * d.y;
+    mo->xy += c * s * (xx - yy) + (c * c - s * s) * xy + w * d.x * d.y;
+}
+
+/* about the COE of the contact, before the string adds to it */
+static struct moments moments_of(const struct cr_solver *s, int a, int b, struct cr_vec2 coe) {
     struct moments mo = {0};
-    for (int side = 0; side < 2; side++) {
-        const struct cr_losses *losses = &s->losses[side];
-        const struct cr_moving *m = &s->m[side == 0 ? a : b];
-        const struct cr_grid *g = &m->body->grid;
-        for (int i = 0; i < losses->contact; i++) {
-            const struct cr_loss *loss = &losses->loss[i];
-            struct cr_vec2 p = {g->x0 + (loss->ix + 0.5) * g->h, g->y0 + (loss->iy + 0.5) * g->h};
-            struct cr_vec2 d = cr_vec2_sub(cr_to_world(m, p), about);
-            mo.w += loss->energy;
-            mo.first = cr_vec2_axpy(mo.first, loss->energy, d);
-            mo.xx += loss->energy * d.x * d.x;
-            mo.xy += loss->energy * d.x * d.y;
-            mo.yy += loss->energy * d.y * d.y;
-        }
-    }
-    if (mo.w > 0) {
-        struct cr_vec2 c = cr_vec2_scale(mo.first, 1 / mo.w);
-        mo.xx = mo.xx / mo.w - c.x * c.x;
-        mo.xy = mo.xy / mo.w - c.x * c.y;
-        mo.yy = mo.yy / mo.w - c.y * c.y;
-    }
-    return mo;
+    add_moments(&mo, &s->m[a], &s->losses[0], coe);
+    add_moments(&mo, &s->m[b], &s->losses[1], coe);
+    double w = s->losses[0].energy + s->losses[1].energy;
+    return w > 0 ? (struct moments){mo.xx / w, mo.xy / w, mo.yy / w} : mo;
 }
 
 /* How far the patch has an axis, 0..1, and the axis' normal on the side of `outward`. */

@@ -67,6 +67,7 @@ struct cr_losses {
     struct cr_loss *loss;
     double energy;  /* of all, string included, J */
     struct cr_vec2 first;  /* sum of energy x place of all, body frame, J m */
+    double xx, xy, yy;     /* second moments alike, of those in the contact, J m2 */
     struct cr_vec2 normal; /* sum of energy x surface normal of a rigid partner, its frame, J */
     double induced; /* part outside the contact, string included, J */
     double area;    /* m2 */
