@@ -4,7 +4,8 @@ libcases_a_SOURCES = tests/unit/solver_cases.c tests/unit/solver_cases.h tests/u
 libcases_a_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 solver_tests = test_solver_wall test_solver_impact test_solver_oblique \
 	test_solver_conserve test_solver_symmetry test_solver_converge test_solver_string \
-	test_solver_phases test_solver_tyre test_solver_input test_solver_objects
+	test_solver_phases test_solver_tyre test_solver_input test_solver_objects \
+	test_solver_trace
 solver_test_libs = libcases.a libsolver.a libmodel.a libbase.a $(CMOCKA_LIBS) $(NETTLE_LIBS)
 check_PROGRAMS += $(solver_tests)
 TESTS += $(solver_tests) tests/cases/conservation.sh
@@ -42,3 +43,6 @@ test_solver_input_LDADD = $(solver_test_libs)
 test_solver_objects_SOURCES = tests/unit/test_solver_objects.c
 test_solver_objects_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 test_solver_objects_LDADD = $(solver_test_libs)
+test_solver_trace_SOURCES = tests/unit/test_solver_trace.c
+test_solver_trace_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
+test_solver_trace_LDADD = $(solver_test_libs)
