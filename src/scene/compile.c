@@ -348,7 +348,7 @@ static struct cr_opts make_opts(const struct cr_settings *set) {
     opts.dt = set->dt;
     opts.friction = set->friction;
     opts.road_friction = set->road_friction;
-    opts.restitution = set->restitution;
+    opts.restitution = set->restitution_auto ? 0 : set->restitution;
     opts.restitution_auto = set->restitution_auto;
     opts.elastic_s = set->elastic_auto ? 0 : set->elastic;
     opts.induced = set->induced == 1;

@@ -62,7 +62,7 @@ static const struct cr_key settings_keys[] = {
          "profile: the paper alone, or extended (method.md 4)"),
     {ROW("restitution", CR_KEY_NUMBER, 0, 0, IN(cr_settings, restitution),
          "restitution impulse over compression impulse, or auto from the closing speed"),
-     RANGED("", NUMBER, 0, 0.95), .def = {0.1, 0.1}, .aux = IN(cr_settings, restitution_auto)},
+     RANGED("", NUMBER, 0, 0.95), .def = {NAN, 0.1}, .aux = IN(cr_settings, restitution_auto)},
     SETTING("friction", "", NUMBER, 0, 2, 0.5, 0, friction, "Coulomb friction between bodies"),
     SETTING("road_friction", "", NUMBER, 0, 2, 0.8, 0.8, road_friction,
             "friction of the tyres on the road"),
