@@ -27,8 +27,8 @@ static void take_measures(const struct cr_severity *s, double *to) {
     memcpy(to, value, sizeof value);
 }
 
-/* Motion as it was read in the test, some time after the first contact: tyres and rubbing have turned
- * the cars on since they parted. */
+/* Motion as it was read in the test, some time after the first contact: tyres and rubbing have
+ * turned the cars on since they parted. */
 static void take_motion(const struct cr_solution *sol, int body, double at, double *to) {
     const struct cr_sample *before = &sol->body[body].before, *then = before;
     for (int i = 0; i < sol->samples && sol->t[i] <= sol->t_contact + at; i++) {

@@ -160,7 +160,8 @@ static void put_worst(const struct cr_test_list *tests, enum cr_test_class class
     }
     if (n > 0) {
         qsort(list, (size_t)n, sizeof *list, by_amount);
-        cr_str_addf(out, " greatest errors, %s\n", cr_test_run_word(run));
+        cr_str_addf(out, " greatest errors, %s%s\n", cr_test_run_word(run),
+                    form->scenes ? "" : " (--scenes DIR writes the scenes to be opened)");
     }
     for (int i = 0; i < n && i < form->worst; i++) {
         const struct cr_test *t = list[i].test;

@@ -238,8 +238,7 @@ static const struct cr_arg explain_args[] = {
 };
 
 static const struct cr_arg compare_args[] = {
-    POSITION("FILE", CR_VALUE_FILE, .words = ".json|.csv",
-             .help = "measured values"),
+    POSITION("FILE", CR_VALUE_FILE, .words = ".json|.csv", .help = "measured values"),
     KEY("within", CR_VALUE_NUMBER, .unit = "%", .lo = 0, .hi = 1000,
         .help = "largest error of a value that passes"),
     KEY("of", CR_VALUE_NAME, .help = "whose pulse, where more than one moves"),
