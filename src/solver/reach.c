@@ -127,8 +127,7 @@ struct cr_span cr_reach_row(const struct cr_reach *r, int iy) {
     double u = map->u - map->s * iy, v = map->v + map->c * iy;
     part = clip(part, u, map->per_c, r->lo.x, r->hi.x);
     part = clip(part, v, map->per_s, r->lo.y, r->hi.y);
-    /* a shorter part crosses fewer lines, so a second look narrows it further */
-    for (int look = 0; look < 1 && part.lo <= part.hi && r->other->row != NULL; look++) {
+    if (part.lo <= part.hi && r->other->row != NULL) {
         part = clip_to_live(r, u, v, part);
     }
     if (!(part.lo <= part.hi)) {
