@@ -7,6 +7,7 @@
 #include "batch/batch.h"
 #include "batch/batch_priv.h"
 #include "batch/calibrate.h"
+#include "batch/models.h"
 
 #include "base/file.h"
 #include "base/stats.h"
@@ -444,6 +445,21 @@ enum cr_err cr_calibration_fit(const struct cr_calibration_data *data, struct cr
     return rc;
 }
 
+/* Every one of the 72 models as `crumple models` shows it, from the recipes just written. */
+static enum cr_err print_models(const char *dir, struct cr_error *err) {
+    struct cr_model_papers papers;
+    struct cr_str out = {0};
+    enum cr_err rc = cr_model_papers_read(dir, &papers, err);
+    if (!rc) {
+        cr_str_add(&out, "\n");
+        cr_model_list_text(&papers, CR_TYPES, 0, &out);
+        rc = cr_batch_emit(NULL, &out, err);
+    }
+    cr_model_papers_fini(&papers);
+    cr_str_fini(&out);
+    return rc;
+}
+
 static enum cr_err calibrate(struct fit *f, const char *dir, const char *write_to,
                              struct cr_error *err) {
     struct cr_str out = {0};
@@ -464,6 +480,7 @@ static enum cr_err calibrate(struct fit *f, const char *dir, const char *write_t
     }
     if (!rc && write_to != NULL) {
         rc = write_recipes(f, write_to, err);
+        rc = rc ? rc : print_models(write_to, err);
     }
     drop(f);
     cr_str_fini(&out);

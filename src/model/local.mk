@@ -22,6 +22,8 @@ dist_models_DATA = \
 
 modelschemadir = $(pkgdatadir)/share/schema
 dist_modelschema_DATA = share/schema/recipe.schema.json share/schema/voxel-model.schema.json
+modeldocdir = $(pkgdatadir)/share/doc
+dist_modeldoc_DATA = share/doc/models.md
 typesdir = $(pkgdatadir)/share/calibration
 dist_types_DATA = share/calibration/types.json
 

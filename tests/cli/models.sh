@@ -53,6 +53,14 @@ numbers() {
 same "an exported model solves like the type, digit by digit" \
     "$(numbers "$tmp/own.json" | cksum)" "$(numbers "$tmp/type.json" | cksum)"
 
+# the example of the manual of models
+sed -n '/^```json$/,/^```$/p' "$SRC/share/doc/models.md" | grep -v '^```' >"$tmp/barrier.json"
+run models "$tmp/barrier.json"
+same "the example of models.md is read" "$status$errs" 0
+scene '{ "file": "barrier.json" }' >"$tmp/own.json"
+run run "$tmp/own.json"
+same "and solves" "$status" 0
+
 run models --crash "$tmp/type.json" --view top --ascii --width 80
 same "a crash is carried back" "$status" 0
 has "deformed voxels show their depth" "$out" '[0-4]{3}'
