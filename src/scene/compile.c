@@ -246,8 +246,9 @@ static enum cr_err make_body(struct making *m, int i) {
 }
 
 /* What a vehicle's end holds out at another, as shares of its height: from under the bumper beam to
- * the bonnet. The class medians of the recipes' profiles; a flank goes up to the roof. */
-static const double end_low = 0.12, end_high = 0.65;
+ * the bonnet. The class medians of the recipes' profiles, where an SUV stands 0.1 m higher; a flank
+ * goes up to the roof. */
+static const double end_low = 0.12, end_low_suv = 0.162, end_high = 0.65;
 /* Material below this share of the height, or above this share of what meets, changes nothing that
  * matters: most pairs need no second grid. */
 static const double low_share = 0.15, high_share = 0.8;
@@ -256,23 +257,21 @@ struct range {
     double lo, hi; /* m above the road */
 };
 
-/* Whether the partner comes at an end of vehicle i rather than at its flank. */
-static bool end_on(const struct making *m, int i, int k) {
+/* Which face of vehicle i the partner comes at. */
+static enum cr_face struck_face(const struct making *m, int i, int k) {
     const struct cr_body *a = &m->out->cs.body[i], *b = &m->out->cs.body[k];
     struct cr_vec2 rel = cr_vec2_sub(b->vel, a->vel);
     rel = cr_vec2_unrotate(rel, cos(a->heading), sin(a->heading));
-    return fabs(rel.x) >= fabs(rel.y);
+    if (fabs(rel.x) >= fabs(rel.y)) {
+        return rel.x <= 0 ? CR_FACE_FRONT : CR_FACE_REAR;
+    }
+    return rel.y < 0 ? CR_FACE_LEFT : CR_FACE_RIGHT;
 }
 
-static double dive_of(const struct making *m, int i) {
-    const struct cr_participant *p = &m->scene->part[i];
-    bool counts = p->kind == CR_KIND_VEHICLE && m->scene->set.dive == 1;
-    return counts ? cr_scene_dive(p, m->scene->set.road_friction) : 0;
-}
-
-/* Heights that participant i holds out at k. A fixed or rigid partner meets a vehicle from the road
- * to the roof: the vehicle's model knows itself what stands at which height. */
-static struct range held_out(const struct making *m, int i, int k) {
+/* Heights that participant i holds out at k while it stands level. A fixed or rigid partner meets a
+ * vehicle from the road to the roof: the vehicle's model knows itself what stands at which height.
+ */
+static struct range held_level(const struct making *m, int i, int k) {
     const struct cr_participant *p = &m->scene->part[i];
     if (p->kind != CR_KIND_VEHICLE) {
         return (struct range){p->z_lo, p->z_hi};
@@ -280,9 +279,45 @@ static struct range held_out(const struct making *m, int i, int k) {
     if (m->scene->part[k].kind != CR_KIND_VEHICLE) {
         return (struct range){0, p->height};
     }
-    double dive = dive_of(m, i);
-    bool end = end_on(m, i, k);
-    return (struct range){end_low * p->height - dive, (end ? end_high : 1) * p->height - dive};
+    enum cr_face face = struck_face(m, i, k);
+    bool end = face == CR_FACE_FRONT || face == CR_FACE_REAR;
+    double low = p->type == CR_TYPE_SUV ? end_low_suv : end_low;
+    return (struct range){low * p->height, (end ? end_high : 1) * p->height};
+}
+
+/* Middle of the heights in which the end of vehicle i and k meet: there the force acts. What only
+ * the wheels meet does not turn the body: the height of the CG. */
+static double force_height(const struct making *m, int i, int k) {
+    const struct cr_participant *p = &m->scene->part[i];
+    struct range a = held_level(m, i, k), b = held_level(m, k, i);
+    double lo = fmax(fmax(a.lo, b.lo), end_low * p->height), hi = fmin(a.hi, b.hi);
+    return lo < hi ? (lo + hi) / 2 : p->cg_height;
+}
+
+/* How far the struck end of vehicle i goes down against k, braked and by the crash itself. What is
+ * struck at a flank stays level. */
+static double dive_of(const struct making *m, int i, int k) {
+    const struct cr_participant *p = &m->scene->part[i];
+    enum cr_face face = struck_face(m, i, k);
+    if (p->kind != CR_KIND_VEHICLE || m->scene->set.dive != 1 ||
+        (face != CR_FACE_FRONT && face != CR_FACE_REAR)) {
+        return 0;
+    }
+    const struct cr_body *a = &m->out->cs.body[i], *b = &m->out->cs.body[k];
+    double share = b->mass > 0 ? b->mass / (a->mass + b->mass) : 1;
+    double delta_v = share * cr_vec2_len(cr_vec2_sub(b->vel, a->vel));
+    bool front = face == CR_FACE_FRONT;
+    return cr_scene_dive(p, m->scene->set.road_friction, front) +
+           cr_scene_pitch(p, delta_v, force_height(m, i, k), front);
+}
+
+/* Heights that participant i holds out at k, above the road. */
+static struct range held_out(const struct making *m, int i, int k) {
+    struct range level = held_level(m, i, k);
+    bool both =
+        m->scene->part[i].kind == CR_KIND_VEHICLE && m->scene->part[k].kind == CR_KIND_VEHICLE;
+    double dive = both ? dive_of(m, i, k) : 0;
+    return (struct range){level.lo - dive, level.hi - dive};
 }
 
 static enum cr_err make_partial(struct making *m, int i, struct range meet, const double **energy) {
@@ -307,7 +342,7 @@ static enum cr_err make_partial(struct making *m, int i, struct range meet, cons
 /* Layers of vehicle i, in its own heights, that partner k meets. */
 static struct range meeting(const struct making *m, int i, int k) {
     struct range other = held_out(m, k, i);
-    double dive = dive_of(m, i);
+    double dive = dive_of(m, i, k);
     return (struct range){fmax(0, other.lo + dive),
                           fmin(m->scene->part[i].height, other.hi + dive)};
 }
