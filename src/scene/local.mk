@@ -28,6 +28,7 @@ dist_scenes_DATA = \
 	share/scenes/sideswipe.json \
 	share/scenes/three-cars.json \
 	share/scenes/trajectory.json \
+	share/scenes/trajectory-unbraked.json \
 	share/scenes/wall-56.json
 sceneschemadir = $(pkgdatadir)/share/schema
 dist_sceneschema_DATA = share/schema/scene.schema.json
