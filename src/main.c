@@ -18,6 +18,7 @@ static const char help[] =
     "       crumple stack INPUT ...          solve many, one result per line\n"
     "       crumple validate [CLASS ...]     compare with crash tests\n"
     "       crumple models [NAME]            list, show or export the models\n"
+    "       crumple calibrate                fit the models to the crash tests again\n"
     "       crumple --help | --version\n"
     "\n"
     "crumple run --help explains run, and likewise for the other words.\n"
