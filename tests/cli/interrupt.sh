@@ -11,7 +11,7 @@ mkfifo pipe
 before=$(ls)
 
 # slow enough that the signal arrives while it solves
-timeout --preserve-status -s INT 1 "$crumple" run wall.json -o out.json --set voxel_mm=5 \
+timeout --foreground --preserve-status -s INT 1 "$crumple" run wall.json -o out.json --set voxel_mm=5 \
     --set dt_ms=0.001 --set elastic_ms=100 --set end=rest >out 2>errs
 same "^C while solving" "$?" 130
 has "and says so" "$(cat errs)" 'interrupted'
@@ -20,7 +20,7 @@ same "nothing is left behind" "$(ls)" "$before"
 
 # a writer that never writes
 sleep 3 >pipe &
-timeout --preserve-status -s INT 0.3 "$crumple" run - <pipe >/dev/null 2>&1
+timeout --foreground --preserve-status -s INT 0.3 "$crumple" run - <pipe >/dev/null 2>&1
 same "^C while reading" "$?" 130
 kill $! 2>/dev/null
 finish
