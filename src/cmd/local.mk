@@ -12,7 +12,7 @@ libcmd_a_SOURCES = \
 	src/cmd/model.c \
 	src/cmd/place.c \
 	src/cmd/project.c \
-	src/cmd/pulse.c src/cmd/pulse.h \
+	src/cmd/pulse.c \
 	src/cmd/run.c \
 	src/cmd/scene.c \
 	src/cmd/self.c \

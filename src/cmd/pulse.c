@@ -1,9 +1,8 @@
 /* pulse: quantities of the trace as curves, with a measured curve beside them. */
-#include "cmd/pulse.h"
+#include "cmd/cmd_priv.h"
 
-#include "base/file.h"
+#include "result/signal.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -43,123 +42,68 @@ static double value(const struct cr_solution *sol, int sample, int body, int kin
 
 /* ---- the measured curve ---- */
 
-/* factor from the unit that a column's head ends with; 1 if it names none */
-static double head_factor(const char *head, bool time, int kind) {
+/* what the CSV is in, times this is what the plot shows */
+static double shown_per_si(const char *unit, int kind) {
     static const struct {
-        const char *word;
-        double si;
-    } units[] = {
-        {"mps2", 1},       {"m_s2", 1}, {"m/s2", 1}, {"kmh", 1 / 3.6},
-        {"km/h", 1 / 3.6}, {"mps", 1},  {"m_s", 1},  {"m/s", 1},
+        const char *si, *shown;
+        double factor;
+    } rows[] = {
+        {"m/s2", "g", 1 / CR_G},         {"m/s", "km/h", 3.6}, {"rad", "deg", 180 / CR_PI},
+        {"rad/s", "deg/s", 180 / CR_PI}, {"N", "kN", 1e-3},    {"m", "m", 1},
     };
-    if (time) {
-        return strstr(head, "ms") != NULL ? 1e-3 : 1;
-    }
-    bool accel = kinds[kind].filtered, speed = strcmp(kinds[kind].unit, "km/h") == 0;
-    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
-        if (strstr(head, units[i].word) != NULL && (i < 3 ? accel : speed)) {
-            return kinds[kind].factor * units[i].si;
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        if (strcmp(rows[i].si, unit) == 0 && strcmp(rows[i].shown, kinds[kind].unit) == 0) {
+            return rows[i].factor;
         }
     }
-    return 1;
+    return unit[0] == '\0' ? 1 : (double)NAN;
 }
 
-/* index of the column: that whose head begins with the quantity's word, else the second */
-static int find_column(const char *head, const char *word) {
-    int column = 0;
-    size_t n = strlen(word);
-    for (const char *p = head; *p != '\0' && *p != '\n'; column++) {
-        if (strncmp(p, word, n) == 0 && !isalnum((unsigned char)p[n])) {
-            return column;
+/* The column that was named; else that of the quantity ("ax_g", "v_kmh" ...) where there is one;
+ * else the first beside the time. */
+static enum cr_err load_measured(struct cr_call *call, const char *path, int kind,
+                                 struct cr_signal *out, struct cr_error *err) {
+    const char *column = cr_cmd_text(call, "column", NULL);
+    char word[16], name[40];
+    int n = 0;
+    if (column != NULL) {
+        return cr_signal_load(path, column, out, err);
+    }
+    cr_cmd_word_at(call->cmd->arg[cr_cmd_arg(call, "QUANTITY") - call->value].words, kind, word,
+                   sizeof word);
+    n = snprintf(name, sizeof name, "%s_", word);
+    for (const char *p = kinds[kind].unit; *p != '\0'; p++) { /* km/h is written kmh, deg/s deg_s */
+        bool slash = *p == '/';
+        if (!slash || strncmp(kinds[kind].unit, "deg", 3) == 0) {
+            name[n++] = slash ? '_' : *p;
         }
-        p += strcspn(p, ",\n");
-        p += *p == ',';
     }
-    return 1;
+    name[n] = '\0';
+    return cr_signal_load(path, name, out, NULL) == CR_ERR_OK
+               ? CR_ERR_OK
+               : cr_signal_load(path, NULL, out, err);
 }
 
-static const char *column_at(const char *line, int column) {
-    while (column > 0 && line != NULL) {
-        line = strpbrk(line, ",\n");
-        line = line != NULL && *line == ',' ? line + 1 : NULL;
-        column--;
-    }
-    return line;
-}
-
-struct head {
-    int column;
-    double time, value; /* factors */
-};
-
-static void read_head(const char *line, const char *word, int kind, struct head *head) {
-    char first[64], other[64];
-    head->column = find_column(line, word);
-    const char *at = column_at(line, head->column);
-    snprintf(first, sizeof first, "%.*s", (int)strcspn(line, ",\n"), line);
-    snprintf(other, sizeof other, "%.*s", at != NULL ? (int)strcspn(at, ",\n") : 0,
-             at != NULL ? at : "");
-    head->time = head_factor(first, true, kind);
-    head->value = head_factor(other, false, kind);
-}
-
-static bool is_number(const char *text) {
-    const char *end;
-    text += strspn(text, " \t");
-    cr_number_scan(text, &end);
-    return end != text;
-}
-
-enum cr_err cr_measured_read(const char *path, const char *word, int kind, struct cr_measured *out,
-                             struct cr_error *err) {
-    char *text;
-    size_t len;
-    struct head head = {1, 1, 1};
-    enum cr_err code = cr_file_read(path, &text, &len, err);
+/* the curve in ms and in the unit of the plot */
+static enum cr_err read_measured(struct cr_call *call, const char *path, int kind,
+                                 struct cr_signal *out, struct cr_error *err) {
+    enum cr_err code = load_measured(call, path, kind, out, err);
     if (code != CR_ERR_OK) {
         return code;
     }
-    int rows = 0, line = 0;
-    for (const char *p = text; *p != '\0'; p += strcspn(p, "\n"), p += *p == '\n') {
-        rows++;
+    double factor = shown_per_si(out->unit, kind);
+    if (isnan(factor)) {
+        cr_err_set(err, CR_ERR_TYPE, "column %s is in %s, which is not %s", out->name, out->unit,
+                   kinds[kind].title);
+        cr_err_hint(err, "name another with column=");
+        cr_signal_free(out);
+        return CR_ERR_TYPE;
     }
-    *out = (struct cr_measured){.t = calloc((size_t)rows + 1, sizeof *out->t),
-                                .y = calloc((size_t)rows + 1, sizeof *out->y)};
-    if (out->t == NULL || out->y == NULL) {
-        code = cr_err_set(err, CR_ERR_MEMORY, "out of memory");
+    for (int i = 0; i < out->n; i++) {
+        out->t[i] *= 1e3;
+        out->x[i] *= factor;
     }
-    for (const char *p = text; *p != '\0' && code == CR_ERR_OK;
-         p += strcspn(p, "\n"), p += *p == '\n') {
-        line++;
-        const char *other = column_at(p, head.column);
-        if (*p == '#' || p[strspn(p, " \t\r")] == '\n') {
-            continue;
-        }
-        if (!is_number(p) && out->n == 0) {
-            read_head(p, word, kind, &head);
-        } else if (!is_number(p) || other == NULL || !is_number(other)) {
-            code = cr_err_set(err, CR_ERR_SYNTAX, "no number where a time and a value must stand");
-            cr_err_place(err, path, line, 1);
-        } else {
-            out->t[out->n] = 1e3 * head.time * strtod(p, NULL);
-            out->y[out->n++] = head.value * strtod(other, NULL);
-        }
-    }
-    if (code == CR_ERR_OK && out->n < 2) {
-        code = cr_err_set(err, CR_ERR_SYNTAX, "%.120s has no curve in it", path);
-        cr_err_hint(err, "rows of time,value under a head such as t_ms,ax_g");
-    }
-    free(text);
-    if (code != CR_ERR_OK) {
-        cr_measured_fini(out);
-    }
-    return code;
-}
-
-void cr_measured_fini(struct cr_measured *curve) {
-    free(curve->t);
-    free(curve->y);
-    *curve = (struct cr_measured){0};
+    return CR_ERR_OK;
 }
 
 /* ---- the plot ---- */
@@ -202,7 +146,7 @@ static enum cr_err series(const struct cr_result *r, int body, int kind, double 
 struct pulse_call {
     int only, kind;
     double cfc;
-    const struct cr_measured *measured;
+    const struct cr_signal *measured;
 };
 
 static enum cr_err plot_pulse(struct cr_session *s, const struct pulse_call *what,
@@ -234,7 +178,7 @@ static enum cr_err plot_pulse(struct cr_session *s, const struct pulse_call *wha
     }
     if (what->measured != NULL) {
         curve[curves++] = (struct cr_curve_line){.x = what->measured->t,
-                                                 .y = what->measured->y,
+                                                 .y = what->measured->x,
                                                  .n = what->measured->n,
                                                  .mark = 't',
                                                  .name = "test",
@@ -279,10 +223,10 @@ static enum cr_err say_pulse(struct cr_session *s, const struct pulse_call *what
     if (code == CR_ERR_OK && what->measured != NULL) {
         int most = 0;
         for (int i = 0; i < what->measured->n; i++) {
-            most = fabs(what->measured->y[i]) > fabs(what->measured->y[most]) ? i : most;
+            most = fabs(what->measured->x[i]) > fabs(what->measured->x[most]) ? i : most;
         }
         cr_say(s, "test %s: largest %.4g %s at %.1f ms", kinds[what->kind].title,
-               what->measured->y[most], kinds[what->kind].unit, what->measured->t[most]);
+               what->measured->x[most], kinds[what->kind].unit, what->measured->t[most]);
     }
     return code;
 }
@@ -299,10 +243,9 @@ static int index_of(const struct cr_scene *scene, const char *id) {
 enum cr_err cr_cmd_pulse(struct cr_call *call, struct cr_error *err) {
     static const double classes[] = {0, 60, 180, 600, 1000};
     struct cr_session *s = call->s;
-    struct cr_measured measured = {0};
+    struct cr_signal measured = {0};
     struct pulse_call what = {.only = -1};
     const char *path = cr_cmd_text(call, "vs", NULL);
-    char word[16];
     enum cr_err code = cr_session_need_result(s, err);
     if (code != CR_ERR_OK) {
         return code;
@@ -319,10 +262,9 @@ enum cr_err cr_cmd_pulse(struct cr_call *call, struct cr_error *err) {
         }
     }
     if (path != NULL) {
-        cr_cmd_word_at(cr_cmd_quantities(), what.kind, word, sizeof word);
         char buf[2 * CR_PATH_MAX];
         const char *found = cr_session_find_file(s, path, buf, sizeof buf);
-        code = cr_measured_read(found, word, what.kind, &measured, err);
+        code = read_measured(call, found, what.kind, &measured, err);
         if (code != CR_ERR_OK) {
             return cr_cmd_blame(call, "vs", code);
         }
@@ -339,16 +281,6 @@ enum cr_err cr_cmd_pulse(struct cr_call *call, struct cr_error *err) {
     if (code == CR_ERR_OK) {
         code = say_pulse(s, &what, err);
     }
-    cr_measured_fini(&measured);
+    cr_signal_free(&measured);
     return code;
-}
-
-const char *cr_cmd_quantities(void) {
-    const struct cr_command *cmd = cr_command_find("pulse", NULL);
-    for (int i = 0; cmd->arg[i].name != NULL; i++) {
-        if (strcmp(cmd->arg[i].name, "QUANTITY") == 0) {
-            return cmd->arg[i].words;
-        }
-    }
-    return "";
 }

@@ -223,8 +223,8 @@ static const struct cr_arg pulse_args[] = {
            .words = "a|ax|ay|v|vx|vy|yaw|yawrate|yawacc|x|y|force|energy", .def = "a",
            .help = "what is drawn over the time"),
     KEY("vs", CR_VALUE_FILE, .words = ".csv",
-        .help = "measured curve: first column time, second "
-                "the quantity, in the units of its head"),
+        .help = "measured curve over the time; units as in t_ms, ax_g, v_kmh"),
+    KEY("column", CR_VALUE_TEXT, .help = "its column; else that of the quantity, or the first"),
     KEY("filter", CR_VALUE_WORD, .words = "none|cfc60|cfc180|cfc600|cfc1000", .def = "cfc60",
         .help = "channel class of SAE J211, of accelerations"),
     END,
