@@ -3,6 +3,7 @@
 #include "test.h"
 
 #include <string.h>
+#include <sys/resource.h>
 
 static void refused(const struct cr_case *cs, enum cr_err code, const char *word) {
     struct cr_error err = {0};
@@ -163,6 +164,33 @@ static void overflow_is_an_error(void **state) {
     cr_arena_free(&arena);
 }
 
+/* Nine million voxels want 150 MB; the limit of 100 MB stands in for a full machine. The sanitizer
+ * needs more room than that for itself. */
+static void memory_is_out(void **state) {
+    (void)state;
+#if defined(__SANITIZE_ADDRESS__)
+    skip();
+#endif
+    static const double none[1];
+    struct cr_arena arena = {0};
+    struct cr_case cs = case_of(car_body(&arena, 0.05, -4, 0, 0, 10), pole_body(0, 0, 0.15));
+    cs.body[0].grid = (struct cr_grid){
+        .nx = 3000, .ny = 3000, .h = 0.001, .x0 = -1.5, .y0 = -1.5, .fill = none, .energy = none};
+    struct rlimit before, low;
+    assert_int_equal(getrlimit(RLIMIT_AS, &before), 0);
+    low = before;
+    low.rlim_cur = 100u << 20;
+    assert_int_equal(setrlimit(RLIMIT_AS, &low), 0);
+    struct cr_solver *s = NULL;
+    struct cr_error err = {0};
+    enum cr_err code = cr_solver_new(&cs, &s, &err);
+    assert_int_equal(setrlimit(RLIMIT_AS, &before), 0);
+    assert_int_equal(code, CR_ERR_MEMORY);
+    assert_null(s);
+    assert_non_null(strstr(err.text, "no memory"));
+    cr_arena_free(&arena);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(overlap_at_the_start),
@@ -172,6 +200,7 @@ int main(void) {
         cmocka_unit_test(never_meet),
         cmocka_unit_test(cancelled),
         cmocka_unit_test(overflow_is_an_error),
+        cmocka_unit_test(memory_is_out),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
