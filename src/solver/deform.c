@@ -225,17 +225,24 @@ static inline void dent(struct cr_moving *m, enum cr_face face, int line, double
     span->hi = line > span->hi ? line : span->hi;
 }
 
-static inline void change(struct cr_moving *m, const struct cr_loss *loss, double amount) {
+/* Only the face that the force acts on is dented: a crushed front corner is no dent of the flank,
+ * or the flank's string would be pulled by it as soon as the normal turns past 45 degrees. */
+static inline void change(struct cr_moving *m, enum cr_face face, const struct cr_loss *loss,
+                          double amount) {
     const struct cr_grid *g = &m->body->grid;
     double left = m->left[loss->voxel] - amount;
     m->left[loss->voxel] = left > 0 ? left : 0;
-    dent(m, 2 * loss->ix >= g->nx ? CR_FACE_FRONT : CR_FACE_REAR, loss->iy, amount);
-    dent(m, 2 * loss->iy >= g->ny ? CR_FACE_LEFT : CR_FACE_RIGHT, loss->ix, amount);
+    bool front = 2 * loss->ix >= g->nx, left_half = 2 * loss->iy >= g->ny;
+    if (face == (front ? CR_FACE_FRONT : CR_FACE_REAR)) {
+        dent(m, face, loss->iy, amount);
+    } else if (face == (left_half ? CR_FACE_LEFT : CR_FACE_RIGHT)) {
+        dent(m, face, loss->ix, amount);
+    }
 }
 
 void cr_deform_apply(struct cr_moving *m, const struct cr_losses *losses, int from) {
     for (int i = from; i < losses->n; i++) {
-        change(m, &losses->loss[i], losses->loss[i].amount);
+        change(m, losses->face, &losses->loss[i], losses->loss[i].amount);
     }
 }
 
@@ -264,7 +271,7 @@ void cr_deform_settle(struct cr_solver *s, struct cr_moving *m, struct cr_losses
     for (int i = 0; i < losses->n; i++) {
         struct cr_loss *loss = &losses->loss[i];
         if (lambda < 1) {
-            change(m, loss, (lambda - 1) * loss->amount);
+            change(m, losses->face, loss, (lambda - 1) * loss->amount);
             loss->amount *= lambda;
             loss->energy *= lambda;
         }

@@ -318,12 +318,12 @@ static bool crush(struct cr_solver *s, int pair, int a, int b, struct cr_force *
             return false;
         }
     }
+    s->losses[0].face = cr_string_face(ma, cr_vec2_scale(f->normal, -1));
+    s->losses[1].face = cr_string_face(mb, f->normal);
     cr_deform_apply(ma, &s->losses[0], 0);
     cr_deform_apply(mb, &s->losses[1], 0);
     if (s->cs->opts.induced) {
-        struct cr_vec2 onto_a = cr_vec2_scale(f->normal, -1);
-        if (!cr_string_pull(s, ma, b, onto_a, &s->losses[0]) ||
-            !cr_string_pull(s, mb, a, f->normal, &s->losses[1])) {
+        if (!cr_string_pull(s, ma, b, &s->losses[0]) || !cr_string_pull(s, mb, a, &s->losses[1])) {
             return false;
         }
         cr_force_update(s, pair, a, b, f);

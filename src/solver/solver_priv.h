@@ -213,9 +213,11 @@ void cr_deform_apply(struct cr_moving *m, const struct cr_losses *losses, int fr
 void cr_deform_settle(struct cr_solver *s, struct cr_moving *m, struct cr_losses *losses,
                       double lambda);
 
-/* string.c: induced deformation, added to the losses of one body and applied (method.md 5);
- * inward: direction of the force on the body, world */
-bool cr_string_pull(struct cr_solver *s, struct cr_moving *m, int partner, struct cr_vec2 inward,
+/* string.c: the face that a force acts on; inward: its direction on the body, world */
+enum cr_face cr_string_face(const struct cr_moving *m, struct cr_vec2 inward);
+/* string.c: induced deformation of losses->face, added to the losses of one body and applied
+ * (method.md 5) */
+bool cr_string_pull(struct cr_solver *s, struct cr_moving *m, int partner,
                     struct cr_losses *losses);
 
 /* step 2, force.c */

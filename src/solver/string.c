@@ -60,7 +60,7 @@ static inline int surface(const struct lines *l, int line) {
     return live.lo < live.hi ? live.lo : -1;
 }
 
-static enum cr_face struck_face(const struct cr_moving *m, struct cr_vec2 inward) {
+enum cr_face cr_string_face(const struct cr_moving *m, struct cr_vec2 inward) {
     struct cr_vec2 d = cr_vec2_unrotate(inward, m->c, m->s);
     if (fabs(d.x) >= fabs(d.y)) {
         return d.x < 0 ? CR_FACE_FRONT : CR_FACE_REAR;
@@ -222,11 +222,10 @@ static double membrane_energy(const struct cr_string *st, double tension, double
     return 0.5 * tension * sum / h;
 }
 
-bool cr_string_pull(struct cr_solver *s, struct cr_moving *m, int partner, struct cr_vec2 inward,
+bool cr_string_pull(struct cr_solver *s, struct cr_moving *m, int partner,
                     struct cr_losses *losses) {
     const struct cr_grid *g = &m->body->grid;
-    enum cr_face face = struck_face(m, inward);
-    losses->face = face;
+    enum cr_face face = losses->face;
     double tension = g->nx > 0 ? m->tension[partner][face] : 0;
     if (losses->n == 0 || !(tension > 0) || m->dented[face].hi < 0) {
         return true;
