@@ -43,22 +43,9 @@ static enum cr_err make_voxels(struct cr_session *s, const struct cr_scene *scen
                  p->model.file);
         return cr_voxels_read(path, arena, out, NULL, err);
     }
-    struct cr_model_query query = {.type = p->type,
-                                   .pdof = pdof_of(solved ? s->result : NULL, part, p),
-                                   .blend = p->model.blend,
-                                   .dims = {.length = p->length,
-                                            .width = p->width,
-                                            .height = p->height,
-                                            .wheelbase = p->wheelbase,
-                                            .track = p->track,
-                                            .front_overhang = p->front_overhang,
-                                            .cg_behind_front_axle = p->cg_behind_front_axle,
-                                            .cg_height = p->cg_height},
-                                   .mass_kg = p->mass,
-                                   .voxel = fmax(scene->set.voxel, 0.05),
-                                   .curve = scene->set.residual_curve == 1 ? CR_CURVE_RESIDUAL
-                                                                           : CR_CURVE_DYNAMIC,
-                                   .z_hi = INFINITY};
+    struct cr_model_query query =
+        cr_scene_query(scene, p, pdof_of(solved ? s->result : NULL, part, p));
+    query.voxel = fmax(query.voxel, 0.05);
     return cr_model_voxels(s->models, &query, arena, out, err);
 }
 

@@ -9,23 +9,10 @@
 static const double EDGE = 0.05; /* m, voxels of the 3D models */
 
 static struct cr_model_query query_of(const struct cr_result *result, int body) {
-    const struct cr_participant *p = &result->resolved.part[body];
-    return (struct cr_model_query){
-        .type = p->type,
-        .pdof = result->of[body].pdof,
-        .dims = {.length = p->length,
-                 .width = p->width,
-                 .height = p->height,
-                 .wheelbase = p->wheelbase,
-                 .track = p->track,
-                 .front_overhang = p->front_overhang,
-                 .cg_behind_front_axle = p->cg_behind_front_axle,
-                 .cg_height = p->cg_height},
-        .mass_kg = p->mass,
-        .voxel = EDGE,
-        .curve = result->resolved.set.residual_curve == 1 ? CR_CURVE_RESIDUAL : CR_CURVE_DYNAMIC,
-        .z_hi = INFINITY,
-    };
+    const struct cr_scene *scene = &result->resolved;
+    struct cr_model_query q = cr_scene_query(scene, &scene->part[body], result->of[body].pdof);
+    q.voxel = EDGE;
+    return q;
 }
 
 enum cr_err cr_render_body_view(struct cr_cells *cells, struct cr_rect at,

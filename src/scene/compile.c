@@ -23,11 +23,11 @@ static double pdof_of(const struct making *m, int i) {
     return choice->pdof_kind == CR_PDOF_GIVEN ? choice->pdof : m->pdof[i];
 }
 
-static struct cr_model_query query_of(const struct making *m, int i, double z_lo, double z_hi) {
-    const struct cr_participant *p = &m->scene->part[i];
+struct cr_model_query cr_scene_query(const struct cr_scene *scene, const struct cr_participant *p,
+                                     double pdof) {
     return (struct cr_model_query){
         .type = p->type,
-        .pdof = pdof_of(m, i),
+        .pdof = pdof,
         .blend = p->model.blend,
         .dims = {.length = p->length,
                  .width = p->width,
@@ -38,11 +38,17 @@ static struct cr_model_query query_of(const struct making *m, int i, double z_lo
                  .cg_behind_front_axle = p->cg_behind_front_axle,
                  .cg_height = p->cg_height},
         .mass_kg = p->mass,
-        .voxel = m->scene->set.voxel,
-        .curve = m->scene->set.residual_curve == 1 ? CR_CURVE_RESIDUAL : CR_CURVE_DYNAMIC,
-        .z_lo = z_lo,
-        .z_hi = z_hi,
+        .voxel = scene->set.voxel,
+        .curve = scene->set.residual_curve == 1 ? CR_CURVE_RESIDUAL : CR_CURVE_DYNAMIC,
+        .z_hi = INFINITY,
     };
+}
+
+static struct cr_model_query query_of(const struct making *m, int i, double z_lo, double z_hi) {
+    struct cr_model_query q = cr_scene_query(m->scene, &m->scene->part[i], pdof_of(m, i));
+    q.z_lo = z_lo;
+    q.z_hi = z_hi;
+    return q;
 }
 
 /* path of a model file, from the folder of the scene unless absolute */

@@ -144,9 +144,13 @@ void cr_assumed_fini(struct cr_assumed *assumed);
 CR_MUST_CHECK enum cr_err cr_scene_resolve(struct cr_scene *scene, const struct cr_model_lib *lib,
                                            struct cr_assumed *assumed, struct cr_error *err);
 
-/* How far an end of a braking vehicle goes down, m, the rear comes up: quasi-static load transfer on
- * its springs. Given a resolved vehicle, the friction of the road, and which end. */
+/* How far an end of a braking vehicle goes down, m, the rear comes up: quasi-static load transfer
+ * on its springs. Given a resolved vehicle, the friction of the road, and which end. */
 double cr_scene_dive(const struct cr_participant *p, double road_friction, bool front);
+/* What the model library is asked for a resolved vehicle, over its whole height; pdof in rad. */
+struct cr_model_query cr_scene_query(const struct cr_scene *scene, const struct cr_participant *p,
+                                     double pdof);
+
 /* How far the struck end goes down by the crash force until half of the energy is in, m; it comes
  * up where the force passes above the CG. The body's inertia alone resists; in pitch it is taken to
  * be that in yaw. Given a resolved vehicle, its delta-v (m/s), the height of the force (m). */
