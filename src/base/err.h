@@ -6,7 +6,7 @@
 #define CR_BASE_ERR_H
 
 #if defined(__GNUC__)
-#define CR_MUST_CHECK __attribute__((warn_unused_result))
+#define CR_MUST_CHECK        __attribute__((warn_unused_result))
 #define CR_PRINTF(fmt, args) __attribute__((format(printf, fmt, args)))
 #else
 #define CR_MUST_CHECK

@@ -6,7 +6,7 @@
 #include <math.h>
 
 #define CR_PI 3.14159265358979323846
-#define CR_G 9.80665 /* standard gravity, m/s2 */
+#define CR_G  9.80665 /* standard gravity, m/s2 */
 
 struct cr_vec2 {
     double x, y;

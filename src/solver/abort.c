@@ -12,11 +12,16 @@ static const double reached = 1e-4;
  * what the pair has crushed so far is not the crash any more. */
 static const double rubbing_share = 0.005;
 
-bool cr_abort_rubbing(const struct cr_solver *s, int pair, int a, int b,
-                      const struct cr_force *f) {
+double cr_abort_weight(const struct cr_solver *s, int pair, int a, int b,
+                       const struct cr_force *f) {
     double closing = cr_vec2_dot(cr_relative_velocity(s, a, b, f->coe), f->normal);
     double mass = 1 / cr_vec2_dot(cr_compliance(s, a, b, f->coe, f->normal), f->normal);
-    return 0.5 * mass * closing * closing < rubbing_share * s->touch[pair].spent;
+    double spent = s->touch[pair].spent;
+    return spent > 0 ? 0.5 * mass * closing * closing / spent : (double)INFINITY;
+}
+
+bool cr_abort_rubbing(const struct cr_solver *s, int pair, int a, int b, const struct cr_force *f) {
+    return cr_abort_weight(s, pair, a, b, f) < rubbing_share;
 }
 
 /* Normal impulse that is left of the compression above the threshold e/(1-e) of the plastic one,

@@ -49,11 +49,11 @@ struct cr_body {
     double inertia; /* about the vertical axis through the CG, kg m2; <= 0: does not turn */
     struct cr_vec2 pos, vel;
     double heading, yaw_rate;
-    struct cr_grid grid;   /* nx = 0 for a rigid object */
-    struct cr_shape shape; /* CR_SHAPE_NONE for a grid */
-    double friction;       /* of its surface; < 0: the case's friction */
-    int wheels;            /* 0 or CR_WHEELS */
-    struct cr_wheel wheel[CR_WHEELS]; /* front left, front right, rear left, rear right */
+    struct cr_grid grid;                       /* nx = 0 for a rigid object */
+    struct cr_shape shape;                     /* CR_SHAPE_NONE for a grid */
+    double friction;                           /* of its surface; < 0: the case's friction */
+    int wheels;                                /* 0 or CR_WHEELS */
+    struct cr_wheel wheel[CR_WHEELS];          /* front left, front right, rear left, rear right */
     const double *energy_against[CR_BODY_MAX]; /* grid energies of the layers that meet this
                                                   partner in height; NULL: grid.energy */
     int waypoints;                             /* 0: pos, vel, heading above are the start */
@@ -72,8 +72,8 @@ struct cr_opts {
                               the force at the end of the plastic phase, which goes on smoothly */
     bool induced;          /* plastic string on the struck face (method.md 5) */
     enum cr_end end;
-    double max_time;       /* s before the first contact after which there is none */
-    double rest_time;      /* s after the first contact after which motion to rest is cut */
+    double max_time;  /* s before the first contact after which there is none */
+    double rest_time; /* s after the first contact after which motion to rest is cut */
 };
 
 struct cr_opts cr_opts_default(void);

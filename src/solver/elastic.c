@@ -10,7 +10,7 @@
 double cr_restitution_auto(double closing, bool rigid_partner) {
     /* stiffness.md 6, the rule through the read points; closing in m/s */
     if (rigid_partner) {
-        return closing <= 4.3 ? 0.33
+        return closing <= 4.3  ? 0.33
                : closing <= 10 ? 0.33 + (closing - 4.3) / (10 - 4.3) * (0.15 - 0.33)
                                : 0.16;
     }
@@ -132,10 +132,15 @@ void cr_elastic_slice(struct cr_solver *s, int pair, int a, int b) {
     struct cr_slice *sl = cr_record_slice(s, pair);
     if (sl != NULL) {
         double size = cr_vec2_len(f);
-        *sl = (struct cr_slice){.sample = s->samples, .contact = t->record, .phase = c->phase,
-                                .coe = t->coe, .normal = t->normal,
-                                .direction = cr_vec2_unit(f, t->direction), .approach = v,
-                                .path = v * s->dt, .force = j * size / s->dt,
+        *sl = (struct cr_slice){.sample = s->samples,
+                                .contact = t->record,
+                                .phase = c->phase,
+                                .coe = t->coe,
+                                .normal = t->normal,
+                                .direction = cr_vec2_unit(f, t->direction),
+                                .approach = v,
+                                .path = v * s->dt,
+                                .force = j * size / s->dt,
                                 .impulse = j * size,
                                 .mass_eff = size * size / cr_vec2_dot(yield, f),
                                 .friction = work - stored};

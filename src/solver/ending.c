@@ -6,6 +6,8 @@
 static const double horizon = 0.3;
 /* step of the look ahead, s */
 static const double probe_step = 0.01;
+/* A touch foreseen is waited for if its energy of approach is this share of the crash so far. */
+static const double strike_share = 0.02;
 /* a touch this far from the last one is another, m */
 static const double elsewhere = 0.75;
 /* slower than this a body is at rest (literature.md 7.5) */
@@ -67,7 +69,8 @@ static void fly(struct cr_solver *s, double time) {
 }
 
 /* Whether two bodies as they stand press on each other in earnest, and elsewhere than where they
- * last did: there they rub while they turn away, and flying on freely sinks them into each other. */
+ * last did: there they rub while they turn away, and flying on freely sinks them into each other.
+ */
 static bool strikes(struct cr_solver *s, int pair, int a, int b, struct cr_vec2 last) {
     struct cr_force f;
     if (!cr_deform_collect(s, a, b) || s->losses[0].n + s->losses[1].n == 0 ||
@@ -75,7 +78,7 @@ static bool strikes(struct cr_solver *s, int pair, int a, int b, struct cr_vec2 
         return false;
     }
     return cr_vec2_len(cr_vec2_sub(f.coe, last)) > elsewhere &&
-           !cr_abort_rubbing(s, pair, a, b, &f);
+           cr_abort_weight(s, pair, a, b, &f) > strike_share;
 }
 
 /* Time until any two bodies strike again if they fly on freely, infinite beyond the horizon. */

@@ -39,7 +39,8 @@ static double energy_and_coe(const struct cr_solver *s, int a, int b, struct cr_
     return energy;
 }
 
-/* central second moments of the contact voxels of both bodies, each weighing its energy, world axes */
+/* central second moments of the contact voxels of both bodies, each weighing its energy, world axes
+ */
 struct moments {
     double xx, xy, yy;
 };
@@ -166,8 +167,8 @@ void cr_force_update(struct cr_solver *s, int pair, int a, int b, struct cr_forc
     *force = whole;
 }
 
-/* Mean of the normals of the slices so far, weighted by energy: the deformed voxels of one slice are
- * too few to give a steady direction. */
+/* Mean of the normals of the slices so far, weighted by energy: the deformed voxels of one slice
+ * are too few to give a steady direction. */
 static struct cr_vec2 steady(const struct cr_solver *s, int pair, const struct cr_force *force) {
     struct cr_vec2 sum = cr_vec2_scale(force->normal, force->energy * force->trust);
     if (s->touch[pair].record >= 0) {

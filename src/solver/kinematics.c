@@ -47,7 +47,8 @@ static void follow(struct cr_moving *m, double t) {
 static void drive(struct cr_solver *s, struct cr_moving *m) {
     double mass = m->inv_mass > 0 ? 1 / m->inv_mass : 0;
     double inertia = m->inv_inertia > 0 ? 1 / m->inv_inertia : 0;
-    double k0 = 0.5 * mass * cr_vec2_dot(m->vel, m->vel) + 0.5 * inertia * m->yaw_rate * m->yaw_rate;
+    double k0 =
+        0.5 * mass * cr_vec2_dot(m->vel, m->vel) + 0.5 * inertia * m->yaw_rate * m->yaw_rate;
     double l0 = mass * cr_vec2_cross(m->pos, m->vel) + inertia * m->yaw_rate;
     struct cr_vec2 p0 = cr_vec2_scale(m->vel, mass);
     follow(m, s->t);
@@ -55,7 +56,8 @@ static void drive(struct cr_solver *s, struct cr_moving *m) {
         m->pos = cr_vec2_axpy(m->pos, s->dt, m->vel);
         cr_kinematics_place(m, m->pos, m->heading + s->dt * m->yaw_rate);
     }
-    double k1 = 0.5 * mass * cr_vec2_dot(m->vel, m->vel) + 0.5 * inertia * m->yaw_rate * m->yaw_rate;
+    double k1 =
+        0.5 * mass * cr_vec2_dot(m->vel, m->vel) + 0.5 * inertia * m->yaw_rate * m->yaw_rate;
     double l1 = mass * cr_vec2_cross(m->pos, m->vel) + inertia * m->yaw_rate;
     s->tyre += k0 - k1;
     s->l_ground += l0 - l1;
@@ -68,8 +70,8 @@ static void carry_coe(struct cr_solver *s) {
         for (int b = a + 1; b < s->cs->n; b++, p++) {
             struct cr_touch *t = &s->touch[p];
             if (t->record >= 0) {
-                struct cr_vec2 v = cr_vec2_add(cr_velocity_at(&s->m[a], t->coe),
-                                               cr_velocity_at(&s->m[b], t->coe));
+                struct cr_vec2 v =
+                    cr_vec2_add(cr_velocity_at(&s->m[a], t->coe), cr_velocity_at(&s->m[b], t->coe));
                 t->coe = cr_vec2_axpy(t->coe, 0.5 * s->dt, v);
             }
         }
@@ -113,8 +115,8 @@ static double gap(const struct cr_moving *a, const struct cr_moving *b) {
     return p.x - car->reach;
 }
 
-/* Approach speed of a pair that matters for the slice: where they are in contact that of the COE and
- * of the patch about it, else the bound over both bodies. */
+/* Approach speed of a pair that matters for the slice: where they are in contact that of the COE
+ * and of the patch about it, else the bound over both bodies. */
 static double approach_speed(const struct cr_solver *s, int pair, int a, int b) {
     const struct cr_touch *t = &s->touch[pair];
     const struct cr_moving *ma = &s->m[a], *mb = &s->m[b];

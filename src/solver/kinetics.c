@@ -20,7 +20,8 @@ static void push(struct cr_solver *s, struct cr_moving *m, struct cr_vec2 p, str
     struct cr_vec2 r = cr_vec2_sub(p, m->pos);
     m->vel = cr_vec2_axpy(m->vel, m->inv_mass, j);
     m->yaw_rate += m->inv_inertia * cr_vec2_cross(r, j);
-    /* what is fixed, or kept from turning, hands on to the ground, which drives it where it moves */
+    /* what is fixed, or kept from turning, hands on to the ground, which drives it where it moves
+     */
     if (m->inv_mass == 0) {
         s->p_ground = cr_vec2_add(s->p_ground, j);
         s->l_ground += cr_vec2_cross(p, j);

@@ -46,9 +46,13 @@ bool cr_record_contact(struct cr_solver *s, int pair, int a, int b, const struct
     struct cr_touch *t = &s->touch[pair], old = *t;
     double closing = cr_vec2_dot(cr_relative_velocity(s, a, b, f->coe), f->normal);
     bool rubbing = cr_abort_rubbing(s, pair, a, b, f);
-    *t = (struct cr_touch){.record = s->contacts, .last = s->contacts, .coe = f->coe,
-                           .normal = f->normal, .direction = f->direction,
-                           .spent = old.spent, .rubbing = rubbing};
+    *t = (struct cr_touch){.record = s->contacts,
+                           .last = s->contacts,
+                           .coe = f->coe,
+                           .normal = f->normal,
+                           .direction = f->direction,
+                           .spent = old.spent,
+                           .rubbing = rubbing};
     begin_bodies(s, a, b);
     bool rigid = s->cs->body[a].grid.nx == 0 || s->cs->body[b].grid.nx == 0;
     const struct cr_opts *o = &s->cs->opts;
@@ -57,11 +61,17 @@ bool cr_record_contact(struct cr_solver *s, int pair, int a, int b, const struct
         reopen(s, t, &old);
         return true;
     }
-    s->contact[s->contacts++] =
-        (struct cr_contact){.a = a, .b = b, .t_begin = s->t - s->dt, .closing = closing,
-                            .restitution = e, .phase = CR_PHASE_PLASTIC, .coe = f->coe,
-                            .normal = f->normal, .t_plastic_end = NAN, .t_elastic_end = NAN,
-                            .t_end = NAN};
+    s->contact[s->contacts++] = (struct cr_contact){.a = a,
+                                                    .b = b,
+                                                    .t_begin = s->t - s->dt,
+                                                    .closing = closing,
+                                                    .restitution = e,
+                                                    .phase = CR_PHASE_PLASTIC,
+                                                    .coe = f->coe,
+                                                    .normal = f->normal,
+                                                    .t_plastic_end = NAN,
+                                                    .t_elastic_end = NAN,
+                                                    .t_end = NAN};
     return true;
 }
 
@@ -78,9 +88,13 @@ struct cr_slice *cr_record_slice(struct cr_solver *s, int pair) {
 }
 
 static struct cr_sample state_of(const struct cr_moving *m) {
-    return (struct cr_sample){.pos = m->pos, .vel = m->vel, .heading = m->heading,
-                              .yaw_rate = m->yaw_rate, .energy = m->energy,
-                              .crushed = m->crushed, .coe = m->pos};
+    return (struct cr_sample){.pos = m->pos,
+                              .vel = m->vel,
+                              .heading = m->heading,
+                              .yaw_rate = m->yaw_rate,
+                              .energy = m->energy,
+                              .crushed = m->crushed,
+                              .coe = m->pos};
 }
 
 struct cr_sample cr_solver_state(const struct cr_solver *s, int body) {
@@ -159,7 +173,8 @@ void cr_record_before(struct cr_solver *s) {
 static struct cr_balance balance_of(const struct cr_solver *s) {
     struct cr_balance b = {.kinetic_before = s->kinetic_before,
                            .kinetic_after = cr_kinetic_energy(s),
-                           .friction = s->friction, .tyre = s->tyre};
+                           .friction = s->friction,
+                           .tyre = s->tyre};
     for (int i = 0; i < s->cs->n; i++) {
         b.plastic += s->m[i].energy;
     }
@@ -172,8 +187,9 @@ static struct cr_balance balance_of(const struct cr_solver *s) {
     struct cr_vec2 missing = cr_vec2_sub(cr_vec2_sub(s->p_before, p), s->p_ground);
     b.momentum_residual = cr_vec2_len(missing) / fmax(s->scale_p, 1e-9);
     b.angular_residual = fabs(s->l_before - l - s->l_ground) / fmax(s->scale_l, 1e-9);
-    b.energy_residual = fabs(b.kinetic_before - b.kinetic_after - b.plastic - b.friction - b.tyre -
-                             stored) / fmax(b.kinetic_before, 1e-9);
+    b.energy_residual =
+        fabs(b.kinetic_before - b.kinetic_after - b.plastic - b.friction - b.tyre - stored) /
+        fmax(b.kinetic_before, 1e-9);
     return b;
 }
 

@@ -41,21 +41,21 @@ struct cr_sample {
 
 /* One contact worked in one time slice: the numbers of Eq. (1)-(3) and of the impulse. */
 struct cr_slice {
-    int sample;                /* index of the time slice in the trace */
-    int contact;               /* index into cr_solution.contact */
+    int sample;  /* index of the time slice in the trace */
+    int contact; /* index into cr_solution.contact */
     enum cr_phase phase;
-    int deformed[2];           /* voxels that lost material, bodies a and b */
-    double energy[2];          /* Eq. (1): energy released in a and b, J (induced included) */
-    double induced;            /* part of it outside the contact, J */
-    struct cr_vec2 coe;        /* Eq. (3), world, m */
-    struct cr_vec2 normal;     /* unit, from a to b */
-    struct cr_vec2 direction;  /* of the force on b, unit */
-    double approach;           /* along the normal at the COE before the slice, m/s */
-    double path;               /* s of Eq. (2): approach in this slice along the normal, m */
-    double force;              /* along direction, N */
-    double impulse;            /* along direction, N s */
-    double mass_eff;           /* at the COE along direction, kg */
-    double friction;           /* friction work, J */
+    int deformed[2];          /* voxels that lost material, bodies a and b */
+    double energy[2];         /* Eq. (1): energy released in a and b, J (induced included) */
+    double induced;           /* part of it outside the contact, J */
+    struct cr_vec2 coe;       /* Eq. (3), world, m */
+    struct cr_vec2 normal;    /* unit, from a to b */
+    struct cr_vec2 direction; /* of the force on b, unit */
+    double approach;          /* along the normal at the COE before the slice, m/s */
+    double path;              /* s of Eq. (2): approach in this slice along the normal, m */
+    double force;             /* along direction, N */
+    double impulse;           /* along direction, N s */
+    double mass_eff;          /* at the COE along direction, kg */
+    double friction;          /* friction work, J */
 };
 
 /* One contact between two bodies, from first touch to the end of its restitution. */
@@ -63,18 +63,18 @@ struct cr_contact {
     int a, b;
     double t_begin, t_plastic_end, t_elastic_end, t_end; /* s */
     enum cr_stop stop;
-    enum cr_phase phase;     /* APART once it is over */
-    double closing;          /* approach along the normal at first touch, m/s */
-    double restitution;      /* used for this contact */
-    double plastic_impulse;  /* along the normal, N s */
-    double elastic_impulse;  /* of compression; restitution has the same, N s */
-    struct cr_vec2 impulse;  /* whole impulse on b, world, N s */
-    struct cr_vec2 coe;      /* impulse-weighted mean of the COE, world, m */
-    struct cr_vec2 normal;   /* energy-weighted mean, unit, from a to b */
-    double energy[2];        /* plastic, J */
-    double induced[2];       /* part of it outside the contact, J */
-    double friction;         /* J */
-    double stored;           /* elastic energy now, J */
+    enum cr_phase phase;    /* APART once it is over */
+    double closing;         /* approach along the normal at first touch, m/s */
+    double restitution;     /* used for this contact */
+    double plastic_impulse; /* along the normal, N s */
+    double elastic_impulse; /* of compression; restitution has the same, N s */
+    struct cr_vec2 impulse; /* whole impulse on b, world, N s */
+    struct cr_vec2 coe;     /* impulse-weighted mean of the COE, world, m */
+    struct cr_vec2 normal;  /* energy-weighted mean, unit, from a to b */
+    double energy[2];       /* plastic, J */
+    double induced[2];      /* part of it outside the contact, J */
+    double friction;        /* J */
+    double stored;          /* elastic energy now, J */
 };
 
 struct cr_outcome {
@@ -97,9 +97,9 @@ enum cr_crush { CR_CRUSH_CONTACT = 1, CR_CRUSH_INDUCED = 2 };
 struct cr_balance {
     double kinetic_before, kinetic_after; /* J, at first contact and at the end of the solve */
     double plastic, friction, tyre;       /* J taken out in between */
-    double momentum_residual;             /* |sum of momentum - what tyres and ground gave| / scale */
-    double angular_residual;              /* the same for angular momentum */
-    double energy_residual;               /* |kinetic_before - all others| / kinetic_before */
+    double momentum_residual; /* |sum of momentum - what tyres and ground gave| / scale */
+    double angular_residual;  /* the same for angular momentum */
+    double energy_residual;   /* |kinetic_before - all others| / kinetic_before */
 };
 
 struct cr_solution {

@@ -21,32 +21,32 @@ struct cr_moving {
     double heading, yaw_rate;
     double c, s; /* cosine and sine of the heading */
     double inv_mass, inv_inertia;
-    double reach;         /* radius about the CG that holds the body, m; a wall: infinite */
+    double reach;          /* radius about the CG that holds the body, m; a wall: infinite */
     struct cr_vec2 lo, hi; /* box that holds it, body frame */
-    bool driven;          /* follows its waypoints */
+    bool driven;           /* follows its waypoints */
     bool at_rest;
     bool drag[CR_WHEELS]; /* the wheel's place was crushed: it slides */
     /* grid, NULL for rigid shapes */
-    double *left;                      /* material left, 0..fill */
-    double *t_sum;                     /* sum of time x material lost: gives t_crushed */
-    uint8_t *how;                      /* enum cr_crush flags */
-    const double *unit[CR_BODY_MAX];   /* energy per unit of material against each partner, J */
+    double *left;                          /* material left, 0..fill */
+    double *t_sum;                         /* sum of time x material lost: gives t_crushed */
+    uint8_t *how;                          /* enum cr_crush flags */
+    const double *unit[CR_BODY_MAX];       /* energy per unit of material against each partner, J */
     double tension[CR_BODY_MAX][CR_FACES]; /* of the string against each partner, N */
-    struct cr_span *row, *col;         /* live span of each row (along x) and column (along y) */
-    struct cr_span rows, cols;         /* rows and columns between which there is material */
-    double *depth[CR_FACES];           /* crush of each line of a face, m: rows for front and
-                                          rear, columns for left and right */
-    double *outline[CR_FACES];         /* undeformed surface behind the foremost one, m */
-    double *pitch[CR_FACES];           /* depth of a line per unit of material, m: more than a voxel's
-                                          edge at the sides, where voxels are filled in part */
-    double membrane[CR_FACES];         /* string energy of a face, J */
-    struct cr_span dented[CR_FACES];   /* lines that have lost material, both ends included */
-    double energy, induced;            /* plastic so far, J */
-    double crushed;                    /* plan area so far, m2 */
-    struct cr_vec2 slice_impulse;      /* contact impulse in this slice, N s */
-    struct cr_vec2 slice_coe;          /* its |impulse|-weighted place, summed */
+    struct cr_span *row, *col;       /* live span of each row (along x) and column (along y) */
+    struct cr_span rows, cols;       /* rows and columns between which there is material */
+    double *depth[CR_FACES];         /* crush of each line of a face, m: rows for front and
+                                        rear, columns for left and right */
+    double *outline[CR_FACES];       /* undeformed surface behind the foremost one, m */
+    double *pitch[CR_FACES];         /* depth of a line per unit of material, m: more than a voxel's
+                                        edge at the sides, where voxels are filled in part */
+    double membrane[CR_FACES];       /* string energy of a face, J */
+    struct cr_span dented[CR_FACES]; /* lines that have lost material, both ends included */
+    double energy, induced;          /* plastic so far, J */
+    double crushed;                  /* plan area so far, m2 */
+    struct cr_vec2 slice_impulse;    /* contact impulse in this slice, N s */
+    struct cr_vec2 slice_coe;        /* its |impulse|-weighted place, summed */
     double slice_weight;
-    struct cr_vec2 vel_begin;          /* at the begin of the slice */
+    struct cr_vec2 vel_begin; /* at the begin of the slice */
     double yaw_begin;
     struct cr_vec2 delta_v;
     double yaw_change;
@@ -65,15 +65,15 @@ struct cr_loss {
 struct cr_losses {
     int n, size;
     struct cr_loss *loss;
-    double energy;  /* of all, string included, J */
+    double energy;         /* of all, string included, J */
     struct cr_vec2 first;  /* sum of energy x place of all, body frame, J m */
     double xx, xy, yy;     /* second moments alike, of those in the contact, J m2 */
     struct cr_vec2 normal; /* sum of energy x surface normal of a rigid partner, its frame, J */
-    double induced; /* part outside the contact, string included, J */
-    double area;    /* m2 */
-    double stretch; /* energy that stretched the string in this slice, J */
-    enum cr_face face; /* it acts on */
-    int contact;       /* the first losses are of contact, the rest induced */
+    double induced;        /* part outside the contact, string included, J */
+    double area;           /* m2 */
+    double stretch;        /* energy that stretched the string in this slice, J */
+    enum cr_face face;     /* it acts on */
+    int contact;           /* the first losses are of contact, the rest induced */
 };
 
 /* A line that holds the string. */
@@ -95,20 +95,20 @@ struct cr_string {
 
 /* A contact being worked: the record that is reported and what only the solver needs. */
 struct cr_touch {
-    int record;           /* index into solver.contact, -1: never touched or over */
-    int last;             /* index of its last contact, where before */
-    double quiet;         /* time since it last deformed something, s */
-    struct cr_vec2 coe;   /* carried along with the bodies between slices */
+    int record;         /* index into solver.contact, -1: never touched or over */
+    int last;           /* index of its last contact, where before */
+    double quiet;       /* time since it last deformed something, s */
+    struct cr_vec2 coe; /* carried along with the bodies between slices */
     struct cr_vec2 normal, direction;
-    bool sliding;         /* force on the edge of the friction cone */
-    double spent;         /* crush energy of the pair's contacts that are over, J */
-    bool rubbing;         /* this touch is too slight to count as part of the crash */
-    double force;         /* along direction, mean of the last plastic slices, N */
-    double slip;          /* against the tangential force when the elastic phases began, m/s */
-    double elastic_time;  /* length of the elastic phase, s */
-    double elastic_left;  /* what is left of it, s */
-    double elastic_plan;  /* impulse the phase is to give, N s */
-    double elastic_done;  /* impulse it has given so far, N s */
+    bool sliding;              /* force on the edge of the friction cone */
+    double spent;              /* crush energy of the pair's contacts that are over, J */
+    bool rubbing;              /* this touch is too slight to count as part of the crash */
+    double force;              /* along direction, mean of the last plastic slices, N */
+    double slip;               /* against the tangential force when the elastic phases began, m/s */
+    double elastic_time;       /* length of the elastic phase, s */
+    double elastic_left;       /* what is left of it, s */
+    double elastic_plan;       /* impulse the phase is to give, N s */
+    double elastic_done;       /* impulse it has given so far, N s */
     struct cr_vec2 moment_coe; /* sum of impulse x COE */
     double moment_weight;
     struct cr_vec2 normal_sum;    /* energy-weighted, J */
@@ -124,11 +124,11 @@ struct cr_solver {
     struct cr_string string;
     struct cr_touch touch[CR_PAIR_MAX];
     double t, dt, dt_contact;
-    bool touched;       /* some contact has begun */
-    bool backwards;     /* pairs are worked from the last in this slice */
-    double t_free;      /* since when nothing is in contact, s; NaN while something is */
-    double t_look;      /* when to look ahead for another touch, s */
-    double t_struck;    /* last time anything was in contact, rubbing apart, s */
+    bool touched;    /* some contact has begun */
+    bool backwards;  /* pairs are worked from the last in this slice */
+    double t_free;   /* since when nothing is in contact, s; NaN while something is */
+    double t_look;   /* when to look ahead for another touch, s */
+    double t_struck; /* last time anything was in contact, rubbing apart, s */
     bool done;
     /* records, grown on the heap */
     struct cr_contact *contact;
@@ -258,6 +258,9 @@ double cr_kinematics_slice_length(const struct cr_solver *s);
 void cr_abort_check(struct cr_solver *s, int pair, int a, int b, bool deformed);
 double cr_abort_within(const struct cr_solver *s, int pair);
 
+/* energy of approach of a touch against what the pair has crushed so far; infinite for a first one
+ */
+double cr_abort_weight(const struct cr_solver *s, int pair, int a, int b, const struct cr_force *f);
 /* whether a touch is only rubbing of bodies that have parted */
 bool cr_abort_rubbing(const struct cr_solver *s, int pair, int a, int b, const struct cr_force *f);
 
