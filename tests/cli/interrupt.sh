@@ -11,7 +11,8 @@ mkfifo pipe
 before=$(ls)
 
 # slow enough that the signal arrives while it solves
-timeout --foreground --preserve-status -s INT 1 "$crumple" run wall.json -o out.json --set voxel_mm=5 \
+timeout --foreground --preserve-status -s INT 1 \
+    "$crumple" run wall.json -o out.json --set voxel_mm=5 \
     --set dt_ms=0.001 --set elastic_ms=100 --set end=rest >out 2>errs
 same "^C while solving" "$?" 130
 has "and says so" "$(cat errs)" 'interrupted'
