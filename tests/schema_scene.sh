@@ -20,7 +20,8 @@ for path in sys.argv[3:]:
 PY
 }
 cases=$SRC/tests/cases/scene
-empty "good scenes are accepted" "$(check accept "$SRC"/share/scenes/*.json "$SRC"/tests/bench/*.json 2>&1)"
+empty "good scenes are accepted" \
+    "$(check accept "$SRC"/share/scenes/*.json "$SRC"/tests/bench/*.json 2>&1)"
 for case in "$cases"/*.json; do
     name=$(basename "$case" .json)
     case $name in syntax-*) continue ;; esac

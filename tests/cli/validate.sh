@@ -63,7 +63,8 @@ mkdir -p "$tmp/data/share/validation/data"
 cp -R "$SRC/models" "$tmp/data/models"
 cp -R "$SRC/share/irf" "$SRC/share/calibration" "$tmp/data/share/"
 cp "$SRC"/share/validation/data/frontal_wall*.csv "$tmp/data/share/validation/data/"
-head -n 14 "$SRC/share/validation/data/side_pole.csv" >"$tmp/data/share/validation/data/side_pole.csv"
+head -n 14 "$SRC/share/validation/data/side_pole.csv" \
+    >"$tmp/data/share/validation/data/side_pole.csv"
 CRUMPLE_DATA=$tmp/data
 export CRUMPLE_DATA
 run validate pole --format csv
