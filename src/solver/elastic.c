@@ -1,7 +1,7 @@
 /* Step 6 of the paper: elastic compression and elastic restitution with equal momentum, spread
  * over 5 ms each, along the last force direction at the last COE. With elastic_s = 0 the phases
- * take as long as the force needs to go on from where the plastic phase left it: compression at
- * that force, restitution with it falling to zero, as a linear unloading does.
+ * take as long as the force needs to fall evenly from where the plastic phase left it to zero, half
+ * of the impulse while the bodies still approach: a linear unloading.
  *
  * What the compression stores of the motion along the normal the restitution gives back to the
  * last joule; where the contact slides, the tangential part is friction as before. */
@@ -33,12 +33,14 @@ static void finish(struct cr_solver *s, struct cr_touch *t, struct cr_contact *c
 
 /* limits of the elastic phases where the force decides, s */
 static const double elastic_least = 1e-3, elastic_most = 0.03;
+/* A force that falls evenly to zero has given half of its impulse when it is down to 1/sqrt(2). */
+static const double half_way = 0.70710678118654752;
 
 /* length of a phase in whole slices, from its impulse */
 static void begin_phase(const struct cr_solver *s, struct cr_touch *t, enum cr_phase phase) {
     double time = s->cs->opts.elastic_s, dt = s->cs->opts.dt;
     if (!(time > 0)) {
-        double shape = phase == CR_PHASE_COMPRESSION ? 1 : 2; /* constant, or falling to zero */
+        double shape = phase == CR_PHASE_COMPRESSION ? 2 / (1 + half_way) : 2 / half_way;
         time = cr_clamp(shape * t->elastic_plan / fmax(t->force, 1), elastic_least, elastic_most);
         time = ceil(time / dt) * dt;
     }
@@ -46,13 +48,16 @@ static void begin_phase(const struct cr_solver *s, struct cr_touch *t, enum cr_p
     t->elastic_done = 0;
 }
 
-/* impulse of the slice by the course of the force over the phase */
+/* Impulse of the slice by the course of the force over the phase: constant where the length is
+ * given, else falling from one to half_way in the compression and on to zero in the restitution. */
 static double planned_impulse(const struct cr_solver *s, const struct cr_touch *t,
                               enum cr_phase phase) {
-    double from = t->elastic_left / t->elastic_time;
-    double to = (t->elastic_left - s->dt) / t->elastic_time;
-    bool falling = phase == CR_PHASE_RESTITUTION && !(s->cs->opts.elastic_s > 0);
-    return t->elastic_plan * (falling ? from * from - to * to : from - to);
+    double from = 1 - t->elastic_left / t->elastic_time;
+    double to = from + s->dt / t->elastic_time;
+    double fall = s->cs->opts.elastic_s > 0 ? 0 : phase == CR_PHASE_RESTITUTION ? 1 : 1 - half_way;
+    /* integral of 1 - fall x, against that of the whole phase */
+    double part = (to - from) * (1 - fall * 0.5 * (from + to));
+    return t->elastic_plan * part / (1 - 0.5 * fall);
 }
 
 /* the tangential part of the force's direction, and what is left of it along the normal */
