@@ -62,7 +62,7 @@ static inline int surface(const struct lines *l, int line) {
 
 enum cr_face cr_string_face(const struct cr_moving *m, struct cr_vec2 inward) {
     struct cr_vec2 d = cr_vec2_unrotate(inward, m->c, m->s);
-    if (fabs(d.x) >= fabs(d.y)) {
+    if (fabs(d.x) >= fabs(d.y) - 1e-6) { /* a tie is the end's, whatever rounding says */
         return d.x < 0 ? CR_FACE_FRONT : CR_FACE_REAR;
     }
     return d.y < 0 ? CR_FACE_LEFT : CR_FACE_RIGHT;
