@@ -119,8 +119,8 @@ static void restitution_by_closing_speed(void **state) {
 }
 
 /* Elastic phases as long as the force asks for: it falls evenly from F = k w V m at the end of the
- * plastic phase, k = sqrt(1 - e^2), to zero, and gives m e V until it is down to F / sqrt(2) and the
- * same after: with t = e/(k w), 2 t / (1 + 1/sqrt(2)) and 2 sqrt(2) t. */
+ * plastic phase, k = sqrt(1 - e^2), to zero, and gives m e V until it is down to F / sqrt(2) and
+ * the same after: with t = e/(k w), 2 t / (1 + 1/sqrt(2)) and 2 sqrt(2) t. */
 static void elastic_phases_from_the_force(void **state) {
     (void)state;
     struct cr_arena arena = {0};
