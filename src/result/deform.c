@@ -3,6 +3,7 @@
 #include "solver/solver.h"
 
 #include <math.h>
+#include <string.h>
 
 /* intact material behind damage that ends a column, m: thicker than any gap between structures */
 static const double INTACT = 0.3;
@@ -134,16 +135,25 @@ int cr_deform_columns(const struct cr_grid *grid, enum cr_face face) {
     return face == CR_FACE_FRONT || face == CR_FACE_REAR ? grid->ny : grid->nx;
 }
 
+/* index of place i, counted from the face, in column k */
+static int place(const struct cr_grid *g, enum cr_face face, int k, int i) {
+    bool along = face == CR_FACE_FRONT || face == CR_FACE_REAR;
+    bool from_high = face == CR_FACE_FRONT || face == CR_FACE_LEFT;
+    int j = from_high ? (along ? g->nx : g->ny) - 1 - i : i;
+    // left to right means falling y
+    return along ? (g->ny - 1 - k) * g->nx + j : j * g->nx + k;
+}
+
+static int places(const struct cr_grid *g, enum cr_face face) {
+    return face == CR_FACE_FRONT || face == CR_FACE_REAR ? g->nx : g->ny;
+}
+
 double cr_deform_column(const struct cr_deform *d, enum cr_face face, int k, bool contact_only) {
     const struct cr_grid *g = d->grid;
-    bool along = face == CR_FACE_FRONT || face == CR_FACE_REAR;
-    int n = along ? g->nx : g->ny;
-    bool from_high = face == CR_FACE_FRONT || face == CR_FACE_LEFT;
+    int n = places(g, face);
     double sum = 0, intact = 0;
     for (int i = 0; i < n; i++) {
-        int j = from_high ? n - 1 - i : i;
-        // left to right means falling y
-        int at = along ? (g->ny - 1 - k) * g->nx + j : j * g->nx + k;
+        int at = place(g, face, k, i);
         double lost = g->fill[at] - d->left[at];
         if (contact_only && d->how && !(d->how[at] & CR_CRUSH_CONTACT)) {
             lost = 0;
@@ -153,6 +163,28 @@ double cr_deform_column(const struct cr_deform *d, enum cr_face face, int k, boo
         }
     }
     return sum * g->h;
+}
+
+void cr_deform_relax(const struct cr_deform *d, enum cr_face face, double *left) {
+    const struct cr_grid *g = d->grid;
+    memcpy(left, d->left, (size_t)g->nx * (size_t)g->ny * sizeof *left);
+    for (int k = 0; k < cr_deform_columns(g, face) && !d->residual_curve; k++) {
+        double lost = cr_deform_column(d, face, k, false), sum = 0;
+        double back = (lost - cr_deform_residual(lost, g->springback[face])) / g->h;
+        int deep = 0;
+        // the place in which the last of the column's loss lies
+        for (int i = 0; sum * g->h < lost - NOTHING && i < places(g, face); i++) {
+            int at = place(g, face, k, i);
+            sum += fmax(0, g->fill[at] - left[at]);
+            deep = i;
+        }
+        for (int i = deep; i >= 0 && back > 0; i--) {
+            int at = place(g, face, k, i);
+            double more = fmin(fmax(0, g->fill[at] - left[at]), back);
+            left[at] += more;
+            back -= more;
+        }
+    }
 }
 
 double cr_deform_area(const struct cr_deform *d, double *induced) {

@@ -34,6 +34,10 @@ double cr_deform_max(const struct cr_deform *d, struct cr_vec2 inward);
 int cr_deform_columns(const struct cr_grid *grid, enum cr_face face);
 double cr_deform_column(const struct cr_deform *d, enum cr_face face, int k, bool contact_only);
 
+/* Material left after springback, [ny * nx]: each column of the face gets back, from its deepest
+ * place outward, what its residual depth is less than the dynamic one. */
+void cr_deform_relax(const struct cr_deform *d, enum cr_face face, double *left);
+
 /* Plan area of the material lost, m2, and its part outside the contact. */
 double cr_deform_area(const struct cr_deform *d, double *induced);
 

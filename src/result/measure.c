@@ -231,6 +231,20 @@ static void classify(const struct cr_result *r, int i, const struct face_damage 
     cr_cdc_write(&what, s->cdc);
 }
 
+/* outline of what is left on the car, after springback */
+static enum cr_err measure_outline(const struct cr_deform *d, struct cr_severity *s,
+                                   struct cr_error *err) {
+    const struct cr_grid *g = d->grid;
+    double *left = malloc((size_t)g->nx * (size_t)g->ny * sizeof *left);
+    if (!left) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for an outline");
+    }
+    cr_deform_relax(d, s->face, left);
+    enum cr_err rc = cr_deform_outline(g, left, g->h / 4, &s->outline, &s->outline_n, err);
+    free(left);
+    return rc;
+}
+
 static enum cr_err measure_deformation(struct cr_result *r, int i, struct cr_severity *s,
                                        struct cr_error *err) {
     const struct cr_outcome *o = &r->solution->body[i];
@@ -254,7 +268,7 @@ static enum cr_err measure_deformation(struct cr_result *r, int i, struct cr_sev
     s->deformation_area = lost > 0 ? area * f.residual_sum / lost : 0;
     crush_profile(&d, &f, s);
     classify(r, i, &f, s);
-    return cr_deform_outline(g, o->left, g->h / 4, &s->outline, &s->outline_n, err);
+    return measure_outline(&d, s, err);
 }
 
 static void measure_injury(const struct cr_result *r, int i, const struct cr_irf_set *irf,

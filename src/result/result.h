@@ -49,7 +49,7 @@ struct cr_severity {
     int injuries;
     struct cr_injury injury[CR_INJURY_MAX];
     int outline_n;
-    struct cr_vec2 *outline; /* deformed outline, own frame, m; owned by the result */
+    struct cr_vec2 *outline; /* after springback, own frame, m, counter-clockwise; owned here */
 };
 
 struct cr_result {

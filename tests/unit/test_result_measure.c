@@ -174,6 +174,12 @@ static void frontal_crush(void **state) {
         check_near(s->profile[i], 0.35, 1e-9);
         check_near(s->profile_dynamic[i], 0.5, 1e-9);
     }
+    // the outline is that of the car afterwards: 0.35 m shorter
+    double area = 0;
+    for (int i = 0; i < s->outline_n; i++) {
+        area += cr_vec2_cross(s->outline[i], s->outline[(i + 1) % s->outline_n]) / 2;
+    }
+    check_near(area, (4 - 0.35) * 1.8, 2 * H * H);
     // zones from bumper to B-pillar: 0.9 + 2.5 / 2 = 2.15 m, 9 * 0.35 / 2.15 = 1.47
     assert_string_equal(s->cdc, "12FDEW2");
     // with the residual curve the grid holds what is left on the car
