@@ -56,5 +56,5 @@ validationpulsedir = $(pkgdatadir)/share/validation/pulse
 dist_validationpulse_DATA = \
 	share/validation/pulse/camry-10146.json
 validationdocdir = $(pkgdatadir)/share/doc
-dist_validationdoc_DATA = share/doc/validation.md
+dist_validationdoc_DATA = share/doc/validation.md share/doc/method.md
 dist_man_MANS += man/crumple-validation.7

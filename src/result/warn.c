@@ -158,7 +158,8 @@ void cr_result_check(struct cr_result *r) {
     }
     if (r->resolved.set.end == CR_END_REST) {
         for (int i = 0; i < sol->bodies; i++) {
-            if (is_vehicle(r, i) && !isfinite(sol->body[i].t_rest)) {
+            bool touched = isfinite(sol->body[i].t_first);
+            if (is_vehicle(r, i) && touched && !isfinite(sol->body[i].t_rest)) {
                 cr_result_warn(r,
                                "%s: still moving after %.0f s; brake it or take its rest "
                                "position as that instant's",

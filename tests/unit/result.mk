@@ -1,6 +1,6 @@
 # unit tests of src/result
 result_tests = test_result_pulse test_result_deform test_result_irf test_result_measure \
-	test_result_rating test_result_run test_result_signal
+	test_result_rating test_result_run test_result_signal test_result_heights test_result_motion
 result_test_libs = libresult.a libscene.a libsolver.a libmodel.a libbase.a \
 	$(CMOCKA_LIBS) $(CJSON_LIBS) $(NETTLE_LIBS)
 check_PROGRAMS += $(result_tests)
@@ -28,3 +28,9 @@ test_result_signal_LDADD = $(result_test_libs)
 test_result_run_SOURCES = tests/unit/test_result_run.c
 test_result_run_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS) $(CJSON_CFLAGS)
 test_result_run_LDADD = $(result_test_libs)
+test_result_heights_SOURCES = tests/unit/test_result_heights.c
+test_result_heights_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
+test_result_heights_LDADD = $(result_test_libs)
+test_result_motion_SOURCES = tests/unit/test_result_motion.c
+test_result_motion_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
+test_result_motion_LDADD = $(result_test_libs)
