@@ -235,7 +235,7 @@ struct cr_sweep_run {
     bool done, failed;
     double at[2]; /* SI */
     char message[160];
-    struct cr_severity of[CR_BODY_MAX];
+    struct cr_severity *of; /* [participants], without outlines */
     enum cr_stop stop;
 };
 struct cr_sweep {
@@ -243,7 +243,8 @@ struct cr_sweep {
     struct cr_sweep_axis axis[2];
     int n, participants;
     char id[CR_BODY_MAX][CR_NAME_MAX];
-    struct cr_sweep_run *run; /* [n], first axis varies slowest */
+    struct cr_sweep_run *run;     /* [n], first axis varies slowest */
+    struct cr_severity *severity; /* owner of all run[].of */
 };
 const struct cr_sweep *cr_session_sweep(const struct cr_session *s); /* NULL: none */
 

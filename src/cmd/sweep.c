@@ -230,8 +230,8 @@ static int stopped(void *user) {
 }
 
 static void keep(struct cr_sweep_run *run, const struct cr_result *r) {
-    memcpy(run->of, r->of, sizeof run->of);
-    for (int i = 0; i < CR_BODY_MAX; i++) { /* the outlines stay with the result */
+    for (int i = 0; i < r->resolved.n; i++) { /* the outlines stay with the result */
+        run->of[i] = r->of[i];
         run->of[i].outline = NULL;
         run->of[i].outline_n = 0;
     }
@@ -387,11 +387,13 @@ static enum cr_err make_runs(struct cr_sweep *sweep, const struct cr_scene *scen
     }
     sweep->n = (int)n;
     sweep->run = calloc((size_t)n, sizeof *sweep->run);
-    if (sweep->run == NULL) {
+    sweep->severity = calloc((size_t)n * (size_t)scene->n + 1, sizeof *sweep->severity);
+    if (sweep->run == NULL || sweep->severity == NULL) {
         return cr_err_set(err, CR_ERR_MEMORY, "out of memory");
     }
     int inner = sweep->axes > 1 ? sweep->axis[1].n : 1;
     for (int i = 0; i < sweep->n; i++) {
+        sweep->run[i].of = sweep->severity + (long)i * scene->n;
         sweep->run[i].at[0] = sweep->axis[0].value[i / inner];
         sweep->run[i].at[1] = sweep->axes > 1 ? sweep->axis[1].value[i % inner] : 0;
     }

@@ -13,6 +13,7 @@ void cr_sweep_free(struct cr_sweep *sweep) {
         free(sweep->axis[0].value);
         free(sweep->axis[1].value);
         free(sweep->run);
+        free(sweep->severity);
         free(sweep);
     }
 }
