@@ -224,6 +224,11 @@ double cr_session_time(const struct cr_session *s); /* s of the frame; NaN befor
 /* The same as a picture's description, with the selected participant's index. */
 struct cr_scene_view cr_session_scene_view(const struct cr_session *s);
 
+/* The pulse as the last `pulse` asked for it, with its measured curve. Errors: MISSING without a
+ * result, MEMORY. */
+CR_MUST_CHECK enum cr_err cr_session_draw_pulse(struct cr_session *s, struct cr_cells *cells,
+                                                struct cr_rect at, struct cr_error *err);
+
 /* The last sweep: runs in order of its table. */
 struct cr_sweep_axis {
     char key[CR_NAME_MAX + 32];

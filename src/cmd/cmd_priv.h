@@ -115,6 +115,7 @@ struct cr_session {
     struct cr_compiled *compiled; /* of compiled_rev, NULL: none */
     struct cr_view view;
     struct cr_sweep *sweep;
+    struct cr_pulse_shown *pulse; /* what the pane of the pulse shows, NULL: |a| of all */
     struct cr_log_line *log;
     int logs, log_size;
     char **line; /* history */
@@ -157,6 +158,7 @@ double cr_work_end(struct cr_session *s); /* s it took */
 /* Progress is due (first after 0.3 s, then ten times a second). */
 bool cr_work_due(struct cr_session *s, double *elapsed);
 int cr_work_cancelled(struct cr_session *s);
+void cr_pulse_shown_free(struct cr_pulse_shown *shown);
 void cr_session_take_sweep(struct cr_session *s, struct cr_sweep *sweep);
 void cr_session_drop_result(struct cr_session *s);
 void cr_session_take_result(struct cr_session *s, struct cr_result *result);

@@ -165,6 +165,13 @@ enum cr_err cr_cmd_show(struct cr_call *call, struct cr_error *err) {
         call->s->opts.look.map = (enum cr_colormap)map;
         cr_cmd_word_at(arg->words, map, view.colormap, sizeof view.colormap);
     }
+    bool looks = false; /* at something else than another time */
+    static const char *const of_scene[] = {"field",  "vectors", "scale",   "centre",
+                                           "follow", "select",  "colormap"};
+    for (size_t i = 0; i < sizeof of_scene / sizeof *of_scene; i++) {
+        looks = looks || cr_cmd_given(call, of_scene[i]);
+    }
+    view.pane = looks ? CR_PANE_SCENE : view.pane;
     call->s->view = view;
     int from = cr_cmd_word(call, "view", 0); /* plan, then the words of render/project.h */
     return from > 0 ? cr_cmd_project(call->s, from - 1, err) : show_scene(call->s, err);
@@ -202,6 +209,7 @@ static enum cr_err show_table(struct cr_session *s, double time, struct cr_error
     cr_session_room(s, &w, &h);
     enum cr_err code = cr_session_need_result(s, err);
     if (code == CR_ERR_OK) {
+        s->view.pane = CR_PANE_TABLE;
         code = cr_cmd_picture(s, w, cr_render_table_rows(s->result), draw_table, &job, err);
     }
     if (code == CR_ERR_OK && stale(s)) {

@@ -149,8 +149,9 @@ struct pulse_call {
     const struct cr_signal *measured;
 };
 
+/* onto the cells, or where the session's pictures go when cells is NULL */
 static enum cr_err plot_pulse(struct cr_session *s, const struct pulse_call *what,
-                              struct cr_error *err) {
+                              struct cr_cells *cells, struct cr_rect at, struct cr_error *err) {
     const struct cr_result *r = s->result;
     const struct cr_solution *sol = r->solution;
     struct cr_curve_line curve[CR_BODY_MAX + 1];
@@ -193,7 +194,8 @@ static enum cr_err plot_pulse(struct cr_session *s, const struct pulse_call *wha
                                     .curves = curves,
                                     .curve = curve,
                                     .cursor = 1e3 * (cr_session_time(s) - sol->t_contact)};
-        code = cr_cmd_picture(s, w, h - 4 > 10 ? h - 4 : 10, draw, &job, err);
+        code = cells != NULL ? cr_render_plot(cells, at, &s->opts.look, &job.plot, err)
+                             : cr_cmd_picture(s, w, h - 4 > 10 ? h - 4 : 10, draw, &job, err);
     }
     cr_arena_free(&arena);
     return code;
@@ -240,6 +242,54 @@ static int index_of(const struct cr_scene *scene, const char *id) {
     return -1;
 }
 
+/* ---- what a screen shows ---- */
+
+struct cr_pulse_shown {
+    int kind;
+    double cfc;
+    struct cr_signal measured; /* n = 0: none; ms and the unit of the plot */
+};
+
+void cr_pulse_shown_free(struct cr_pulse_shown *shown) {
+    if (shown != NULL) {
+        cr_signal_free(&shown->measured);
+        free(shown);
+    }
+}
+
+/* Keeps what was asked for a screen that draws it again and again; takes the curve over. */
+static enum cr_err keep(struct cr_session *s, const struct pulse_call *what,
+                        struct cr_signal *measured, struct cr_error *err) {
+    struct cr_pulse_shown *shown = calloc(1, sizeof *shown);
+    if (shown == NULL) {
+        return cr_err_set(err, CR_ERR_MEMORY, "out of memory");
+    }
+    *shown = (struct cr_pulse_shown){what->kind, what->cfc, *measured};
+    *measured = (struct cr_signal){0};
+    cr_pulse_shown_free(s->pulse);
+    s->pulse = shown;
+    return CR_ERR_OK;
+}
+
+enum cr_err cr_session_draw_pulse(struct cr_session *s, struct cr_cells *cells, struct cr_rect at,
+                                  struct cr_error *err) {
+    const struct cr_view *view = &s->view;
+    enum cr_err code = cr_session_need_result(s, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    struct pulse_call what = {.only = index_of(&s->result->resolved, view->pulse_of)};
+    if (s->pulse == NULL || (what.only < 0 && view->versus[0] == '\0')) {
+        return cr_render_pulse(cells, at, &s->opts.look, s->result, view->quantity,
+                               cr_session_time(s), err);
+    }
+    what.kind = s->pulse->kind;
+    what.cfc = s->pulse->cfc;
+    what.measured =
+        view->versus[0] != '\0' && s->pulse->measured.n > 0 ? &s->pulse->measured : NULL;
+    return plot_pulse(s, &what, cells, at, err);
+}
+
 enum cr_err cr_cmd_pulse(struct cr_call *call, struct cr_error *err) {
     static const double classes[] = {0, 60, 180, 600, 1000};
     struct cr_session *s = call->s;
@@ -277,9 +327,12 @@ enum cr_err cr_cmd_pulse(struct cr_call *call, struct cr_error *err) {
              what.only >= 0 ? cr_cmd_text(call, "NAME", "") : "");
     snprintf(s->view.versus, sizeof s->view.versus, "%s", path != NULL ? path : "");
     s->view.pane = CR_PANE_PULSE;
-    code = plot_pulse(s, &what, err);
+    code = plot_pulse(s, &what, NULL, (struct cr_rect){0}, err);
     if (code == CR_ERR_OK) {
         code = say_pulse(s, &what, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = keep(s, &what, &measured, err);
     }
     cr_signal_free(&measured);
     return code;

@@ -78,6 +78,7 @@ void cr_session_free(struct cr_session *s) {
     free(s->state);
     drop_compiled(s);
     cr_sweep_free(s->sweep);
+    cr_pulse_shown_free(s->pulse);
     cr_result_free(s->result);
     cr_model_lib_free(s->models);
     cr_irf_free(s->irf);

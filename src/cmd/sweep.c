@@ -481,6 +481,7 @@ enum cr_err cr_cmd_sweep(struct cr_call *call, struct cr_error *err) {
         .base = cr_session_now(s), .models = s->models, .irf = s->irf, .sweep = sweep, .var = var};
     code = run_all(s, &job, (int)cr_cmd_number(call, "jobs", 1), err);
     cr_session_take_sweep(s, sweep);
+    s->view.pane = CR_PANE_SWEEP;
     if (code == CR_ERR_OK) {
         code = cr_sweep_say(s, err);
     }

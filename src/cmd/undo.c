@@ -54,7 +54,9 @@ enum cr_err cr_cmd_edit(struct cr_call *call, struct cr_state **out, struct cr_e
 
 enum cr_err cr_session_commit(struct cr_session *s, struct cr_state *draft, const char *command,
                               struct cr_error *err) {
-    struct cr_state **bigger = realloc(s->state, (size_t)(s->now + 2) * sizeof *bigger);
+    /* never smaller: what had been undone is still in it */
+    int size = s->states > s->now + 2 ? s->states : s->now + 2;
+    struct cr_state **bigger = realloc(s->state, (size_t)size * sizeof *bigger);
     char *text = command != NULL ? strdup(command) : NULL;
     if (bigger != NULL) {
         s->state = bigger;

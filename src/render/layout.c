@@ -97,7 +97,10 @@ static void one(struct cr_layout *l, struct cr_rect rest, enum cr_area view) {
     l->prompt = bottom(&rest, 1);
     l->dialogue = bottom(&rest, rest.h >= 32 ? 4 : 2);
     l->spark = bottom(&rest, 2);
-    l->results = right(&rest, RESULTS_W);
+    /* beside a picture or a curve; texts take the whole width */
+    if (view <= CR_AREA_ENERGY) {
+        l->results = right(&rest, RESULTS_W);
+    }
     l->pane[view] = rest;
 }
 

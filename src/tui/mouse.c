@@ -224,8 +224,8 @@ static void press(struct cr_tui *t, int x, int y) {
     }
     if (tab >= 0) {
         snprintf(line, sizeof line, "view %s", cr_area_word((enum cr_area)tab));
-        cr_tui_focus(t, (enum cr_area)tab);
         cr_tui_run_key(t, line);
+        t->focus = t->focus == CR_AREAS ? CR_AREAS : (enum cr_area)tab;
         return;
     }
     if (y >= t->layout.prompt.y) {
@@ -236,18 +236,17 @@ static void press(struct cr_tui *t, int x, int y) {
         t->scrubbing = true;
         scrub(t, x, y);
     }
-    for (int i = 0; i < CR_AREAS; i++) {
-        if (inside(t->layout.pane[i], x, y)) {
-            cr_tui_focus(t, (enum cr_area)i);
-        }
-    }
+    /* the keyboard goes along only where the next keys act on what was clicked: who clicks a tab
+     * or a curve goes on typing */
     if (inside(inner(t->layout.pane[CR_AREA_SWEEP]), x, y)) {
+        cr_tui_focus(t, CR_AREA_SWEEP);
         click_sweep(t, y);
     }
     if (inside(inner(t->layout.pane[CR_AREA_SCENE]), x, y)) {
         int body = body_at(t, x, y, &t->drag_from);
         if (body >= 0) {
             choose(t, body);
+            cr_tui_focus(t, CR_AREA_SCENE);
             t->taken = body;
         }
     }

@@ -100,8 +100,8 @@ static int write_participants(struct cr_tui *t, struct cr_rect at, const struct 
         const struct cr_participant *p = &scene->part[i];
         char text[120];
         if (p->kind == CR_KIND_VEHICLE) {
-            snprintf(text, sizeof text, "%-2.8s %.16s %.0f kg  %.1f km/h", p->id,
-                     cr_type_word(p->type), cs->body[i].mass, cr_kmh(p->speed));
+            snprintf(text, sizeof text, "%-2.8s%6.1f km/h %5.0f kg %.16s", p->id, cr_kmh(p->speed),
+                     cs->body[i].mass, cr_type_word(p->type));
         } else {
             snprintf(text, sizeof text, "%.12s  object", p->id);
         }

@@ -149,6 +149,7 @@ void cr_prompt_remember(const char *line, bool file) {
         return;
     }
     add_history(line);
+    using_history(); /* readline has begun the next line already */
     if (file && prompt.history[0] != '\0' && append_history(1, prompt.history) != 0) {
         write_history(prompt.history); /* the first line of all makes the file */
     }

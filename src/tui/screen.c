@@ -182,6 +182,9 @@ static void describe(struct cr_tui *t, struct cr_screen *s, const struct cr_comp
     s->result = cr_session_result(t->session);
     s->stale = s->result != NULL && (state != CR_STATE_SOLVED || moved != NULL);
     s->scene_view = cr_session_scene_view(t->session);
+    if (view->frame >= cr_session_frames(t->session)) {
+        s->scene_view.time = (double)NAN; /* the end: final values */
+    }
     s->quantity = view->quantity;
     s->table_down = t->table_down;
     s->log_back = t->log_back;
@@ -209,6 +212,19 @@ static const struct cr_compiled *dragged(struct cr_tui *t, struct cr_compiled *r
     return room;
 }
 
+/* The pane of the pulse as the command `pulse` was told, with a measured curve. */
+static enum cr_err draw_pulse(struct cr_tui *t, const struct cr_screen *s, struct cr_error *err) {
+    const struct cr_view *view = cr_session_view(t->session);
+    struct cr_rect at = t->layout.pane[CR_AREA_PULSE];
+    bool plain = view->pulse_of[0] == '\0' && view->versus[0] == '\0';
+    if (at.w < 3 || plain || s->result == NULL || s->live != NULL) {
+        return CR_ERR_OK;
+    }
+    at = (struct cr_rect){at.x + 1, at.y + 1, at.w - 2, at.h - 2};
+    wipe(&t->cells, at);
+    return cr_session_draw_pulse(t->session, &t->cells, at, err);
+}
+
 static enum cr_err compose(struct cr_tui *t, const struct cr_look *look, struct cr_error *err) {
     struct cr_screen s = {0};
     struct cr_compiled *room = malloc(sizeof *room);
@@ -232,6 +248,9 @@ static enum cr_err compose(struct cr_tui *t, const struct cr_look *look, struct 
     if (code == CR_ERR_OK) {
         s.sweep = cr_sweep_sheet_get(sheet);
         code = cr_render_screen(&t->cells, look, &s, &t->layout, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = draw_pulse(t, &s, err);
     }
     const char *under = t->layout.hint.w > 0 ? lines[1] : lines[1] != NULL ? lines[1] : lines[0];
     if (under != NULL && t->layout.keys.w > 0) {

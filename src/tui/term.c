@@ -43,6 +43,19 @@ static const int faults[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGQUIT};
 enum { FAULTS = sizeof faults / sizeof *faults };
 static struct sigaction before_fault[FAULTS];
 
+/* what was written to standard error meanwhile, now that it can be seen */
+static void copy_stderr(void) {
+    char buf[4096];
+    ssize_t n;
+    off_t at = 0;
+    while (term.stderr_file >= 0 && (n = pread(term.stderr_file, buf, sizeof buf, at)) > 0) {
+        at += n;
+        if (write(STDERR_FILENO, buf, (size_t)n) != n) {
+            break;
+        }
+    }
+}
+
 static void give_back(void) {
     int kept = errno;
     if (term.restore_len > 0) {
@@ -53,6 +66,8 @@ static void give_back(void) {
     }
     if (term.stderr_before >= 0) {
         dup2(term.stderr_before, STDERR_FILENO);
+        copy_stderr();
+        term.stderr_before = -1;
     }
     errno = kept;
 }
@@ -140,22 +155,13 @@ static void capture_stderr(void) {
     }
 }
 
-static void release_stderr(bool show) {
-    char buf[4096];
-    ssize_t n;
-    off_t at = 0;
+static void release_stderr(void) {
     if (term.stderr_before < 0) {
         return;
     }
     fflush(stderr);
     dup2(term.stderr_before, STDERR_FILENO);
-    while (show && term.stderr_file >= 0 &&
-           (n = pread(term.stderr_file, buf, sizeof buf, at)) > 0) {
-        at += n;
-        if (write(STDERR_FILENO, buf, (size_t)n) != n) {
-            break;
-        }
-    }
+    copy_stderr();
     close(term.stderr_before);
     term.stderr_before = -1;
     if (term.stderr_file >= 0) {
@@ -302,7 +308,7 @@ void cr_term_close(void) {
     mouse(false);
     endwin();
     term.restore_len = 0;
-    release_stderr(true);
+    release_stderr();
     if (term.input != NULL) {
         delwin(term.input);
     }

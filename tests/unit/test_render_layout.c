@@ -69,7 +69,9 @@ static void check_sizes(const struct cr_layout *l, int w, int h, enum cr_area vi
         fail_msg("%dx%d: view %d has only %dx%d", w, h, (int)view, p->w, p->h);
     }
     assert_int_equal(l->title.h, 1);
-    if (w >= 80 && h >= 24 && !zoomed && l->kind != CR_LAYOUT_ALL) {
+    if (l->kind == CR_LAYOUT_ONE && view > CR_AREA_ENERGY) {
+        assert_int_equal(p->w, w); /* texts take the whole width */
+    } else if (w >= 80 && h >= 24 && !zoomed && l->kind != CR_LAYOUT_ALL) {
         assert_int_equal(l->results.w, 30);
         assert_true(l->results.h >= 12);
     }

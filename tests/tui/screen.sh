@@ -1,0 +1,98 @@
+#!/bin/sh
+# The full screen at 80x24, 100x30 and 200x50: solve, step, play, panes, resize, long answers.
+. "$SRC/tests/tui/tui.sh"
+
+start 80 24
+shows "the first screen says how to begin" "Begin with: load"
+keys "load crash.json" Enter
+shows "the scene is drawn" "A  suv 2550 kg  56.0 km/h"
+shows "the first contact is predicted" "First contact, predicted"
+shows "with the overlap" "overlap +41 %"
+keys "solve" Enter
+shows "solve solves" "SOLVED  t [0-9.]+/[0-9.]+ ms  frame ([0-9]+)/\1 "
+shows "EES of both beside the picture" "EES +[0-9.]+ +[0-9.]+ km/h"
+shows "pulses as lines" "^A \|a\|.*peak [0-9.]+ g"
+keys F7
+shows "F7 is a command in the dialogue" "^crumple> show frame=-1$"
+keys F7 F7
+shows "which is counted, not repeated" "^crumple> show frame=-1   x 3"
+keys "show frame=40" Enter
+shows "the title tells the time" "frame 40/"
+shows "and the results those of that instant" "force +[0-9]+ +[0-9]+ kN"
+keys Right
+shows "Right on an empty line is one slice on" "frame 41/"
+keys Space
+shows "Space plays" "frame ([5-9][0-9]|[1-9][0-9][0-9])/"
+keys Space
+shows "and pauses, by a command" "^crumple> show frame=[0-9]+$"
+keys "pulse B" Enter
+shows "a pulse is drawn" "^┌ 1 Scene \[2 Pulse\]"
+keys M-3
+shows "Alt-3 is the energy" "energy, kJ"
+keys M-4
+shows "Alt-4 the table over the whole width" "type +suv +super-compact"
+keys "help place" Enter
+shows "a long answer opens a sheet" "lines, PgUp PgDn; Esc closes"
+shows "that begins with the question" "^crumple> help place"
+keys Escape
+gone "Esc closes it" "Esc closes"
+keys "plaze A" Enter
+shows "an error has its caret and the way out" "^         \^\^\^\^\^"
+shows "in words" "Did you mean 'place'\?"
+keys "place B fac" Tab "A ov" Tab
+shows "Tab completes, the key bar explains" "overlap: lateral overlap"
+keys C-c
+shows "^C clears the line" "^crumple>$"
+keys C-r "puls"
+shows "^R searches the history" "reverse-i-search.*pulse B"
+keys C-g C-c "vehicle Ärger mass=1" Left Left BSpace BSpace
+shows "umlauts are edited whole" "^crumple> vehicle Ärger ma=1"
+keys C-c F1
+shows "F1 lists the keys" "Keys +\(any key closes\)"
+keys x F9 swe
+shows "F9 filters the commands" "sweep +solve for a range"
+keys Enter
+shows "and types the chosen one" "^crumple> sweep"
+keys C-c "view scene" Enter
+
+screen resize-window -x 100 -y 30
+shows "a larger window is used" "^F1 help.*F2 save"
+same "every row of it" "$(text | wc -l)" 30
+screen resize-window -x 200 -y 50
+shows "200x50 has all panes" "┌ Pulse .*┌ Energy "
+shows "with the table" "delta-v"
+screen resize-window -x 30 -y 8
+shows "too small a window says what it needs" "80x24 shows the scene"
+keys "list" Enter
+shows "and still answers" "A: suv"
+screen resize-window -x 80 -y 24
+shows "and back" "SOLVED"
+keys F5
+shows "F5 solves and plays" "frame ([1-9][0-9])/"
+keys C-c
+keys "set voxel=5mm dt=0.01ms" Enter "sweep A.speed 20:80:0.1" Enter
+shows "long work shows its progress" "SWEEP [0-9]+ %  [0-9]+ of 601 runs"
+keys C-c
+shows "^C stops it" "interrupted"
+keys "quit!" Enter
+shows "and it ends" "^status 0"
+
+start 200 50
+shows "200x50 from the start" "┌ Scene .*┌ Table "
+keys "load crash.json" Enter "solve" Enter
+shows "solves" "SOLVED"
+keys "set rest"
+shows "help for what is typed stands below it" "restitution"
+keys C-c
+awk 'length($0) > 0 { n++ } END { exit n < 40 }' <<END
+$(text)
+END
+report $? "the screen is full"
+
+start 80 24 NO_COLOR=1 LC_ALL=C
+shows "without colour and UTF-8" "^\+\[1 Scene\]"
+keys "load crash.json" Enter "solve" Enter
+shows "the scene in ASCII" "SOLVED"
+same "no colours" "$(screen capture-pane -pe | grep -c '\[3[0-7]m\|38;5')" 0
+same "no character above 126" "$(text | LC_ALL=C grep -c '[^ -~]')" 0
+finish
