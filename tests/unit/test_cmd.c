@@ -232,6 +232,11 @@ static void test_undo_gives_back_every_state(void **state) {
     assert_int_equal(cr_session_unsaved(s), 0);
     run(s, "redo 51");
     check_near(cr_session_scene(s)->part[0].speed * 3.6, 50, 1e-9);
+    /* an edit forgets all that had been undone, however much it was */
+    run(s, "undo 40; vehicle A speed=99km/h");
+    assert_int_equal(cr_session_undos(s), 12);
+    run(s, "undo");
+    check_near(cr_session_scene(s)->part[0].speed * 3.6, 10, 1e-9);
     end(s, &h);
 }
 
