@@ -31,8 +31,8 @@ static void finish(struct cr_solver *s, struct cr_touch *t, struct cr_contact *c
     t->spent += c->energy[0] + c->energy[1];
 }
 
-/* limits of the elastic phases where the force decides, s */
-static const double elastic_least = 1e-3, elastic_most = 0.03;
+/* limits of the elastic phases where the force decides, s; the paper takes 5 ms */
+static const double elastic_least = 5e-3, elastic_most = 0.03;
 /* A force that falls evenly to zero has given half of its impulse when it is down to 1/sqrt(2). */
 static const double half_way = 0.70710678118654752;
 
