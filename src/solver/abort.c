@@ -30,7 +30,7 @@ static double momentum_left(const struct cr_solver *s, int a, int b, const struc
                             const struct cr_contact *c) {
     double e = c->restitution, cosine = cr_vec2_dot(t->direction, t->normal);
     double left = cr_impulse_left(s, a, b, t->coe, t->normal, t->direction);
-    return (1 - e) * left * cosine - e * c->plastic_impulse;
+    return (1 - e) * left * cosine - e * (c->plastic_impulse - t->plastic_before);
 }
 
 void cr_abort_check(struct cr_solver *s, int pair, int a, int b, bool deformed) {
@@ -39,7 +39,8 @@ void cr_abort_check(struct cr_solver *s, int pair, int a, int b, bool deformed) 
     struct cr_vec2 rel = cr_relative_velocity(s, a, b, t->coe);
     double vn = cr_vec2_dot(rel, t->normal);
     t->quiet = deformed ? 0 : t->quiet + s->dt;
-    bool spent = t->quiet == 0 && momentum_left(s, a, b, t, c) <= reached * c->plastic_impulse;
+    bool spent = t->quiet == 0 &&
+                 momentum_left(s, a, b, t, c) <= reached * (c->plastic_impulse - t->plastic_before);
     /* without restitution the threshold is the end of the approach itself, to rounding */
     if (vn <= 0 || (spent && c->restitution <= 0)) {
         c->stop = CR_STOP_SEPARATION;

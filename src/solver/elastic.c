@@ -155,7 +155,7 @@ void cr_elastic_slice(struct cr_solver *s, int pair, int a, int b) {
         return;
     }
     if (c->phase == CR_PHASE_COMPRESSION) {
-        c->elastic_impulse = t->elastic_done * along;
+        c->elastic_impulse += t->elastic_done * along;
         c->t_elastic_end = s->t;
         c->phase = CR_PHASE_RESTITUTION;
         t->elastic_plan = t->elastic_done;

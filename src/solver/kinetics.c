@@ -56,10 +56,11 @@ double cr_impulse_left(const struct cr_solver *s, int a, int b, struct cr_vec2 c
  * impulse so far: the plastic phase ends there (step 5), not up to a slice later by chance of where
  * the grid lies. */
 static double impulse_to_end(const struct cr_solver *s, int a, int b, const struct cr_force *f,
-                             const struct cr_contact *c) {
+                             const struct cr_touch *t, const struct cr_contact *c) {
     double left = cr_impulse_left(s, a, b, f->coe, f->normal, f->direction);
     double e = c->restitution;
-    return fmax((1 - e) * left - e * c->plastic_impulse / f->cosine, 0);
+    double plastic = c->plastic_impulse - t->plastic_before;
+    return fmax((1 - e) * left - e * plastic / f->cosine, 0);
 }
 
 /* Eq. (2), (4), (5) as an impulse: J v - J^2 / (2 m_eff) = W takes exactly the work W out of the
@@ -75,7 +76,7 @@ void cr_kinetics_slice(struct cr_solver *s, int pair, int a, int b, const struct
     double mass = 1 / cr_vec2_dot(cr_compliance(s, a, b, f->coe, f->direction), f->direction);
     double work = f->energy * vf / (vn * f->cosine), most = 0.5 * mass * vf * vf;
     double whole = work < most ? mass * (vf - sqrt(vf * vf - 2 * work / mass)) : mass * vf;
-    double j = fmin(whole, impulse_to_end(s, a, b, f, c));
+    double j = fmin(whole, impulse_to_end(s, a, b, f, t, c));
     double lambda = fmin(j < whole || work > most ? j * (vf - 0.5 * j / mass) / work : 1, 1);
     cr_deform_settle(s, &s->m[a], &s->losses[0], lambda);
     cr_deform_settle(s, &s->m[b], &s->losses[1], lambda);

@@ -13,14 +13,17 @@ static void *grown(void *list, int *size, size_t item) {
     return p;
 }
 
-/* a pair can rub slice after slice, without restitution: that is one contact */
-static void reopen(struct cr_solver *s, struct cr_touch *t, const struct cr_touch *old) {
+/* a pair that has parted can touch slice after slice: that is one contact */
+static void reopen(struct cr_solver *s, struct cr_touch *t, const struct cr_touch *old,
+                   double restitution) {
     struct cr_contact *c = &s->contact[old->last];
     t->record = t->last = old->last;
     t->moment_coe = old->moment_coe;
     t->moment_weight = old->moment_weight;
     t->normal_sum = old->normal_sum;
     t->spent -= c->energy[0] + c->energy[1]; /* counted again at its end */
+    t->plastic_before = c->plastic_impulse;
+    c->restitution = restitution;
     c->phase = CR_PHASE_PLASTIC;
     c->stop = CR_STOP_NONE;
     c->t_plastic_end = c->t_elastic_end = c->t_end = NAN;
@@ -57,8 +60,8 @@ bool cr_record_contact(struct cr_solver *s, int pair, int a, int b, const struct
     bool rigid = s->cs->body[a].grid.nx == 0 || s->cs->body[b].grid.nx == 0;
     const struct cr_opts *o = &s->cs->opts;
     double e = o->restitution_auto ? cr_restitution_auto(closing, rigid) : o->restitution;
-    if (e <= 0 && t->rubbing && old.rubbing) {
-        reopen(s, t, &old);
+    if (t->rubbing && old.rubbing) {
+        reopen(s, t, &old, e);
         return true;
     }
     s->contact[s->contacts++] = (struct cr_contact){.a = a,

@@ -104,6 +104,7 @@ struct cr_touch {
     double spent;              /* crush energy of the pair's contacts that are over, J */
     bool rubbing;              /* this touch is too slight to count as part of the crash */
     double force;              /* along direction, mean of the last plastic slices, N */
+    double plastic_before;     /* plastic impulse of earlier touches of the same contact, N s */
     double slip;               /* against the tangential force when the elastic phases began, m/s */
     double elastic_time;       /* length of the elastic phase, s */
     double elastic_left;       /* what is left of it, s */
