@@ -101,8 +101,18 @@ static size_t fitting(const char *text, int width) {
     return (size_t)(p - text);
 }
 
+/* A row of a table is cut rather than folded: its columns would be lost. */
+static bool is_row(const char *text) {
+    text += strspn(text, " ");
+    return *text >= '0' && *text <= '9' && strstr(text, "   ") != NULL;
+}
+
 static void fold(const struct cr_render_line *line, int width, struct cr_dialogue *out) {
     const char *rest = line->text;
+    if (is_row(rest)) {
+        append(out, line->role, rest, strlen(rest));
+        return;
+    }
     int indent = (int)strspn(rest, " ") + 2;
     size_t n = fitting(rest, width);
     append(out, line->role, rest, n);

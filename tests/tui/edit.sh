@@ -1,5 +1,6 @@
 #!/bin/sh
 # Editing by hand with keys and mouse: every one is a command, marked stale, undone and redone.
+# shellcheck disable=SC2046
 . "$SRC/tests/tui/tui.sh"
 
 # mouse BUTTON COLUMN ROW: an event in the encoding of the terminal (X10), 0-based
@@ -11,9 +12,10 @@ click() {
     mouse 0 "$1" "$2"
     mouse 3 "$1" "$2"
 }
-# column and row of the first "TEXT"
+# column and row of the first "TEXT": two words
 find() {
-    text | sed 's/[^ -~]/?/g' | awk -v t="$1" '{ i = index($0, t); if (i) { print i - 1, NR - 1; exit } }'
+    text | sed 's/[^ -~]/?/g' |
+        awk -v t="$1" '{ i = index($0, t); if (i) { print i - 1, NR - 1; exit } }'
 }
 
 start 80 24 TERM=screen-256color

@@ -27,7 +27,8 @@ start() {
     cat >"$tmp/start.sh" <<END
 cd $tmp
 stty -a >before
-sh -c 'echo \$\$ >pid; exec env -u NO_COLOR ASAN_OPTIONS=abort_on_error=1 TERM=screen-256color XDG_STATE_HOME=$tmp/state \\
+sh -c 'echo \$\$ >pid; exec env -u NO_COLOR ASAN_OPTIONS=abort_on_error=1 \\
+    TERM=screen-256color XDG_STATE_HOME=$tmp/state \\
     HOME=$tmp INPUTRC=/dev/null LC_ALL=C.UTF-8 CRUMPLE_DATA=$SRC $* $CRUMPLE'
 echo status \$?
 stty -a >after
