@@ -80,6 +80,22 @@ static enum cr_err stop_notes(const struct cr_page *page, struct cr_error *err) 
     return code;
 }
 
+/* where restitution and elastic times were not given but follow from the contact */
+static enum cr_err auto_notes(const struct cr_page *page, struct cr_error *err) {
+    const struct cr_settings *set = &page->result->resolved.set;
+    enum cr_err code = CR_ERR_OK;
+    if (set->restitution_auto) {
+        code = cr_page_paragraph(page, 2, CR_ROLE_DIM,
+                                 "e auto: from the closing speed and the kind of partner", err);
+    }
+    if (set->elastic_auto && code == CR_ERR_OK) {
+        code =
+            cr_page_paragraph(page, 2, CR_ROLE_DIM,
+                              "elastic auto: from the force at the end of the plastic phase", err);
+    }
+    return code;
+}
+
 enum cr_err cr_page_phases(const struct cr_page *page, struct cr_error *err) {
     const struct cr_solution *sol = page->result->solution;
     const char *head[PHASE_COLUMNS], *unit[PHASE_COLUMNS];
@@ -109,5 +125,6 @@ enum cr_err cr_page_phases(const struct cr_page *page, struct cr_error *err) {
                  hidden);
         code = cr_page_paragraph(page, 2, CR_ROLE_DIM, text, err);
     }
-    return code == CR_ERR_OK ? stop_notes(page, err) : code;
+    code = code == CR_ERR_OK ? stop_notes(page, err) : code;
+    return code == CR_ERR_OK ? auto_notes(page, err) : code;
 }

@@ -26,6 +26,12 @@ has "text names the stop criterion" "$out" 'momentum|separation|no-overlap'
 wide=$(printf '%s\n' "$out" | LC_ALL=C.UTF-8 grep -cE '^.{81}')
 same "text keeps to 80 columns without a terminal" "$wide" 0
 same "no colour without a terminal" "$(printf '%s' "$out" | grep -c "$(printf '\033')")" 0
+has "text says that the elastic phases follow from the force" "$out" 'elastic auto'
+run run --format=text --set restitution=auto --set elastic_ms=5 "$demo"
+has "text says that the restitution follows from the speed" "$out" 'e auto'
+same "elastic phases that were given are not" "$(printf '%s' "$out" | grep -c 'elastic auto')" 0
+run run --set restitution=auto "$demo"
+has "each contact has its restitution" "$out" '"restitution":[[:space:]]*0\.'
 run run --format=text --ascii "$demo"
 same "--ascii has nothing else" "$(printf '%s' "$out" | LC_ALL=C grep -c '[^ -~]')" 0
 run run --format=text --color=always "$demo"
