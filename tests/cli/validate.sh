@@ -48,6 +48,24 @@ refused "a missing mass" 3 'bad.csv:3:.*mass_kg' validate "$tmp/bad.csv"
 refused "a scene without expectations" 3 'x_expect' validate "$demo"
 refused "an unknown class" 2 'did you mean pole' validate poles
 
+# side poles: every class at the depth of its median car, and the damaged area of all
+"$crumple" validate pole --method extended --format csv --cases >"$tmp/pole.csv"
+median() { # type, field: 10 measured, 11 computed
+    awk -F, -v t="$1" -v f="$2" '$5 == t && $7 == "extended" && $8 == "face_depth_m" { print $f }' \
+        "$tmp/pole.csv" | sort -n |
+        awk '{ x[NR] = $1 }
+             END { print (x[int((NR + 1) / 2)] + x[int((NR + 2) / 2)]) / 2 }'
+}
+for type in mini-compact compact sedan suv; do
+    measured=$(median $type 10) computed=$(median $type 11)
+    awk -v m="$measured" -v c="$computed" \
+        'BEGIN { exit !(m > 0.2 && c > 0.95 * m && c < 1.05 * m) }'
+    report $? "pole, $type: median depth $computed m, measured $measured m, within 5 %"
+done
+run validate pole --fast --method extended
+area=$(printf '%s\n' "$out" | grep 'median damaged area')
+has "pole:$(printf '%s' "$area" | tr -s ' ' | cut -d: -f2)" "$area" '^ met '
+
 # a deliberately wrong model: without a string the pole goes in twice as deep (method.md 5)
 mkdir "$tmp/models"
 for recipe in "$SRC"/models/*.json; do
