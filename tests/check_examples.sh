@@ -37,7 +37,7 @@ alike() {
         function near(x, y,   d, m) {
             d = x > y ? x - y : y - x
             m = (x < 0 ? -x : x) > (y < 0 ? -y : y) ? (x < 0 ? -x : x) : (y < 0 ? -y : y)
-            return d <= m / 10 + (m < 2 ? 0.1 : 1)
+            return d <= m / 10 + (m < 1 ? 0.3 : 1)
         }
         function line_alike(w, g,   a, b, i, n) {
             n = split(w, a, " ")
