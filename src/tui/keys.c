@@ -237,8 +237,8 @@ static void scroll_pane(struct cr_tui *t, int rows) {
 }
 
 static void scroll_sheet(struct cr_tui *t, int rows) {
-    t->sheet_down += rows; /* drawing keeps it within the answer */
-    t->sheet_down = t->sheet_down < 0 ? 0 : t->sheet_down;
+    int down = t->sheet_down + rows; /* drawing keeps it within the answer */
+    t->sheet_down = down < 0 ? 0 : down > CR_SHEET_END ? CR_SHEET_END : down;
     t->dirty = true;
 }
 

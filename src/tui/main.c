@@ -2,7 +2,6 @@
  * key, a signal or the next frame. */
 #include "tui/tui_priv.h"
 
-#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -169,7 +168,7 @@ static void run(struct cr_tui *t, const char *line) {
     t->progress = NULL;
     if (t->log.n > b.lines && (t->failed || !changed(t, &b))) {
         t->sheet_from = b.lines - 1; /* with the command itself */
-        t->sheet_down = t->failed ? INT_MAX : 0;
+        t->sheet_down = t->failed ? CR_SHEET_END : 0;
     }
     t->dirty = true;
 }

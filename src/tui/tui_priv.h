@@ -85,7 +85,7 @@ void cr_prompt_draw(struct cr_cells *cells, struct cr_rect at, int *x);
 /* ---- the program ---- */
 
 enum cr_overlay { CR_OVERLAY_NONE, CR_OVERLAY_HELP, CR_OVERLAY_PALETTE };
-enum { CR_FILTER_MAX = 40, CR_PENDING = 256 };
+enum { CR_FILTER_MAX = 40, CR_PENDING = 256, CR_SHEET_END = 1 << 20 };
 
 struct cr_play {
     bool on;
