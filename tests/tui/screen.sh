@@ -39,6 +39,8 @@ gone "Esc closes it" "Esc closes"
 keys "plaze A" Enter
 shows "an error has its caret and the way out" "^         \^\^\^\^\^"
 shows "in words" "Did you mean 'place'\?"
+keys NPage PPage NPage
+shows "which is seen as far as it goes" "Did you mean 'place'\?"
 keys "place B fac" Tab "A ov" Tab
 shows "Tab completes, the key bar explains" "overlap: lateral overlap"
 keys C-c
