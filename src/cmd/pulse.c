@@ -133,13 +133,44 @@ static int shown_samples(const struct cr_solution *sol) {
     return n;
 }
 
+/* Filters y, a mean over each slice: on an even grid, because the slices are not of one length. */
+static enum cr_err filter_slices(const struct cr_solution *sol, double cfc, double *y, int n,
+                                 struct cr_error *err) {
+    static const double dt = 1e-4; /* s */
+    /* a class that the slices cannot carry is refused, however fine the grid */
+    double one = 0;
+    enum cr_err code = cr_cfc_filter(cfc, sol->dt, &one, 1, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    double from = 2 * sol->t[0] - (n > 1 ? sol->t[1] : sol->t[0]);
+    int m = (int)ceil((sol->t[n - 1] - from) / dt) + 1;
+    double *even = malloc((size_t)m * sizeof *even);
+    if (even == NULL) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for the filter");
+    }
+    for (int k = 0, i = 0; k < m; k++) {
+        while (i + 1 < n && from + k * dt > sol->t[i]) {
+            i++;
+        }
+        even[k] = y[i];
+    }
+    code = cr_cfc_filter(cfc, dt, even, m, err);
+    for (int i = 0; i < n && code == CR_ERR_OK; i++) {
+        int k = (int)lround((sol->t[i] - from) / dt);
+        y[i] = even[k < m ? k : m - 1];
+    }
+    free(even);
+    return code;
+}
+
 static enum cr_err series(const struct cr_result *r, int body, int kind, double cfc, int n,
                           double *y, struct cr_error *err) {
     for (int i = 0; i < n; i++) {
         y[i] = value(r->solution, i, body, kind);
     }
-    return cfc > 0 && kinds[kind].filtered ? cr_cfc_filter(cfc, r->solution->dt, y, n, err)
-                                           : CR_ERR_OK;
+    bool filter = cfc > 0 && kinds[kind].filtered;
+    return filter ? filter_slices(r->solution, cfc, y, n, err) : CR_ERR_OK;
 }
 
 /* what was asked: participant (-1: all), quantity, filter, measured curve */
