@@ -165,12 +165,10 @@ static void overflow_is_an_error(void **state) {
 }
 
 /* Nine million voxels want 150 MB; the limit of 100 MB stands in for a full machine. The sanitizer
- * needs more room than that for itself. */
+ * needs more room than that for itself, and CMocka's skip() is a failure in TAP. */
+#if !defined(__SANITIZE_ADDRESS__)
 static void memory_is_out(void **state) {
     (void)state;
-#if defined(__SANITIZE_ADDRESS__)
-    skip();
-#endif
     static const double none[1];
     struct cr_arena arena = {0};
     struct cr_case cs = case_of(car_body(&arena, 0.05, -4, 0, 0, 10), pole_body(0, 0, 0.15));
@@ -190,6 +188,7 @@ static void memory_is_out(void **state) {
     assert_non_null(strstr(err.text, "no memory"));
     cr_arena_free(&arena);
 }
+#endif
 
 int main(void) {
     const struct CMUnitTest tests[] = {
@@ -200,7 +199,9 @@ int main(void) {
         cmocka_unit_test(never_meet),
         cmocka_unit_test(cancelled),
         cmocka_unit_test(overflow_is_an_error),
+#if !defined(__SANITIZE_ADDRESS__)
         cmocka_unit_test(memory_is_out),
+#endif
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
