@@ -15,7 +15,8 @@ if ! command -v tmux >/dev/null 2>&1; then
 fi
 cd "$tmp" || exit 99
 
-# start ARG ...: the program in a terminal of 80 x 24
+# start ARG ...: the program in a terminal of 80 x 24 (^C is for the program: dash
+# would end with it)
 start() {
     screen kill-server 2>/dev/null
     sessions=$((sessions + 1)) # a server of its own: the old one takes a while to go
@@ -23,7 +24,8 @@ start() {
 echo \$\$ >$tmp/pid
 exec env XDG_STATE_HOME=$tmp/state INPUTRC=/dev/null LC_ALL=C.UTF-8 CRUMPLE_DATA=$SRC $CRUMPLE $*
 END
-    screen new-session -d -x 80 -y 24 "sh $tmp/start.sh; echo status \$?; exec sleep 60"
+    screen new-session -d -x 80 -y 24 \
+        "trap : INT; sh $tmp/start.sh; echo status \$?; exec sleep 60"
 }
 
 # shows NAME TEXT: waits until the extended regular expression is on the screen
