@@ -3,7 +3,6 @@
 #include <stdalign.h>
 #include <stdint.h>
 #include <stdlib.h>
-#include <string.h>
 
 enum { BLOCK_MIN = 64 * 1024 };
 
@@ -34,12 +33,6 @@ void *cr_arena_take(struct cr_arena *arena, size_t n, size_t size) {
     b->used += want;
     arena->total += want;
     return p;
-}
-
-char *cr_arena_str(struct cr_arena *arena, const char *s) {
-    size_t n = strlen(s) + 1;
-    char *p = cr_arena_take(arena, n, 1);
-    return p == NULL ? NULL : memcpy(p, s, n);
 }
 
 void cr_arena_free(struct cr_arena *arena) {

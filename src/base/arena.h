@@ -15,9 +15,6 @@ struct cr_arena {
 /* Zeroed memory for n objects of the given size; NULL when memory is out or n * size overflows. */
 void *cr_arena_take(struct cr_arena *arena, size_t n, size_t size);
 
-/* Copy of a string in the arena; NULL when memory is out. */
-char *cr_arena_str(struct cr_arena *arena, const char *s);
-
 /* Give back everything; the arena is empty and usable again. */
 void cr_arena_free(struct cr_arena *arena);
 

@@ -179,7 +179,3 @@ bool cr_resume_line(struct cr_resume *r, const char hash[CR_HASH_SIZE], struct c
     free(buf);
     return ok;
 }
-
-int cr_resume_count(const struct cr_resume *r) {
-    return r ? r->n : 0;
-}

@@ -22,7 +22,4 @@ void cr_resume_free(struct cr_resume *resume);
 /* Append the line of a scene to out; false if there is none. Safe from many threads. */
 bool cr_resume_line(struct cr_resume *resume, const char hash[CR_HASH_SIZE], struct cr_str *out);
 
-/* Number of results indexed. */
-int cr_resume_count(const struct cr_resume *resume);
-
 #endif

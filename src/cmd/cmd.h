@@ -184,10 +184,9 @@ enum cr_solve_state {
 const struct cr_scene *cr_session_scene(const struct cr_session *s);
 const struct cr_result *cr_session_result(const struct cr_session *s); /* NULL: none */
 enum cr_solve_state cr_session_state(const struct cr_session *s);
-const struct cr_model_lib *cr_session_models(struct cr_session *s); /* NULL: cannot be read */
-const char *cr_session_file(const struct cr_session *s);            /* "" while it has none */
-int cr_session_unsaved(const struct cr_session *s); /* changes since the last save */
-int cr_session_undos(const struct cr_session *s);   /* changes that undo can take back */
+const char *cr_session_file(const struct cr_session *s); /* "" while it has none */
+int cr_session_unsaved(const struct cr_session *s);      /* changes since the last save */
+int cr_session_undos(const struct cr_session *s);        /* changes that undo can take back */
 /* The scene compiled for a picture without a result; NULL while it is incomplete, and err says
  * why. Kept until the scene changes. */
 const struct cr_compiled *cr_session_compiled(struct cr_session *s, struct cr_error *err);
@@ -258,7 +257,6 @@ struct cr_log_line {
     char *text;
 };
 int cr_session_log(const struct cr_session *s, const struct cr_log_line **out);
-int cr_session_history(const struct cr_session *s, const char *const **out);
 
 /* ---- completion ---- */
 

@@ -197,11 +197,6 @@ enum cr_err cr_session_remember(struct cr_session *s, const char *line, struct c
     return CR_ERR_OK;
 }
 
-int cr_session_history(const struct cr_session *s, const char *const **out) {
-    *out = (const char *const *)s->line;
-    return s->lines;
-}
-
 /* ---- data and results ---- */
 
 enum cr_err cr_session_need_models(struct cr_session *s, struct cr_error *err) {
@@ -302,11 +297,6 @@ const struct cr_scene *cr_session_scene(const struct cr_session *s) {
 
 const struct cr_result *cr_session_result(const struct cr_session *s) {
     return s->result;
-}
-
-const struct cr_model_lib *cr_session_models(struct cr_session *s) {
-    struct cr_error err;
-    return cr_session_need_models(s, &err) == CR_ERR_OK ? s->models : NULL;
 }
 
 const char *cr_session_file(const struct cr_session *s) {

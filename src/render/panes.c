@@ -74,10 +74,6 @@ static const struct {
     [CR_TITLE_STALE] = {"STALE", CR_ROLE_WARN},    [CR_TITLE_FAILED] = {"FAILED", CR_ROLE_BAD},
 };
 
-const char *cr_title_word(enum cr_title_state state) {
-    return STATES[state].word;
-}
-
 struct title_pen {
     struct cr_cells *cells;
     int x, y, end;

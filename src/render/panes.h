@@ -21,8 +21,6 @@ enum cr_title_state {
     CR_TITLE_FAILED,
     CR_TITLE_STATES
 };
-/* "SOLVED" and the like. */
-const char *cr_title_word(enum cr_title_state state);
 
 struct cr_title {
     const char *file; /* NULL: none yet */

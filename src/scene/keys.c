@@ -272,16 +272,3 @@ const char *cr_scene_key_nearest(enum cr_key_table table, const char *name, cons
     }
     return NULL;
 }
-
-bool cr_scene_key_given(const struct cr_scene *scene, enum cr_key_table table,
-                        const struct cr_participant *part, const struct cr_key *key) {
-    unsigned bit = (unsigned)(key - tables[table].row);
-    switch (table) {
-    case CR_KEYS_SETTINGS:
-        return (scene->set.given >> bit & 1) != 0;
-    case CR_KEYS_PARTICIPANT:
-        return (part->given >> bit & 1) != 0;
-    default:
-        return ((const char *)scene + key->at)[0] != '\0';
-    }
-}

@@ -79,10 +79,6 @@ const char *cr_scene_key_nearest(enum cr_key_table table, const char *name, cons
 /* Unit of a key. */
 const struct cr_unit *cr_scene_key_unit(const struct cr_key *key);
 
-/* Was the key given (in the file or by cr_scene_set)? */
-bool cr_scene_key_given(const struct cr_scene *scene, enum cr_key_table table,
-                        const struct cr_participant *part, const struct cr_key *key);
-
 /* Value of a setting ("dt_ms") or of a participant ("A.speed_kmh") as text, in the unit of the key;
  * "auto" for what cr_scene_resolve will fill in. Errors: KEY, NAME. */
 CR_MUST_CHECK enum cr_err cr_scene_get(const struct cr_scene *scene, const char *key,

@@ -134,7 +134,7 @@ void cr_elastic_slice(struct cr_solver *s, int pair, int a, int b) {
     t->moment_coe = cr_vec2_axpy(t->moment_coe, j, t->coe);
     t->moment_weight += j;
     t->elastic_done += j;
-    struct cr_slice *sl = cr_record_slice(s, pair);
+    struct cr_slice *sl = cr_record_slice(s);
     if (sl != NULL) {
         double size = cr_vec2_len(f);
         *sl = (struct cr_slice){.sample = s->samples,

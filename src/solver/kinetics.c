@@ -104,7 +104,7 @@ void cr_kinetics_slice(struct cr_solver *s, int pair, int a, int b, const struct
     t->normal_recent = cr_vec2_axpy(cr_vec2_scale(t->normal_recent, fade), f->energy, f->normal);
     t->energy_recent = t->energy_recent * fade + f->energy;
     t->normal_sum = cr_vec2_axpy(t->normal_sum, lambda * f->energy, f->normal);
-    struct cr_slice *sl = cr_record_slice(s, pair);
+    struct cr_slice *sl = cr_record_slice(s);
     if (sl != NULL) {
         *sl = (struct cr_slice){.sample = s->samples,
                                 .contact = t->record,

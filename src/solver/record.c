@@ -78,8 +78,7 @@ bool cr_record_contact(struct cr_solver *s, int pair, int a, int b, const struct
     return true;
 }
 
-struct cr_slice *cr_record_slice(struct cr_solver *s, int pair) {
-    (void)pair;
+struct cr_slice *cr_record_slice(struct cr_solver *s) {
     if (s->slices == s->slices_size) {
         void *p = grown(s->slice, &s->slices_size, sizeof *s->slice);
         if (p == NULL) {

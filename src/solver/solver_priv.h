@@ -276,7 +276,7 @@ void cr_ending_check(struct cr_solver *s, bool any_contact);
 /* record.c: contacts, trace, ledger, outcome */
 bool cr_record_contact(struct cr_solver *s, int pair, int a, int b, const struct cr_force *force);
 bool cr_record_sample(struct cr_solver *s);
-struct cr_slice *cr_record_slice(struct cr_solver *s, int pair);
+struct cr_slice *cr_record_slice(struct cr_solver *s);
 void cr_record_before(struct cr_solver *s);
 void cr_record_outcome(struct cr_solver *s);
 double cr_kinetic_energy(const struct cr_solver *s);

@@ -25,10 +25,6 @@ struct cr_look cr_tui_look(const struct cr_tui *t) {
     return look;
 }
 
-bool cr_tui_shows(const struct cr_tui *t, enum cr_area pane) {
-    return pane < CR_AREAS && t->layout.pane[pane].w > 0;
-}
-
 /* ---- title ---- */
 
 static const char *const fields[] = {

@@ -140,8 +140,6 @@ void cr_tui_draw(struct cr_tui *t);
 /* Draws if something changed and the last frame is old enough; else returns the ms until then, -1:
  * nothing to draw. */
 int cr_tui_draw_due(struct cr_tui *t);
-/* Is the pane on the screen now? */
-bool cr_tui_shows(const struct cr_tui *t, enum cr_area pane);
 
 /* ---- keys.c, overlay.c, mouse.c, play.c ---- */
 void cr_tui_input(struct cr_tui *t, const struct cr_input *in);
