@@ -1,5 +1,6 @@
 /* Heights that meet, dive, and what each setting beyond the paper changes (method.md "Beyond the
  * paper"), with the real models: tests on sense and on energy. */
+#include "result_models.h"
 #include "test.h"
 
 #include "result/result_priv.h"
@@ -7,28 +8,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static struct cr_context ctx;
-
-static int open_models(void **state) {
-    (void)state;
-    char dir[512];
-    struct cr_model_lib *lib;
-    struct cr_error err;
-    snprintf(dir, sizeof dir, "%s/models", getenv("SRC") ? getenv("SRC") : "..");
-    if (cr_model_lib_open(dir, &lib, &err)) {
-        printf("# %s\n", err.text);
-        return -1;
-    }
-    ctx.models = lib;
-    return 0;
-}
-
-static int close_models(void **state) {
-    (void)state;
-    cr_model_lib_free((struct cr_model_lib *)ctx.models);
-    return 0;
-}
 
 /* what meets what */
 #define SEDAN(more)                                                                                \

@@ -1,5 +1,6 @@
 /* After the impact: motion to rest on four tyres and the contacts on the way, with the real models
  * (method.md "After the impact"). */
+#include "result_models.h"
 #include "test.h"
 
 #include "result/result_priv.h"
@@ -7,28 +8,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static struct cr_context ctx;
-
-static int open_models(void **state) {
-    (void)state;
-    char dir[512];
-    struct cr_model_lib *lib;
-    struct cr_error err;
-    snprintf(dir, sizeof dir, "%s/models", getenv("SRC") ? getenv("SRC") : "..");
-    if (cr_model_lib_open(dir, &lib, &err)) {
-        printf("# %s\n", err.text);
-        return -1;
-    }
-    ctx.models = lib;
-    return 0;
-}
-
-static int close_models(void **state) {
-    (void)state;
-    cr_model_lib_free((struct cr_model_lib *)ctx.models);
-    return 0;
-}
 
 #define CAR(id, type, mass, x, y, heading, speed, more)                                            \
     "{\"id\":\"" id "\",\"kind\":\"vehicle\",\"type\":\"" type "\",\"mass_kg\":" mass              \
