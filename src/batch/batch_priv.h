@@ -35,7 +35,11 @@ struct cr_batch_shared {
     struct cr_irf_set *irf;
     struct cr_context ctx; /* points into this struct's members */
 };
-CR_MUST_CHECK enum cr_err cr_batch_open(struct cr_batch_shared *shared, struct cr_error *err);
+/* Whether all six recipes are read at once, so that a broken one is reported before any work, or
+ * each when a scene needs it. */
+enum cr_batch_recipes { CR_BATCH_ALL, CR_BATCH_NEEDED };
+CR_MUST_CHECK enum cr_err cr_batch_open(struct cr_batch_shared *shared,
+                                        enum cr_batch_recipes recipes, struct cr_error *err);
 void cr_batch_close(struct cr_batch_shared *shared);
 
 /* Make SIGINT and SIGTERM set a flag, and a closed pipe and a limit of file size errors of writing.

@@ -513,7 +513,7 @@ int cr_batch_calibrate(int argc, char **argv) {
     struct cr_calibration_data data = {.walls = 0};
     char dir[512];
     cr_batch_catch();
-    enum cr_err rc = cr_batch_open(&shared, &err);
+    enum cr_err rc = cr_batch_open(&shared, CR_BATCH_ALL, &err);
     if (!rc && cr_data_dir(dir, sizeof dir)[0] != '\0') {
         rc = cr_calibration_read(dir, &data, &err);
     }

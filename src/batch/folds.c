@@ -41,6 +41,7 @@ enum cr_err cr_folds_open(const char *dir, const char *models, bool walls, bool 
     for (int k = 0; k < CR_FOLDS && !rc; k++) {
         rc = leave_out(&out->all, k, walls, poles, &out->part[k], err);
         rc = rc ? rc : cr_model_lib_open(models, &out->lib[k], err);
+        rc = rc ? rc : cr_model_need_all(out->lib[k], err);
     }
     if (rc) {
         cr_folds_close(out);

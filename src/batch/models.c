@@ -269,7 +269,7 @@ static enum cr_err models(const char *name, const struct options *opt, struct cr
     struct cr_model_papers papers = {{NULL}};
     struct cr_str out = {0};
     char dir[4200];
-    enum cr_err rc = cr_batch_open(&shared, err);
+    enum cr_err rc = cr_batch_open(&shared, CR_BATCH_ALL, err);
     if (!rc) {
         rc = cr_batch_data("models", dir, sizeof dir, err);
     }

@@ -43,7 +43,8 @@ static bool is_current(const struct cr_model_lib *lib, const char *model) {
     memcpy(word, model, n);
     word[n] = '\0';
     int type = cr_type_find(word);
-    return type >= 0 && !strcmp(hash + 8, cr_model_hash(lib, (enum cr_type)type));
+    return type >= 0 && cr_model_need(lib, (enum cr_type)type, NULL) == CR_ERR_OK &&
+           !strcmp(hash + 8, cr_model_hash(lib, (enum cr_type)type));
 }
 
 static bool is_usable(const cJSON *json, const struct cr_model_lib *lib, bool trace,

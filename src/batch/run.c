@@ -80,7 +80,7 @@ static enum cr_err run(const char *path, const struct run_options *opt, struct c
         code = cr_batch_override(&scene, &opt->set, err);
     }
     if (code == CR_ERR_OK) {
-        code = cr_batch_open(&shared, err);
+        code = cr_batch_open(&shared, CR_BATCH_NEEDED, err);
     }
     if (code == CR_ERR_OK) {
         code = cr_result_run(&scene, &shared.ctx, &result, err);

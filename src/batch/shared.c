@@ -34,12 +34,16 @@ int cr_batch_cancelled(void *unused) {
     return interrupted;
 }
 
-enum cr_err cr_batch_open(struct cr_batch_shared *shared, struct cr_error *err) {
+enum cr_err cr_batch_open(struct cr_batch_shared *shared, enum cr_batch_recipes recipes,
+                          struct cr_error *err) {
     char path[4200];
     memset(shared, 0, sizeof *shared);
     enum cr_err code = cr_batch_data("models", path, sizeof path, err);
     if (code == CR_ERR_OK) {
         code = cr_model_lib_open(path, &shared->models, err);
+    }
+    if (code == CR_ERR_OK && recipes == CR_BATCH_ALL) {
+        code = cr_model_need_all(shared->models, err);
     }
     if (code == CR_ERR_OK) {
         code = cr_batch_data("share/irf", path, sizeof path, err);

@@ -253,9 +253,10 @@ static enum cr_err validate(char **name, int n, const struct options *opt, bool 
                       .progress = opt->progress};
     struct cr_batch_shared shared = {0};
     struct cr_model_lib *own = NULL;
-    enum cr_err rc = cr_batch_open(&shared, err);
+    enum cr_err rc = cr_batch_open(&shared, CR_BATCH_ALL, err);
     if (!rc && opt->models) {
         rc = cr_model_lib_open(opt->models, &own, err);
+        rc = rc ? rc : cr_model_need_all(own, err);
     }
     rc = rc ? rc : load(name, n, &b.tests, err);
     if (!rc && opt->scenes) {

@@ -4,12 +4,17 @@
 #include <stdio.h>
 #include <string.h>
 
-static void say_type(struct cr_session *s, enum cr_type type) {
+static enum cr_err say_type(struct cr_session *s, enum cr_type type, struct cr_error *err) {
     double mass;
+    enum cr_err code = cr_model_need(s->models, type, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
     const struct cr_dims *d = cr_model_dims(s->models, type, &mass);
     cr_say(s, "%-14s %s/1 to %s/12: length %.2f width %.2f wheelbase %.2f m, %.0f kg",
            cr_type_word(type), cr_type_word(type), cr_type_word(type), d->length, d->width,
            d->wheelbase, mass);
+    return CR_ERR_OK;
 }
 
 /* "suv", "suv/12", "ees/suv/12" -> type and clock (0: automatic); false if it is none */
@@ -48,11 +53,11 @@ static enum cr_err model_info(struct cr_call *call, struct cr_error *err) {
         return code;
     }
     bool all = cr_cmd_word(call, "NAME", -1) == 0;
-    for (int i = 0; all && i < CR_TYPES; i++) {
-        say_type(call->s, (enum cr_type)i);
+    for (int i = 0; all && i < CR_TYPES && code == CR_ERR_OK; i++) {
+        code = say_type(call->s, (enum cr_type)i, err);
     }
     if (all) {
-        return CR_ERR_OK;
+        return code;
     }
     if (text == NULL) {
         cr_err_set(err, CR_ERR_MISSING, "which model?");
@@ -62,7 +67,10 @@ static enum cr_err model_info(struct cr_call *call, struct cr_error *err) {
     if (!read_model(text, &type, &clock)) {
         return no_model(call, text, err);
     }
-    say_type(call->s, type);
+    code = say_type(call->s, type, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
     cr_say(call->s, "recipe models/%s.json", cr_type_word(type));
     cr_say(call->s, "sha256 %s", cr_model_hash(call->s->models, type));
     cr_say(call->s, "crumple models %s prints curves, structures, source tests and scatter",

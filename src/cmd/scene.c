@@ -232,6 +232,7 @@ static enum cr_err complete_vehicle(struct cr_call *call, struct cr_scene *scene
         return CR_ERR_OK;
     }
     enum cr_err code = cr_session_need_models(call->s, err);
+    code = code == CR_ERR_OK ? cr_model_need(call->s->models, p->type, err) : code;
     if (code != CR_ERR_OK) {
         return code;
     }

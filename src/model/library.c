@@ -6,9 +6,9 @@
 #include "base/file.h"
 #include "base/vec.h"
 
+#include <assert.h>
 #include <math.h>
 #include <pthread.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -43,46 +43,75 @@ struct finished {
 
 struct cache {
     pthread_mutex_t lock;
+    struct cr_model_recipe *recipe[CR_TYPES]; /* NULL: not read yet */
     struct kept kept[CR_TYPES];
     struct finished finished;
 };
 
 struct cr_model_lib {
-    struct cr_model_recipe recipe[CR_TYPES];
+    char *dir;
     struct cache *cache;
 };
 
-static enum cr_err read_recipe(const char *dir, int type, struct cr_model_recipe *r,
+static enum cr_err read_recipe(const char *dir, enum cr_type type, struct cr_model_recipe **out,
                                struct cr_error *err) {
-    char path[512];
+    struct cr_str path = {0};
     char *text = NULL;
     size_t len = 0;
-    snprintf(path, sizeof path, "%s/%s.json", dir, cr_type_word((enum cr_type)type));
-    enum cr_err rc = cr_file_read(path, &text, &len, err);
+    cr_str_addf(&path, "%s/%s.json", dir, cr_type_word(type));
+    struct cr_model_recipe *r = malloc(sizeof *r);
+    enum cr_err rc = r == NULL || path.failed
+                         ? cr_err_set(err, CR_ERR_MEMORY, "no memory for the models")
+                         : cr_file_read(path.s, &text, &len, err);
     if (!rc) {
-        rc = cr_model_recipe_read(text, len, path, r, err);
+        rc = cr_model_recipe_read(text, len, path.s, r, err);
+    }
+    if (rc) {
+        free(r);
+    } else {
+        *out = r;
     }
     free(text);
+    cr_str_fini(&path);
     return rc;
+}
+
+enum cr_err cr_model_need(const struct cr_model_lib *lib, enum cr_type type, struct cr_error *err) {
+    struct cache *cache = lib->cache;
+    pthread_mutex_lock(&cache->lock);
+    enum cr_err rc = cache->recipe[type] != NULL
+                         ? CR_ERR_OK
+                         : read_recipe(lib->dir, type, &cache->recipe[type], err);
+    pthread_mutex_unlock(&cache->lock);
+    return rc;
+}
+
+enum cr_err cr_model_need_all(const struct cr_model_lib *lib, struct cr_error *err) {
+    enum cr_err rc = CR_ERR_OK;
+    for (int i = 0; i < CR_TYPES && !rc; i++) {
+        rc = cr_model_need(lib, (enum cr_type)i, err);
+    }
+    return rc;
+}
+
+static const struct cr_model_recipe *recipe_of(const struct cr_model_lib *lib, enum cr_type type) {
+    assert(lib->cache->recipe[type] != NULL);
+    return lib->cache->recipe[type];
 }
 
 enum cr_err cr_model_lib_open(const char *dir, struct cr_model_lib **out, struct cr_error *err) {
     struct cr_model_lib *lib = calloc(1, sizeof *lib);
     struct cache *cache = calloc(1, sizeof *cache);
-    if (lib == NULL || cache == NULL || pthread_mutex_init(&cache->lock, NULL) != 0 ||
+    char *copy = strdup(dir);
+    if (lib == NULL || cache == NULL || copy == NULL ||
+        pthread_mutex_init(&cache->lock, NULL) != 0 ||
         pthread_mutex_init(&cache->finished.lock, NULL) != 0) {
         free(lib);
         free(cache);
+        free(copy);
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for the models");
     }
-    lib->cache = cache;
-    for (int i = 0; i < CR_TYPES; i++) {
-        enum cr_err rc = read_recipe(dir, i, &lib->recipe[i], err);
-        if (rc) {
-            cr_model_lib_free(lib);
-            return rc;
-        }
-    }
+    *lib = (struct cr_model_lib){copy, cache};
     *out = lib;
     return CR_ERR_OK;
 }
@@ -93,40 +122,44 @@ void cr_model_lib_free(struct cr_model_lib *lib) {
     }
     for (int i = 0; i < CR_TYPES; i++) {
         cr_arena_free(&lib->cache->kept[i].arena);
+        free(lib->cache->recipe[i]);
     }
     cr_arena_free(&lib->cache->finished.arena);
     pthread_mutex_destroy(&lib->cache->finished.lock);
     pthread_mutex_destroy(&lib->cache->lock);
     free(lib->cache);
+    free(lib->dir);
     free(lib);
 }
 
 const struct cr_dims *cr_model_dims(const struct cr_model_lib *lib, enum cr_type type,
                                     double *mass_kg) {
+    const struct cr_model_recipe *r = recipe_of(lib, type);
     if (mass_kg != NULL) {
-        *mass_kg = lib->recipe[type].mass;
+        *mass_kg = r->mass;
     }
-    return &lib->recipe[type].dims;
+    return &r->dims;
 }
 
 void cr_model_pillars(const struct cr_model_lib *lib, enum cr_type type, double *a, double *b) {
-    const struct cr_model_recipe *r = &lib->recipe[type];
+    const struct cr_model_recipe *r = recipe_of(lib, type);
     *a = (r->a_pillar - r->dims.front_overhang) / r->dims.wheelbase;
     *b = (r->b_pillar - r->dims.front_overhang) / r->dims.wheelbase;
 }
 
 const char *cr_model_hash(const struct cr_model_lib *lib, enum cr_type type) {
-    return lib->recipe[type].hash;
+    return recipe_of(lib, type)->hash;
 }
 
 const struct cr_model_face *cr_model_face(const struct cr_model_lib *lib, enum cr_type type,
                                           enum cr_model_end end) {
-    return &lib->recipe[type].face[end];
+    return &recipe_of(lib, type)->face[end];
 }
 
 void cr_model_set_face(struct cr_model_lib *lib, enum cr_type type, enum cr_model_end end,
                        const struct cr_model_face *face) {
-    lib->recipe[type].face[end] = *face;
+    assert(lib->cache->recipe[type] != NULL);
+    lib->cache->recipe[type]->face[end] = *face;
     cr_arena_free(&lib->cache->finished.arena);
     lib->cache->finished.n = 0;
 }
@@ -152,11 +185,15 @@ enum cr_err cr_model_body_of(const struct cr_model_lib *lib, enum cr_type type,
                              const struct cr_model_recipe **recipe,
                              const struct cr_model_body **body, struct cr_error *err) {
     struct kept *k = &lib->cache->kept[type];
-    pthread_mutex_lock(&lib->cache->lock);
-    enum cr_err rc = build(&lib->recipe[type], k, err);
-    pthread_mutex_unlock(&lib->cache->lock);
-    *recipe = &lib->recipe[type];
+    enum cr_err rc = cr_model_need(lib, type, err);
+    if (rc) {
+        return rc;
+    }
+    *recipe = recipe_of(lib, type);
     *body = &k->body;
+    pthread_mutex_lock(&lib->cache->lock);
+    rc = build(*recipe, k, err);
+    pthread_mutex_unlock(&lib->cache->lock);
     return rc;
 }
 
@@ -195,11 +232,14 @@ static double height_of(const struct cr_model_stretch *stretch, double top, doub
 static enum cr_err substitute(const struct cr_model_lib *lib, const struct cr_model_query *q,
                               const struct cr_model_face face[CR_MODEL_ENDS],
                               struct cr_arena *arena, struct cr_grid *out, struct cr_error *err) {
-    const struct cr_model_recipe *r = &lib->recipe[q->type];
     struct cr_model_stretch stretch;
     struct cr_model_plan plan;
     struct cr_arena scratch = {0};
     enum cr_err rc = cr_model_query_check(q, err);
+    if (!rc) {
+        rc = cr_model_need(lib, q->type, err);
+    }
+    const struct cr_model_recipe *r = rc ? NULL : recipe_of(lib, q->type);
     if (!rc) {
         rc = cr_model_stretch_make(r, &q->dims, &stretch, err);
     }
@@ -285,9 +325,10 @@ enum cr_err cr_model_from_stiffness(const struct cr_model_lib *lib, const struct
     static const char *const name[] = {"front", "side", "rear"};
     struct cr_model_face own[CR_MODEL_ENDS];
     enum cr_err rc = cr_model_query_check(q, err);
+    rc = rc ? rc : cr_model_need(lib, q->type, err);
     for (int i = 0; i < CR_MODEL_ENDS && !rc; i++) {
         const struct cr_stiffness *s = &face[i];
-        own[i] = lib->recipe[q->type].face[i];
+        own[i] = recipe_of(lib, q->type)->face[i];
         if (!(s->a >= 0 && s->a <= 1e7 && s->b >= 0 && s->b <= 1e8)) {
             rc = cr_err_set(err, CR_ERR_RANGE, "%s stiffness A %g N/m, B %g N/m2 cannot be",
                             name[i], s->a, s->b);

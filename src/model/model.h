@@ -63,10 +63,18 @@ struct cr_model_face {
 
 struct cr_model_lib;
 
-/* Open the recipes of a folder (models/TYPE.json). Errors: IO, SYNTAX, MODEL with their place. */
+/* Library of the recipes of a folder (models/TYPE.json). Nothing is read yet: a scene needs one or
+ * two of the recipes. Error: MEMORY. */
 CR_MUST_CHECK enum cr_err cr_model_lib_open(const char *dir, struct cr_model_lib **out,
                                             struct cr_error *err);
 void cr_model_lib_free(struct cr_model_lib *lib);
+
+/* Read the recipe of a type, or of all, unless that was done before. What asks for a grid or for
+ * voxels does it by itself; the functions below that only look into a recipe want it done. Errors:
+ * IO, SYNTAX, MODEL, ... with their place. */
+CR_MUST_CHECK enum cr_err cr_model_need(const struct cr_model_lib *lib, enum cr_type type,
+                                        struct cr_error *err);
+CR_MUST_CHECK enum cr_err cr_model_need_all(const struct cr_model_lib *lib, struct cr_error *err);
 
 /* Reference dimensions and mass (kg) of a type's recipe. */
 const struct cr_dims *cr_model_dims(const struct cr_model_lib *lib, enum cr_type type,

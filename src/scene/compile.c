@@ -122,9 +122,10 @@ static enum cr_err make_vehicle(struct making *m, int i, struct cr_body *body) {
     body->mass = p->mass;
     body->inertia = p->yaw_inertia;
     make_wheels(p, body);
-    name_model(m, i);
     enum cr_err code = make_grid(m, i, 0, INFINITY, &body->grid);
-    if (code != CR_ERR_OK && m->err != NULL && m->err->where[0] == '\0') {
+    if (code == CR_ERR_OK) {
+        name_model(m, i);
+    } else if (m->err != NULL && m->err->where[0] == '\0') {
         snprintf(m->err->where, sizeof m->err->where, "/participants/%d/model", i);
     }
     return code;

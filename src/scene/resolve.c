@@ -115,6 +115,10 @@ static enum cr_err assume(struct cr_assumed *a, const char *id, const char *key,
 static enum cr_err resolve_vehicle(struct cr_participant *p, const struct cr_model_lib *lib,
                                    struct cr_assumed *assumed, struct cr_error *err) {
     struct basis b = {.part = p};
+    enum cr_err code = cr_model_need(lib, p->type, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
     b.ref = cr_model_dims(lib, p->type, &b.ref_mass);
     for (size_t i = 0; i < sizeof rules / sizeof rules[0]; i++) {
         const struct cr_key *key =
@@ -124,7 +128,7 @@ static enum cr_err resolve_vehicle(struct cr_participant *p, const struct cr_mod
             continue;
         }
         *x = rules[i].rule(&b);
-        enum cr_err code = assume(assumed, p->id, rules[i].key, err);
+        code = assume(assumed, p->id, rules[i].key, err);
         if (code != CR_ERR_OK) {
             return code;
         }

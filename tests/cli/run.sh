@@ -90,6 +90,23 @@ else
     skip "the resolved scene" "no python3"
 fi
 
+# a recipe is read when a scene needs it, and a fault in it is told then
+mkdir -p "$tmp/data/share"
+cp -R "$SRC/models" "$tmp/data/models"
+ln -s "$SRC/share/irf" "$tmp/data/share/irf"
+sed 's/"mass_kg": [0-9]*/"mass_kg": -1/' "$SRC/models/compact.json" >"$tmp/data/models/compact.json"
+broken='models/compact\.json:[0-9]+:[0-9]+: error: .*-1 is outside'
+CRUMPLE_DATA=$tmp/data
+export CRUMPLE_DATA
+run run "$demo"
+same "a broken recipe of another type does not matter" "$status $errs" "0 "
+refused "a broken recipe of the scene" 3 "$broken" run "$tmp/wall.json"
+refused "a list of all models reads all" 3 "$broken" models
+refused "a stack reads all before it begins" 3 "$broken" stack "$demo"
+rm "$tmp/data/models/compact.json"
+refused "a recipe that is not there" 2 'models/compact\.json: .*No such file' run "$tmp/wall.json"
+unset CRUMPLE_DATA
+
 env LC_ALL=de_DE.UTF-8 "$crumple" run "$demo" 2>&1 | cksum >"$tmp/german"
 same "a German locale changes nothing" "$(cat "$tmp/german")" "$("$crumple" run "$demo" | cksum)"
 finish

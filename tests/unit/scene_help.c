@@ -39,7 +39,8 @@ const char *scene_path(const char *name) {
 struct cr_model_lib *scene_models(void) {
     struct cr_model_lib *lib = NULL;
     struct cr_error err;
-    if (cr_model_lib_open(scene_path("models"), &lib, &err) != CR_ERR_OK) {
+    if (cr_model_lib_open(scene_path("models"), &lib, &err) != CR_ERR_OK ||
+        cr_model_need_all(lib, &err) != CR_ERR_OK) {
         fail_msg("%s", err.text);
     }
     return lib;

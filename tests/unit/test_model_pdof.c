@@ -16,7 +16,8 @@ static int open_lib(void **state) {
     char dir[512];
     (void)state;
     snprintf(dir, sizeof dir, "%s/models", getenv("SRC"));
-    return (int)cr_model_lib_open(dir, &lib, NULL);
+    enum cr_err rc = cr_model_lib_open(dir, &lib, NULL);
+    return (int)(rc ? rc : cr_model_need_all(lib, NULL));
 }
 
 static int close_lib(void **state) {

@@ -141,6 +141,7 @@ static void test_body_of_a_result(void **state) {
     assert_int_equal(cr_model_lib_open(dir, &lib, &err), CR_ERR_OK);
     render_double_init(&d);
     struct cr_participant *p = &d.result.resolved.part[0];
+    assert_int_equal(cr_model_need(lib, p->type, &err), CR_ERR_OK);
     double mass;
     const struct cr_dims *dims = cr_model_dims(lib, p->type, &mass);
     p->height = dims->height;
