@@ -211,22 +211,17 @@ enum cr_err cr_cmd_check(struct cr_call *call, struct cr_error *err) {
     if (code != CR_ERR_OK) {
         return code;
     }
+    struct cr_solver *solver = NULL;
     if (cr_scene_resolve(&scene, s->models, &assumed, &found) != CR_ERR_OK ||
-        cr_session_compiled(s, &found) == NULL) {
+        cr_session_compiled(s, &found) == NULL ||
+        cr_result_solver(&scene, &s->compiled->cs, &solver, &found) != CR_ERR_OK) {
         cr_cmd_name_place(s, &found);
         cr_say(s, "%s%s%s%s%s", found.where, found.where[0] != '\0' ? ": " : "", found.src,
                found.src[0] != '\0' ? ": " : "", found.text);
         cr_say(s, "  %s", remedy(&found, how, sizeof how));
         faults++;
-    } else {
-        struct cr_solver *solver = NULL;
-        if (cr_solver_new(&s->compiled->cs, &solver, &found) != CR_ERR_OK) {
-            cr_say(s, "%s", found.text);
-            cr_say(s, "  %s", remedy(&found, how, sizeof how));
-            faults++;
-        }
-        cr_solver_free(solver);
     }
+    cr_solver_free(solver);
     int doubts = check_motion(s, &scene);
     say_assumed(s, &assumed);
     if (faults == 0) {

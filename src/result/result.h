@@ -76,6 +76,11 @@ struct cr_context {
     void *user;
 };
 
+/* cr_solver_new for a resolved scene and the case made of it: bodies that overlap at the start are
+ * called by their ids, with how far to move which. */
+CR_MUST_CHECK enum cr_err cr_result_solver(const struct cr_scene *scene, const struct cr_case *cs,
+                                           struct cr_solver **out, struct cr_error *err);
+
 /* Resolve, compile, choose the PDOF models (trial solve, solve, at most one repeat: method.md 2),
  * solve and measure. Errors: all of the steps. The caller frees the result. */
 CR_MUST_CHECK enum cr_err cr_result_run(const struct cr_scene *scene, const struct cr_context *ctx,

@@ -3,6 +3,7 @@
 #include "result/result_priv.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -91,6 +92,36 @@ static int poll_watched(void *user) {
     return w->ctx->cancel != NULL ? w->ctx->cancel(w->ctx->user) : 0;
 }
 
+/* an overlap at the start by the names of the scene, with the way out */
+static void name_overlap(const struct cr_scene *scene, const struct cr_case *cs,
+                         struct cr_error *err) {
+    struct cr_overlap found;
+    if (!cr_solver_overlap(cs, &found)) {
+        return;
+    }
+    const struct cr_participant *p = &scene->part[found.mover];
+    struct cr_vec2 to = cr_vec2_add(p->waypoints > 0 ? p->waypoint[0].pos : p->pos, found.by);
+    cr_err_set(err, CR_ERR_OVERLAP, "\"%s\" and \"%s\" overlap at the start by %.2g m2",
+               scene->part[found.a].id, scene->part[found.b].id, found.area);
+    snprintf(err->where, sizeof err->where, "/participants/%d/%s", found.mover,
+             p->waypoints > 0 ? "trajectory" : "position_m");
+    if (isfinite(found.by.x)) {
+        cr_err_hint(err, "move \"%s\" by %.2f m or more, to x=%.2f m y=%.2f m", p->id,
+                    cr_vec2_len(found.by), to.x, to.y);
+    } else {
+        cr_err_hint(err, "move them apart");
+    }
+}
+
+enum cr_err cr_result_solver(const struct cr_scene *scene, const struct cr_case *cs,
+                             struct cr_solver **out, struct cr_error *err) {
+    enum cr_err code = cr_solver_new(cs, out, err);
+    if (code == CR_ERR_OVERLAP && err) {
+        name_overlap(scene, cs, err);
+    }
+    return code;
+}
+
 /* compile and solve; on success the caller owns compiled and solver */
 static enum cr_err solve(const struct cr_scene *scene, const struct cr_context *ctx,
                          const double pdof[CR_BODY_MAX], struct cr_compiled *compiled,
@@ -100,7 +131,7 @@ static enum cr_err solve(const struct cr_scene *scene, const struct cr_context *
     if (rc) {
         return rc;
     }
-    rc = cr_solver_new(&compiled->cs, solver, err);
+    rc = cr_result_solver(scene, &compiled->cs, solver, err);
     struct watched watched = {ctx, *solver, compiled};
     rc = rc ? rc : cr_solver_run(*solver, poll_watched, &watched, err);
     if (rc) {

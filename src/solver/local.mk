@@ -15,6 +15,7 @@ libsolver_a_SOURCES = \
 	src/solver/solver.c \
 	src/solver/solver.h \
 	src/solver/solver_priv.h \
+	src/solver/start.c \
 	src/solver/string.c \
 	src/solver/tyre.c
 libsolver_a_CFLAGS = $(CR_CFLAGS)

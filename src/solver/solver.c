@@ -3,9 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* plan area that two bodies may share at the start without being called overlapping, m2: the
- * voxels of an outline stand out by up to half an edge */
-static const double overlap_area = 0.01;
 /* Least approach that begins a contact, m/s. What the last slice of a contact gave back still
  * overlaps, and would be crushed again and again by what rounding leaves of the approach. */
 static const double begin_speed = 1e-3;
@@ -198,44 +195,6 @@ static bool new_body(struct cr_solver *s, int i) {
     return when != NULL || b->grid.nx == 0;
 }
 
-/* bodies that overlap from the start have no crash to compute; what touches by less than the
- * voxels of an outline can tell is taken off without energy */
-static enum cr_err check_overlap(struct cr_solver *s, struct cr_error *err) {
-    for (int a = 0; a < s->cs->n; a++) {
-        for (int b = a + 1; b < s->cs->n; b++) {
-            if (!cr_deform_collect(s, a, b)) {
-                return cr_err_set(err, CR_ERR_MEMORY, "no memory for the solve");
-            }
-            double area = 0;
-            for (int side = 0; side < 2; side++) {
-                double h = s->m[side == 0 ? a : b].body->grid.h;
-                for (int i = 0; i < s->losses[side].n; i++) {
-                    area += s->losses[side].loss[i].amount * h * h;
-                }
-            }
-            if (area > overlap_area) {
-                cr_err_set(err, CR_ERR_OVERLAP,
-                           "participants %d and %d overlap at the start by %.3g m2", a + 1, b + 1,
-                           area);
-                cr_err_hint(err, "move them apart, or back along their velocities");
-                return CR_ERR_OVERLAP;
-            }
-            cr_deform_apply(&s->m[a], &s->losses[0], 0);
-            cr_deform_apply(&s->m[b], &s->losses[1], 0);
-        }
-    }
-    for (int i = 0; i < s->cs->n; i++) { /* that was no crush */
-        const struct cr_grid *g = &s->cs->body[i].grid;
-        for (int f = 0; f < CR_FACES && g->nx > 0; f++) {
-            int n = f == CR_FACE_FRONT || f == CR_FACE_REAR ? g->ny : g->nx;
-            memset(s->m[i].depth[f], 0, (size_t)n * sizeof(double));
-            s->m[i].dented[f] = (struct cr_span){n, -1};
-        }
-    }
-    s->visits = 0;
-    return CR_ERR_OK;
-}
-
 static bool new_scratch(struct cr_solver *s) {
     int longest = 1;
     for (int i = 0; i < s->cs->n; i++) {
@@ -255,32 +214,52 @@ static bool new_scratch(struct cr_solver *s) {
            st->taut != NULL && s->freed != NULL;
 }
 
-enum cr_err cr_solver_new(const struct cr_case *cs, struct cr_solver **out, struct cr_error *err) {
-    *out = NULL;
-    enum cr_err code = cr_check_case(cs, err);
-    if (code != CR_ERR_OK) {
-        return code;
-    }
+/* the bodies of a checked case in their places; NULL when memory is out */
+static struct cr_solver *new_solver(const struct cr_case *cs) {
     struct cr_solver *s = calloc(1, sizeof *s);
-    bool ok = s != NULL;
-    if (ok) {
-        s->cs = cs;
-        s->t_free = NAN;
-        ok = new_scratch(s);
+    if (s == NULL) {
+        return NULL;
     }
+    s->cs = cs;
+    s->t_free = NAN;
+    bool ok = new_scratch(s);
     for (int i = 0; ok && i < cs->n; i++) {
         ok = new_body(s, i);
     }
     for (int p = 0; ok && p < CR_PAIR_MAX; p++) {
         s->touch[p].record = -1;
     }
-    code = ok ? check_overlap(s, err) : cr_err_set(err, CR_ERR_MEMORY, "no memory for the solve");
+    if (!ok) {
+        cr_solver_free(s);
+        return NULL;
+    }
+    return s;
+}
+
+enum cr_err cr_solver_new(const struct cr_case *cs, struct cr_solver **out, struct cr_error *err) {
+    *out = NULL;
+    enum cr_err code = cr_check_case(cs, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    struct cr_solver *s = new_solver(cs);
+    if (s == NULL) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for the solve");
+    }
+    code = cr_start_check(s, err);
     if (code != CR_ERR_OK) {
         cr_solver_free(s);
         return code;
     }
     *out = s;
     return CR_ERR_OK;
+}
+
+bool cr_solver_overlap(const struct cr_case *cs, struct cr_overlap *out) {
+    struct cr_solver *s = cr_check_case(cs, NULL) == CR_ERR_OK ? new_solver(cs) : NULL;
+    bool found = s != NULL && cr_start_overlap(s, out);
+    cr_solver_free(s);
+    return found;
 }
 
 void cr_solver_free(struct cr_solver *s) {

@@ -128,6 +128,17 @@ struct cr_solver;
 CR_MUST_CHECK enum cr_err cr_solver_new(const struct cr_case *cs, struct cr_solver **out,
                                         struct cr_error *err);
 
+/* Two bodies that overlap at the start, and the way out of it. */
+struct cr_overlap {
+    int a, b;          /* the first such pair */
+    double area;       /* that they share, m2 */
+    int mover;         /* the faster of the two: moved by `by` it is clear of all the others */
+    struct cr_vec2 by; /* back along the relative velocity, or where that is much further
+                          straight away from the other, m; NaN: neither way leads out */
+};
+/* What cr_solver_new refused with OVERLAP; false where nothing overlaps, or memory is out. */
+bool cr_solver_overlap(const struct cr_case *cs, struct cr_overlap *out);
+
 /* Work one time slice. FAILED fills in err: NO_CONTACT when the bodies never meet, MEMORY, SOLVER
  * when a number is no longer finite. */
 enum cr_status cr_solver_step(struct cr_solver *s, struct cr_error *err);

@@ -177,6 +177,11 @@ static inline struct cr_vec2 cr_velocity_at(const struct cr_moving *m, struct cr
 /* check.c: numbers, extents and options of a case; RANGE */
 CR_MUST_CHECK enum cr_err cr_check_case(const struct cr_case *cs, struct cr_error *err);
 
+/* start.c: takes off what touches at the start by less than outlines can tell; OVERLAP, MEMORY */
+CR_MUST_CHECK enum cr_err cr_start_check(struct cr_solver *s, struct cr_error *err);
+/* the first pair that overlaps by more, and the way out; leaves the bodies where they are */
+bool cr_start_overlap(struct cr_solver *s, struct cr_overlap *out);
+
 /* shape.c: signed distance (negative inside) and outward unit normal of an object, its frame */
 double cr_shape_distance(const struct cr_shape *shape, struct cr_vec2 p, struct cr_vec2 *normal);
 void cr_shape_box(const struct cr_shape *shape, struct cr_vec2 *lo, struct cr_vec2 *hi);

@@ -58,6 +58,18 @@ refused "unknown shape" 3 '/participants/1/shape.*wall' run shape.json
 
 pole='{ "id": "P", "kind": "object", "shape": "pole", "position_m":'
 bad "overlap at the start" 3 'overlap' "$(wall_scene "$pole [1, 0], \"radius_m\": 0.2 }")"
+# the way out that the message names leads out: a car sideways in another, and one along a wall
+other='{ "id": "B", "kind": "vehicle", "type": "suv", "mass_kg": 2000, "speed_kmh": 40, "position_m":'
+for clash in "$other [1.2, 3], \"heading_deg\": 250 }" "$other [-2.6, 0], \"heading_deg\": 0 }" \
+    "$pole [1, 0], \"radius_m\": 0.2 }"; do
+    scene clash.json "$(wall_scene "$clash")"
+    refused "overlap: ids, pointer and way out" 3 \
+        'clash.json:[0-9]+:[0-9]+: error: /participants/[01]/position_m: "A" and "B|P" .*move' \
+        run clash.json
+    to=$(sed -n 's/.*move "\(.\)".*to x=\(.*\) m y=\(.*\) m).*/\1.position_m=[\2,\3]/p' errs)
+    run run clash.json --set "$to" -o out.json
+    same "moved as it says ($to) it is solved" "$status$errs" 0
+done
 bad "they never meet" 4 'meet|contact' "$(wall_scene "$pole [-20, 9], \"radius_m\": 0.2 }")"
 bad "a pole without a radius" 3 'radius_m' "$(wall_scene "$pole [5, 0] }")"
 bad "nobody else there" 3 'at least two participants' \

@@ -33,6 +33,48 @@ static void overlap_at_the_start(void **state) {
     cr_arena_free(&arena);
 }
 
+/* by the closed form of boxes of 4.4 m x 1.8 m; never less than needed, hardly more */
+static void way_out_of_an_overlap(void **state) {
+    (void)state;
+    struct cr_arena arena = {0};
+    const struct {
+        struct cr_body a, b;
+        int mover;
+        struct cr_vec2 by;
+    } rows[] = {
+        /* 0.2 m into a wall; 1.4 m into the flank of one that stands, off its middle */
+        {car_body(&arena, 0.05, -2, 0, 0, 10), wall_body(0, 0, CR_PI), 0, {-0.2, 0}},
+        {car_body(&arena, 0.05, 0, 0, CR_PI / 2, 0),
+         car_body(&arena, 0.05, 1.7, 1, CR_PI, 10),
+         1,
+         {1.4, 0}},
+        /* one that drives along a wall comes off it sideways */
+        {car_body(&arena, 0.05, 0, -0.6, 0, 10), wall_body(0, 0, -CR_PI / 2), 0, {0, -0.3}},
+        /* nobody moves: away from the other; what is fixed stays */
+        {car_body(&arena, 0.05, -2, 0, 0, 0), wall_body(0, 0, CR_PI), 0, {-0.2, 0}},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct cr_case cs = case_of(rows[i].a, rows[i].b);
+        struct cr_overlap o;
+        assert_true(cr_solver_overlap(&cs, &o));
+        assert_int_equal(o.mover, rows[i].mover);
+        assert_int_equal(o.a + 2 * o.b, 2);
+        double more = cr_vec2_len(o.by) - cr_vec2_len(rows[i].by);
+        assert_true(more >= 0 && more < 0.06); /* the voxel of an outline, and the resolution */
+        check_near(cr_vec2_len(cr_vec2_sub(o.by, rows[i].by)), more, 1e-6);
+        struct cr_vec2 *pos = &cs.body[o.mover].pos;
+        *pos = cr_vec2_add(*pos, o.by);
+        assert_false(cr_solver_overlap(&cs, &o));
+    }
+    /* about the same place, any way will do */
+    struct cr_case fixed = case_of(car_body(&arena, 0.05, 0, 0, 0, 0), pole_body(0, 0, 0.2));
+    struct cr_overlap o;
+    assert_true(cr_solver_overlap(&fixed, &o));
+    check_near(o.area, CR_PI * 0.2 * 0.2, 0.02);
+    check_near(o.by.x, 2.4, 0.06);
+    cr_arena_free(&arena);
+}
+
 static void numbers_that_are_none(void **state) {
     (void)state;
     struct cr_arena arena = {0};
@@ -193,6 +235,7 @@ static void memory_is_out(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(overlap_at_the_start),
+        cmocka_unit_test(way_out_of_an_overlap),
         cmocka_unit_test(numbers_that_are_none),
         cmocka_unit_test(bodies_without_extent),
         cmocka_unit_test(number_of_bodies),
