@@ -113,7 +113,7 @@ static struct cr_vec2 sliding_direction(const struct cr_solver *s, int a, int b,
     return cr_vec2_axpy(normal, share, tangent);
 }
 
-void cr_elastic_slice(struct cr_solver *s, int pair, int a, int b) {
+bool cr_elastic_slice(struct cr_solver *s, int pair, int a, int b) {
     struct cr_touch *t = &s->touch[pair];
     struct cr_contact *c = &s->contact[t->record];
     struct cr_vec2 axis = axis_of(t), rel = cr_relative_velocity(s, a, b, t->coe);
@@ -134,25 +134,23 @@ void cr_elastic_slice(struct cr_solver *s, int pair, int a, int b) {
     t->moment_coe = cr_vec2_axpy(t->moment_coe, j, t->coe);
     t->moment_weight += j;
     t->elastic_done += j;
-    struct cr_slice *sl = cr_record_slice(s);
-    if (sl != NULL) {
-        double size = cr_vec2_len(f);
-        *sl = (struct cr_slice){.sample = s->samples,
-                                .contact = t->record,
-                                .phase = c->phase,
-                                .coe = t->coe,
-                                .normal = t->normal,
-                                .direction = cr_vec2_unit(f, t->direction),
-                                .approach = v,
-                                .path = v * s->dt,
-                                .force = j * size / s->dt,
-                                .impulse = j * size,
-                                .mass_eff = size * size / cr_vec2_dot(yield, f),
-                                .friction = work - stored};
-    }
+    double size = cr_vec2_len(f);
+    bool kept =
+        cr_record_slice(s, &(struct cr_slice){.sample = s->samples,
+                                              .contact = t->record,
+                                              .phase = c->phase,
+                                              .coe = t->coe,
+                                              .normal = t->normal,
+                                              .direction = cr_vec2_unit(f, t->direction),
+                                              .approach = v,
+                                              .path = v * s->dt,
+                                              .force = j * size / s->dt,
+                                              .impulse = j * size,
+                                              .mass_eff = size * size / cr_vec2_dot(yield, f),
+                                              .friction = work - stored});
     t->elastic_left -= s->dt;
     if (!last) {
-        return;
+        return kept;
     }
     if (c->phase == CR_PHASE_COMPRESSION) {
         c->elastic_impulse += t->elastic_done * along;
@@ -166,4 +164,5 @@ void cr_elastic_slice(struct cr_solver *s, int pair, int a, int b) {
         c->stored = 0;
         finish(s, t, c);
     }
+    return kept;
 }

@@ -68,7 +68,7 @@ static double impulse_to_end(const struct cr_solver *s, int a, int b, const stru
  * 3). W is the crush energy and the friction work of the slice. Where the bodies have less energy
  * than W, or the plastic phase ends within the slice, only the share lambda of the deformation
  * takes place: what a smaller J pays for. */
-void cr_kinetics_slice(struct cr_solver *s, int pair, int a, int b, const struct cr_force *f) {
+bool cr_kinetics_slice(struct cr_solver *s, int pair, int a, int b, const struct cr_force *f) {
     struct cr_touch *t = &s->touch[pair];
     struct cr_contact *c = &s->contact[t->record];
     struct cr_vec2 rel = cr_relative_velocity(s, a, b, f->coe);
@@ -104,22 +104,20 @@ void cr_kinetics_slice(struct cr_solver *s, int pair, int a, int b, const struct
     t->normal_recent = cr_vec2_axpy(cr_vec2_scale(t->normal_recent, fade), f->energy, f->normal);
     t->energy_recent = t->energy_recent * fade + f->energy;
     t->normal_sum = cr_vec2_axpy(t->normal_sum, lambda * f->energy, f->normal);
-    struct cr_slice *sl = cr_record_slice(s);
-    if (sl != NULL) {
-        *sl = (struct cr_slice){.sample = s->samples,
-                                .contact = t->record,
-                                .phase = CR_PHASE_PLASTIC,
-                                .deformed = {s->losses[0].n, s->losses[1].n},
-                                .energy = {s->losses[0].energy, s->losses[1].energy},
-                                .induced = s->losses[0].induced + s->losses[1].induced,
-                                .coe = f->coe,
-                                .normal = f->normal,
-                                .direction = f->direction,
-                                .approach = vn,
-                                .path = vn * s->dt,
-                                .force = j / s->dt,
-                                .impulse = j,
-                                .mass_eff = mass,
-                                .friction = friction};
-    }
+    return cr_record_slice(
+        s, &(struct cr_slice){.sample = s->samples,
+                              .contact = t->record,
+                              .phase = CR_PHASE_PLASTIC,
+                              .deformed = {s->losses[0].n, s->losses[1].n},
+                              .energy = {s->losses[0].energy, s->losses[1].energy},
+                              .induced = s->losses[0].induced + s->losses[1].induced,
+                              .coe = f->coe,
+                              .normal = f->normal,
+                              .direction = f->direction,
+                              .approach = vn,
+                              .path = vn * s->dt,
+                              .force = j / s->dt,
+                              .impulse = j,
+                              .mass_eff = mass,
+                              .friction = friction});
 }

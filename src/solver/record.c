@@ -78,15 +78,16 @@ bool cr_record_contact(struct cr_solver *s, int pair, int a, int b, const struct
     return true;
 }
 
-struct cr_slice *cr_record_slice(struct cr_solver *s) {
+bool cr_record_slice(struct cr_solver *s, const struct cr_slice *slice) {
     if (s->slices == s->slices_size) {
         void *p = grown(s->slice, &s->slices_size, sizeof *s->slice);
         if (p == NULL) {
-            return NULL;
+            return false;
         }
         s->slice = p;
     }
-    return &s->slice[s->slices++];
+    s->slice[s->slices++] = *slice;
+    return true;
 }
 
 static struct cr_sample state_of(const struct cr_moving *m) {

@@ -307,8 +307,7 @@ static bool crush(struct cr_solver *s, int pair, int a, int b, struct cr_force *
         }
         cr_force_update(s, pair, a, b, f);
     }
-    cr_kinetics_slice(s, pair, a, b, f);
-    return true;
+    return cr_kinetics_slice(s, pair, a, b, f);
 }
 
 static double approach(const struct cr_solver *s, int a, int b, const struct cr_force *f) {
@@ -322,8 +321,7 @@ static bool work_pair(struct cr_solver *s, int pair, int a, int b) {
         return true;
     }
     if (t->record >= 0 && s->contact[t->record].phase != CR_PHASE_PLASTIC) {
-        cr_elastic_slice(s, pair, a, b);
-        return true;
+        return cr_elastic_slice(s, pair, a, b);
     }
     if (!cr_deform_collect(s, a, b)) {
         return false;

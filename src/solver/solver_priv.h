@@ -252,7 +252,8 @@ struct cr_vec2 cr_compliance(const struct cr_solver *s, int a, int b, struct cr_
 double cr_impulse_left(const struct cr_solver *s, int a, int b, struct cr_vec2 coe,
                        struct cr_vec2 normal, struct cr_vec2 direction);
 void cr_impulse_apply(struct cr_solver *s, int a, int b, struct cr_vec2 p, struct cr_vec2 impulse);
-void cr_kinetics_slice(struct cr_solver *s, int pair, int a, int b, const struct cr_force *force);
+/* false when memory is out */
+bool cr_kinetics_slice(struct cr_solver *s, int pair, int a, int b, const struct cr_force *force);
 void cr_tyres_apply(struct cr_solver *s, int body); /* tyre.c */
 
 /* step 4, kinematics.c */
@@ -270,18 +271,18 @@ double cr_abort_weight(const struct cr_solver *s, int pair, int a, int b, const 
 /* whether a touch is only rubbing of bodies that have parted */
 bool cr_abort_rubbing(const struct cr_solver *s, int pair, int a, int b, const struct cr_force *f);
 
-/* step 6, elastic.c */
+/* step 6, elastic.c; false when memory is out */
 void cr_elastic_begin(struct cr_solver *s, int pair, int a, int b);
-void cr_elastic_slice(struct cr_solver *s, int pair, int a, int b);
+bool cr_elastic_slice(struct cr_solver *s, int pair, int a, int b);
 
 /* ending.c */
 void cr_ending_rest(struct cr_solver *s, const bool in_contact[]);
 void cr_ending_check(struct cr_solver *s, bool any_contact);
 
-/* record.c: contacts, trace, ledger, outcome */
+/* record.c: contacts, trace, ledger, outcome; false when memory is out */
 bool cr_record_contact(struct cr_solver *s, int pair, int a, int b, const struct cr_force *force);
 bool cr_record_sample(struct cr_solver *s);
-struct cr_slice *cr_record_slice(struct cr_solver *s);
+bool cr_record_slice(struct cr_solver *s, const struct cr_slice *slice);
 void cr_record_before(struct cr_solver *s);
 void cr_record_outcome(struct cr_solver *s);
 double cr_kinetic_energy(const struct cr_solver *s);

@@ -59,7 +59,8 @@ refused "unknown shape" 3 '/participants/1/shape.*wall' run shape.json
 pole='{ "id": "P", "kind": "object", "shape": "pole", "position_m":'
 bad "overlap at the start" 3 'overlap' "$(wall_scene "$pole [1, 0], \"radius_m\": 0.2 }")"
 # the way out that the message names leads out: a car sideways in another, and one along a wall
-other='{ "id": "B", "kind": "vehicle", "type": "suv", "mass_kg": 2000, "speed_kmh": 40, "position_m":'
+other='{ "id": "B", "kind": "vehicle", "type": "suv", "mass_kg": 2000, "speed_kmh": 40,
+  "position_m":'
 for clash in "$other [1.2, 3], \"heading_deg\": 250 }" "$other [-2.6, 0], \"heading_deg\": 0 }" \
     "$pole [1, 0], \"radius_m\": 0.2 }"; do
     scene clash.json "$(wall_scene "$clash")"

@@ -5,7 +5,7 @@ libcases_a_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 solver_tests = test_solver_wall test_solver_impact test_solver_oblique \
 	test_solver_conserve test_solver_symmetry test_solver_converge test_solver_string \
 	test_solver_phases test_solver_tyre test_solver_input test_solver_objects \
-	test_solver_trace
+	test_solver_trace test_solver_memory
 solver_test_libs = libcases.a libsolver.a libmodel.a libbase.a $(CMOCKA_LIBS) $(NETTLE_LIBS)
 check_PROGRAMS += $(solver_tests)
 TESTS += $(solver_tests) tests/cases/conservation.sh
@@ -46,3 +46,8 @@ test_solver_objects_LDADD = $(solver_test_libs)
 test_solver_trace_SOURCES = tests/unit/test_solver_trace.c
 test_solver_trace_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 test_solver_trace_LDADD = $(solver_test_libs)
+test_solver_memory_SOURCES = tests/unit/test_solver_memory.c
+test_solver_memory_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
+test_solver_memory_LDADD = $(solver_test_libs)
+# memory that runs out: the test stands between the solver and the allocator
+test_solver_memory_LDFLAGS = $(AM_LDFLAGS) -Wl,--wrap=calloc -Wl,--wrap=realloc
