@@ -267,7 +267,7 @@ enum cr_err cr_cmd_compare(struct cr_call *call, struct cr_error *err) {
     cJSON *json = NULL;
     size_t len;
     double worst = 0, within = cr_cmd_number(call, "within", INFINITY);
-    enum cr_err code = cr_session_need_result(call->s, err);
+    enum cr_err code = cr_session_need_whole(call->s, err);
     size_t end = strlen(path);
     if (code == CR_ERR_OK && end > 4 && strcmp(path + end - 4, ".csv") == 0) {
         return cr_cmd_compare_pulse(call, path, err);

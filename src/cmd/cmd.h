@@ -177,8 +177,9 @@ enum cr_solve_state {
     CR_STATE_EDITED, /* no result */
     CR_STATE_SOLVING,
     CR_STATE_SOLVED,
-    CR_STATE_STALE, /* the scene changed after the solve */
-    CR_STATE_FAILED /* the last solve failed */
+    CR_STATE_STALE,      /* the scene changed after the solve */
+    CR_STATE_FAILED,     /* the last solve failed */
+    CR_STATE_INTERRUPTED /* the result is what was solved until ^C: pictures, no final values */
 };
 
 const struct cr_scene *cr_session_scene(const struct cr_session *s);

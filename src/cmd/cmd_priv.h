@@ -137,6 +137,10 @@ void cr_session_reset_view(struct cr_session *s);
 const char *cr_session_find_file(const struct cr_session *s, const char *path, char *buf, int size);
 enum cr_err cr_session_need_models(struct cr_session *s, struct cr_error *err);
 enum cr_err cr_session_need_result(struct cr_session *s, struct cr_error *err);
+/* Likewise, and of the scene as it is now, solved to its end. */
+enum cr_err cr_session_need_whole(struct cr_session *s, struct cr_error *err);
+/* The result is of the scene as it is now, to its end or to where ^C stopped it. */
+bool cr_session_fits(const struct cr_session *s);
 
 struct cr_state *cr_session_now(const struct cr_session *s);
 /* The state to change by this command; it takes effect when the handler succeeds. */

@@ -141,7 +141,7 @@ static enum cr_err export_scene_text(struct cr_session *s, struct cr_str *out,
     struct cr_look plain = {.ascii = s->opts.look.ascii};
     struct cr_scene_view view = cr_session_scene_view(s);
     struct cr_cells cells;
-    bool solved = cr_session_state(s) == CR_STATE_SOLVED;
+    bool solved = cr_session_fits(s);
     const struct cr_compiled *compiled =
         solved ? &s->result->compiled : cr_session_compiled(s, err);
     if (compiled == NULL) {
@@ -243,6 +243,17 @@ static enum cr_err bad_format(struct cr_call *call, int what, struct cr_error *e
     return cr_cmd_blame(call, "FILE", CR_ERR_NAME);
 }
 
+/* Numbers of an interrupted solve are not written by mistake. */
+static enum cr_err may_export(struct cr_call *call, int what, struct cr_error *err) {
+    bool numbers = what != 1 && what != 5;
+    if (!numbers || call->force || cr_session_state(call->s) != CR_STATE_INTERRUPTED) {
+        return CR_ERR_OK;
+    }
+    cr_err_set(err, CR_ERR_MISSING, "the solve was interrupted: its values are not of the crash");
+    cr_err_hint(err, "solve again, or write what there is, marked as interrupted: export!");
+    return CR_ERR_MISSING;
+}
+
 static enum cr_err make_export(struct cr_session *s, int what, enum format format,
                                struct cr_str *out, struct cr_error *err) {
     switch (what) {
@@ -268,7 +279,11 @@ enum cr_err cr_cmd_export(struct cr_call *call, struct cr_error *err) {
     if (format < 0 || !writable[what][format]) {
         return bad_format(call, what, err);
     }
-    enum cr_err code = may_write(call, path, err);
+    enum cr_err code = may_export(call, what, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    code = may_write(call, path, err);
     if (code != CR_ERR_OK) {
         return code;
     }

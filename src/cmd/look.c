@@ -1,6 +1,7 @@
 /* Commands that look: show, view, table, and the drawing they share. */
 #include "cmd/sweep.h"
 
+#include "render/table.h"
 #include "render/theme.h"
 
 #include <math.h>
@@ -66,7 +67,7 @@ enum cr_err cr_cmd_frame_at(struct cr_call *call, const char *name, int *frame,
 /* ---- scene ---- */
 
 static bool stale(const struct cr_session *s) {
-    return cr_session_state(s) != CR_STATE_SOLVED;
+    return !cr_session_fits(s);
 }
 
 static enum cr_err draw_scene(void *user, struct cr_cells *cells, struct cr_rect at,
@@ -214,6 +215,8 @@ static enum cr_err show_table(struct cr_session *s, double time, struct cr_error
     }
     if (code == CR_ERR_OK && stale(s)) {
         cr_warn(s, "the scene changed after this result; try: solve");
+    } else if (code == CR_ERR_OK && cr_session_state(s) == CR_STATE_INTERRUPTED) {
+        cr_warn(s, "interrupted: values of the last slice that was solved; try: solve");
     }
     return code;
 }
@@ -311,12 +314,14 @@ static enum cr_err say_contacts(struct cr_session *s, struct cr_error *err) {
     const struct cr_solution *sol = s->result->solution;
     for (int i = 0; i < sol->contacts; i++) {
         const struct cr_contact *c = &sol->contact[i];
+        char plastic[32], end[32];
+        cr_render_number(1e3 * (c->t_plastic_end - sol->t_contact), 1, plastic, sizeof plastic);
+        cr_render_number(1e3 * (c->t_end - sol->t_contact), 1, end, sizeof end);
         cr_say(s, "%s - %s: first touch at %.1f km/h along the normal, restitution %.2f",
                s->result->resolved.part[c->a].id, s->result->resolved.part[c->b].id,
                cr_kmh(c->closing), c->restitution);
-        cr_say(s, "  plastic to %.1f ms (%s), impulse %.0f N s; elastic to %.1f ms, 2 x %.0f N s",
-               1e3 * (c->t_plastic_end - sol->t_contact), cr_stop_word(c->stop), c->plastic_impulse,
-               1e3 * (c->t_end - sol->t_contact), c->elastic_impulse);
+        cr_say(s, "  plastic to %s ms (%s), impulse %.0f N s; elastic to %s ms, 2 x %.0f N s",
+               plastic, cr_stop_word(c->stop), c->plastic_impulse, end, c->elastic_impulse);
         cr_say(s, "  energy %.1f + %.1f kJ, of it induced %.1f + %.1f kJ; friction %.1f kJ",
                1e-3 * c->energy[0], 1e-3 * c->energy[1], 1e-3 * c->induced[0], 1e-3 * c->induced[1],
                1e-3 * c->friction);

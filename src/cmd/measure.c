@@ -209,14 +209,9 @@ enum cr_err cr_measure_eval(struct cr_session *s, const char *name, struct cr_qu
     if (!result) {
         return input_of(scene, part, name, rest, out, err);
     }
-    enum cr_err code = cr_session_need_result(s, err);
+    enum cr_err code = cr_session_need_whole(s, err);
     if (code != CR_ERR_OK) {
         return code;
-    }
-    if (cr_session_state(s) != CR_STATE_SOLVED) {
-        cr_err_set(err, CR_ERR_MISSING, "the scene changed after it was solved");
-        cr_err_hint(err, "try: solve");
-        return CR_ERR_MISSING;
     }
     const char *word = word_of(s->result, part, rest);
     if (word != NULL) {

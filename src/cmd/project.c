@@ -35,7 +35,7 @@ static enum cr_err make_voxels(struct cr_session *s, const struct cr_scene *scen
                                struct cr_arena *arena, struct cr_voxels *out,
                                struct cr_error *err) {
     const struct cr_participant *p = &scene->part[part];
-    bool solved = cr_session_state(s) == CR_STATE_SOLVED;
+    bool solved = cr_session_fits(s);
     if (p->model.kind == CR_MODEL_FILE) {
         char path[2 * CR_PATH_MAX];
         bool whole = p->model.file[0] == '/' || scene->dir[0] == '\0';
@@ -74,7 +74,7 @@ static enum cr_err draw_vehicle(struct cr_session *s, const struct cr_scene *sce
                            : cr_err_set(err, CR_ERR_MEMORY, "out of memory");
     }
     if (code == CR_ERR_OK) {
-        bool solved = cr_session_state(s) == CR_STATE_SOLVED;
+        bool solved = cr_session_fits(s);
         const struct cr_grid *grid = solved ? &s->result->compiled.cs.body[part].grid : NULL;
         struct projection_job job = {s,
                                      {.view = view,

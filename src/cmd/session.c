@@ -233,6 +233,23 @@ enum cr_err cr_session_need_result(struct cr_session *s, struct cr_error *err) {
     return CR_ERR_MISSING;
 }
 
+enum cr_err cr_session_need_whole(struct cr_session *s, struct cr_error *err) {
+    enum cr_err code = cr_session_need_result(s, err);
+    if (code != CR_ERR_OK || cr_session_state(s) == CR_STATE_SOLVED) {
+        return code;
+    }
+    cr_err_set(err, CR_ERR_MISSING,
+               cr_session_fits(s) ? "the solve was interrupted: there are no final values"
+                                  : "the scene changed after it was solved");
+    cr_err_hint(err, "try: solve");
+    return CR_ERR_MISSING;
+}
+
+bool cr_session_fits(const struct cr_session *s) {
+    enum cr_solve_state state = cr_session_state(s);
+    return state == CR_STATE_SOLVED || state == CR_STATE_INTERRUPTED;
+}
+
 void cr_session_take_result(struct cr_session *s, struct cr_result *result) {
     cr_result_free(s->result);
     s->result = result;
@@ -314,7 +331,9 @@ enum cr_solve_state cr_session_state(const struct cr_session *s) {
     if (s->result == NULL) {
         return CR_STATE_EDITED;
     }
-    return s->result_rev == rev ? CR_STATE_SOLVED : CR_STATE_STALE;
+    return s->result_rev != rev               ? CR_STATE_STALE
+           : s->result->solution->interrupted ? CR_STATE_INTERRUPTED
+                                              : CR_STATE_SOLVED;
 }
 
 /* ---- view ---- */

@@ -37,8 +37,12 @@ static int cancelled(void *user) {
 }
 
 struct cr_context cr_session_context(struct cr_session *s) {
-    return (struct cr_context){
-        .models = s->models, .irf = s->irf, .cancel = cancelled, .watch = watch, .user = s};
+    return (struct cr_context){.models = s->models,
+                               .irf = s->irf,
+                               .cancel = cancelled,
+                               .watch = watch,
+                               .user = s,
+                               .keep = true};
 }
 
 static void say_result(struct cr_session *s) {
@@ -67,6 +71,25 @@ static void say_result(struct cr_session *s) {
     }
 }
 
+/* ^C: what was solved until then is kept to be looked at, unless the whole is there already */
+static void interrupted(struct cr_session *s, struct cr_result *part, struct cr_error *err) {
+    if (part == NULL) {
+        cr_err_set(err, CR_ERR_INTERRUPTED, "interrupted before there was anything to show");
+    } else {
+        const struct cr_solution *sol = part->solution;
+        cr_err_set(err, CR_ERR_INTERRUPTED, "interrupted %.1f ms after the first contact",
+                   1e3 * (sol->t[sol->samples - 1] - sol->t_contact));
+    }
+    if (cr_session_state(s) == CR_STATE_SOLVED) {
+        cr_result_free(part);
+        cr_err_hint(err, "the earlier result of this scene stays");
+    } else if (part != NULL) {
+        cr_err_hint(err, "%d slices are kept to look at (show, pulse, table); solve begins anew",
+                    part->solution->samples);
+        cr_session_take_result(s, part);
+    }
+}
+
 static enum cr_err run(struct cr_session *s, struct cr_error *err) {
     struct cr_result *result = NULL;
     if (cr_session_scene(s)->n < 2) {
@@ -88,7 +111,9 @@ static enum cr_err run(struct cr_session *s, struct cr_error *err) {
     s->failed_rev = failed ? cr_session_now(s)->rev : 0;
     if (code == CR_ERR_OK) {
         cr_session_take_result(s, result);
-    } else if (err != NULL && err->hint[0] == '\0' && code != CR_ERR_INTERRUPTED) {
+    } else if (code == CR_ERR_INTERRUPTED) {
+        interrupted(s, result, err);
+    } else if (err != NULL && err->hint[0] == '\0') {
         cr_err_hint(err, "try: check");
     }
     return code;

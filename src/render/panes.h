@@ -19,6 +19,7 @@ enum cr_title_state {
     CR_TITLE_SOLVED,
     CR_TITLE_STALE,
     CR_TITLE_FAILED,
+    CR_TITLE_INTERRUPTED, /* ^C: shown is what was solved until then */
     CR_TITLE_STATES
 };
 

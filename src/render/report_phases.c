@@ -23,6 +23,7 @@ static const char *const WHY[] = {
     [CR_STOP_MOMENTUM] = "the approach momentum left is the elastic share",
     [CR_STOP_SEPARATION] = "the bodies part in the next slice",
     [CR_STOP_NO_OVERLAP] = "no more material meets in the slices to come",
+    [CR_STOP_INTERRUPTED] = "by ^C, before a criterion was met",
 };
 
 static enum cr_err phase_line(const struct cr_page *page, enum cr_role role,
@@ -40,6 +41,14 @@ static enum cr_err phase_line(const struct cr_page *page, enum cr_role role,
     return cr_page_emit(page, &c, err);
 }
 
+/* "12.5 + 5.0": two times in ms, of which what has not come about is a dash */
+static void pair_of(double a, const char *between, double b, char *out, size_t size) {
+    char one[24], two[24];
+    cr_render_number(a * 1e3, 1, one, sizeof one);
+    cr_render_number(b * 1e3, 1, two, sizeof two);
+    snprintf(out, size, "%s%s%s", one, between, two);
+}
+
 static enum cr_err contact_line(const struct cr_page *page, const struct cr_contact *k,
                                 struct cr_error *err) {
     const struct cr_scene *scene = &page->result->resolved;
@@ -47,11 +56,11 @@ static enum cr_err contact_line(const struct cr_page *page, const struct cr_cont
     char text[PHASE_COLUMNS][64];
     const char *at[PHASE_COLUMNS];
     snprintf(text[0], sizeof text[0], "%.5s - %.5s", scene->part[k->a].id, scene->part[k->b].id);
-    snprintf(text[1], sizeof text[1], "%.1f-%.1f", (k->t_begin - t0) * 1e3,
-             (k->t_plastic_end - t0) * 1e3);
-    snprintf(text[2], sizeof text[2], "%.1f + %.1f", (k->t_elastic_end - k->t_plastic_end) * 1e3,
-             (k->t_end - k->t_elastic_end) * 1e3);
-    snprintf(text[3], sizeof text[3], "%s", cr_stop_word(k->stop));
+    pair_of(k->t_begin - t0, "-", k->t_plastic_end - t0, text[1], sizeof text[1]);
+    pair_of(k->t_elastic_end - k->t_plastic_end, " + ", k->t_end - k->t_elastic_end, text[2],
+            sizeof text[2]);
+    bool cut = k->stop == CR_STOP_INTERRUPTED; /* a longer word than the column is wide */
+    snprintf(text[3], sizeof text[3], "%s", cut ? "^C" : cr_stop_word(k->stop));
     cr_render_number(cr_kmh(k->closing), 1, text[4], sizeof text[4]);
     cr_render_number(k->restitution, 2, text[5], sizeof text[5]);
     cr_render_number(cr_vec2_len(k->impulse) * 1e-3, 2, text[6], sizeof text[6]);

@@ -97,6 +97,11 @@ static void write_rows(struct spot *p, const struct cr_result *result, double ti
 static void write_foot(struct spot *p, const struct cr_result *result) {
     const struct cr_solution *sol = result->solution;
     char text[80];
+    if (p->at.h >= 14 && sol->interrupted) {
+        snprintf(text, sizeof text, "stop: %s, F5 anew", cr_stop_word(CR_STOP_INTERRUPTED));
+        cr_cells_print(p->cells, p->at.x, p->at.y + p->at.h - 1, p->at.w, CR_ROLE_WARN, text);
+        return;
+    }
     if (p->at.h < 14 || !cr_render_final(sol)) {
         return;
     }

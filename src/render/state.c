@@ -48,7 +48,7 @@ bool cr_render_final(const struct cr_solution *sol) {
             return false;
         }
     }
-    return sol->contacts > 0;
+    return sol->contacts > 0 && !sol->interrupted;
 }
 
 struct cr_result *cr_render_live(const struct cr_scene *scene, const struct cr_case *cs,

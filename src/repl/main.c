@@ -230,8 +230,10 @@ int cr_repl_main(int argc, char **argv, const char *data_dir) {
         return cr_err_status(err.code);
     }
     enum cr_err code = o.sources > 0 ? run_sources(s, argc, argv, data_dir) : CR_ERR_OK;
-    if (prompt && code == CR_ERR_OK && !cr_session_over(s)) {
+    /* -i stays also after ^C, to look at what a solve has left */
+    if (prompt && (code == CR_ERR_OK || code == CR_ERR_INTERRUPTED) && !cr_session_over(s)) {
         t.prompt = true;
+        cr_repl_interrupted = 0;
         greet(s, state_dir);
         code = cr_repl_prompt(s, &t, state_dir);
     } else if (!prompt && code == CR_ERR_OK && (o.sources == 0 || o.prompt)) {

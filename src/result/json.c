@@ -97,7 +97,8 @@ static void put_time(const struct cr_result *r, cJSON *json) {
     put(time, "plastic_end_s", c ? c->t_plastic_end : (double)NAN);
     put(time, "elastic_end_s", c ? c->t_elastic_end : (double)NAN);
     put(time, "separation_s", last);
-    cJSON_AddStringToObject(time, "stop", cr_stop_word(c ? c->stop : CR_STOP_NONE));
+    enum cr_stop stop = r->solution->interrupted ? CR_STOP_INTERRUPTED : c ? c->stop : CR_STOP_NONE;
+    cJSON_AddStringToObject(time, "stop", cr_stop_word(stop));
     put(time, "slice_ms", 1e3 * r->solution->dt);
     put(time, "passes", r->passes);
 }

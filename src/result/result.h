@@ -74,6 +74,7 @@ struct cr_context {
     /* called before cancel with the solve that is running, NULL: never; the solution may be read */
     void (*watch)(void *, struct cr_solver *solver, const struct cr_compiled *compiled);
     void *user;
+    bool keep; /* a solve that was cancelled after the first contact leaves what it has */
 };
 
 /* cr_solver_new for a resolved scene and the case made of it: bodies that overlap at the start are
@@ -82,7 +83,11 @@ CR_MUST_CHECK enum cr_err cr_result_solver(const struct cr_scene *scene, const s
                                            struct cr_solver **out, struct cr_error *err);
 
 /* Resolve, compile, choose the PDOF models (trial solve, solve, at most one repeat: method.md 2),
- * solve and measure. Errors: all of the steps. The caller frees the result. */
+ * solve and measure. Errors: all of the steps. The caller frees the result.
+ *
+ * INTERRUPTED with ctx->keep: *out is the crash as far as it was worked, solution->interrupted and
+ * with a warning that says so, or NULL when nothing had touched yet (the trial does not count: its
+ * voxels are coarser). In every other error *out is NULL. */
 CR_MUST_CHECK enum cr_err cr_result_run(const struct cr_scene *scene, const struct cr_context *ctx,
                                         struct cr_result **out, struct cr_error *err);
 void cr_result_free(struct cr_result *result);

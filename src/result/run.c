@@ -122,7 +122,8 @@ enum cr_err cr_result_solver(const struct cr_scene *scene, const struct cr_case 
     return code;
 }
 
-/* compile and solve; on success the caller owns compiled and solver */
+/* Compile and solve; on success the caller owns compiled and solver, and also when a solve that
+ * keeps its part is interrupted (*solver is then not NULL). */
 static enum cr_err solve(const struct cr_scene *scene, const struct cr_context *ctx,
                          const double pdof[CR_BODY_MAX], struct cr_compiled *compiled,
                          struct cr_solver **solver, struct cr_error *err) {
@@ -134,7 +135,8 @@ static enum cr_err solve(const struct cr_scene *scene, const struct cr_context *
     rc = cr_result_solver(scene, &compiled->cs, solver, err);
     struct watched watched = {ctx, *solver, compiled};
     rc = rc ? rc : cr_solver_run(*solver, poll_watched, &watched, err);
-    if (rc) {
+    bool part = rc == CR_ERR_INTERRUPTED && ctx->keep && cr_solver_solution(*solver)->samples > 0;
+    if (rc && !part) {
         cr_solver_free(*solver);
         *solver = NULL;
         cr_compiled_fini(compiled);
@@ -154,7 +156,9 @@ static enum cr_err trial(const struct cr_scene *scene, const struct cr_context *
     coarse.set.voxel = fmax(coarse.set.voxel, TRIAL_VOXEL);
     coarse.set.dt = fmax(coarse.set.dt, TRIAL_DT);
     coarse.set.end = CR_END_SEPARATION;
-    rc = solve(&coarse, ctx, pdof, &compiled, &solver, err);
+    struct cr_context all = *ctx;
+    all.keep = false;
+    rc = solve(&coarse, &all, pdof, &compiled, &solver, err);
     if (!rc) {
         read_pdof(cr_solver_solution(solver), pdof);
         cr_solver_free(solver);
@@ -198,11 +202,11 @@ static enum cr_err settle(struct cr_result *r, const struct cr_context *ctx, str
     }
     for (int pass = 0; pass < 2 && !rc; pass++) {
         rc = solve(scene, ctx, pdof, &r->compiled, &r->solver, err);
+        r->passes++;
+        r->solution = r->solver != NULL ? cr_solver_solution(r->solver) : NULL;
         if (rc) {
             break;
         }
-        r->passes++;
-        r->solution = cr_solver_solution(r->solver);
         memcpy(found, pdof, sizeof found);
         read_pdof(r->solution, found);
         int i = first_moved(scene, pdof, found);
@@ -225,6 +229,14 @@ static enum cr_err settle(struct cr_result *r, const struct cr_context *ctx, str
     return rc;
 }
 
+static void warn_part(struct cr_result *r) {
+    const struct cr_solution *sol = r->solution;
+    cr_result_warn(r,
+                   "interrupted %.1f ms after the first contact: every value is of that instant, "
+                   "none of the whole crash",
+                   1e3 * (sol->t[sol->samples - 1] - sol->t_contact));
+}
+
 enum cr_err cr_result_run(const struct cr_scene *scene, const struct cr_context *ctx,
                           struct cr_result **out, struct cr_error *err) {
     *out = NULL;
@@ -238,14 +250,18 @@ enum cr_err cr_result_run(const struct cr_scene *scene, const struct cr_context 
     rc = rc ? rc : cr_scene_copy(scene, &r->resolved, err);
     rc = rc ? rc : cr_scene_resolve(&r->resolved, ctx->models, &r->assumed, err);
     rc = rc ? rc : settle(r, ctx, err);
-    rc = rc ? rc : cr_result_measure(r, ctx->irf, err);
-    if (rc) {
+    bool part = rc == CR_ERR_INTERRUPTED && r->solution != NULL;
+    enum cr_err measured = rc && !part ? rc : cr_result_measure(r, ctx->irf, part ? NULL : err);
+    if (measured) {
         cr_result_free(r);
-        return rc;
+        return rc ? rc : measured;
+    }
+    if (part) {
+        warn_part(r);
     }
     cr_result_check(r);
     *out = r;
-    return CR_ERR_OK;
+    return rc;
 }
 
 void cr_result_free(struct cr_result *result) {

@@ -452,13 +452,25 @@ enum cr_status cr_solver_step(struct cr_solver *s, struct cr_error *err) {
     return s->done ? CR_STATUS_DONE : CR_STATUS_RUNNING;
 }
 
+/* the caller's doing, or its going on: no criterion has ended the contacts that are plastic */
+static void mark_interrupted(struct cr_solver *s, bool interrupted) {
+    s->out.interrupted = interrupted;
+    for (int i = 0; i < s->contacts; i++) {
+        if (s->contact[i].phase == CR_PHASE_PLASTIC) {
+            s->contact[i].stop = interrupted ? CR_STOP_INTERRUPTED : CR_STOP_NONE;
+        }
+    }
+}
+
 enum cr_err cr_solver_run(struct cr_solver *s, int (*cancel)(void *), void *user,
                           struct cr_error *err) {
     struct cr_error unasked;
     err = err != NULL ? err : &unasked;
     enum cr_status status = CR_STATUS_RUNNING;
+    mark_interrupted(s, false);
     while (status == CR_STATUS_RUNNING) {
         if (cancel != NULL && cancel(user) != 0) {
+            mark_interrupted(s, true);
             return cr_err_set(err, CR_ERR_INTERRUPTED, "interrupted at t = %.4g s", s->t);
         }
         status = cr_solver_step(s, err);

@@ -15,7 +15,8 @@
     X(NONE, "none")                                                                                \
     X(MOMENTUM, "momentum")                                                                        \
     X(SEPARATION, "separation")                                                                    \
-    X(NO_OVERLAP, "no-overlap")
+    X(NO_OVERLAP, "no-overlap")                                                                    \
+    X(INTERRUPTED, "interrupted")
 
 enum cr_stop {
 #define X(name, word) CR_STOP_##name,
@@ -114,6 +115,7 @@ struct cr_solution {
     const struct cr_slice *slice; /* [slices] in order of time */
     double t_contact;             /* first contact of all, s; NaN before it */
     double dt;                    /* slice used after the first contact, s */
+    bool interrupted; /* cut short by who called cr_solver_run: all is as of the last slice */
     struct cr_balance balance;
     long visits;   /* voxels looked at by the contact loop */
     long deformed; /* voxels that lost material */
@@ -152,7 +154,8 @@ double cr_solver_time(const struct cr_solver *s);
 
 void cr_solver_free(struct cr_solver *s);
 
-/* Steps until done. cancel (nullable) is polled every slice; non-zero stops with INTERRUPTED. */
+/* Steps until done. cancel (nullable) is polled every slice; non-zero stops with INTERRUPTED. What
+ * was worked until then stays, marked as interrupted, and a further call goes on from there. */
 CR_MUST_CHECK enum cr_err cr_solver_run(struct cr_solver *s, int (*cancel)(void *), void *user,
                                         struct cr_error *err);
 

@@ -30,7 +30,8 @@ static bool picture(struct cr_tui *t, struct cr_pic *pic) {
     if (at.w == 0 || scene->n == 0) {
         return false;
     }
-    if (cr_session_state(t->session) == CR_STATE_SOLVED) {
+    enum cr_solve_state state = cr_session_state(t->session);
+    if (state == CR_STATE_SOLVED || state == CR_STATE_INTERRUPTED) {
         result = cr_session_result(t->session);
         compiled = &result->compiled;
         scene = &result->resolved;

@@ -17,9 +17,9 @@ static double slowness(const struct cr_solution *sol) {
 
 static const struct cr_solution *playable(const struct cr_tui *t) {
     const struct cr_result *r = cr_session_result(t->session);
-    return r != NULL && cr_session_state(t->session) == CR_STATE_SOLVED && r->solution->samples > 1
-               ? r->solution
-               : NULL;
+    enum cr_solve_state state = cr_session_state(t->session);
+    bool fits = state == CR_STATE_SOLVED || state == CR_STATE_INTERRUPTED;
+    return r != NULL && fits && r->solution->samples > 1 ? r->solution : NULL;
 }
 
 static void set_frame(struct cr_tui *t, int frame, bool logged) {

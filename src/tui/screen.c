@@ -46,11 +46,10 @@ static void set_work(struct cr_title *title, const struct cr_progress *p) {
 }
 
 static struct cr_title title_of(const struct cr_tui *t) {
-    static const enum cr_title_state states[] = {[CR_STATE_EDITED] = CR_TITLE_EDITED,
-                                                 [CR_STATE_SOLVING] = CR_TITLE_SOLVING,
-                                                 [CR_STATE_SOLVED] = CR_TITLE_SOLVED,
-                                                 [CR_STATE_STALE] = CR_TITLE_STALE,
-                                                 [CR_STATE_FAILED] = CR_TITLE_FAILED};
+    static const enum cr_title_state states[] = {
+        [CR_STATE_EDITED] = CR_TITLE_EDITED, [CR_STATE_SOLVING] = CR_TITLE_SOLVING,
+        [CR_STATE_SOLVED] = CR_TITLE_SOLVED, [CR_STATE_STALE] = CR_TITLE_STALE,
+        [CR_STATE_FAILED] = CR_TITLE_FAILED, [CR_STATE_INTERRUPTED] = CR_TITLE_INTERRUPTED};
     const struct cr_session *s = t->session;
     const struct cr_scene *scene = cr_session_scene(s);
     const struct cr_view *view = cr_session_view(s);
@@ -176,7 +175,8 @@ static void describe(struct cr_tui *t, struct cr_screen *s, const struct cr_comp
     s->title = title_of(t);
     s->scene = cr_session_scene(t->session);
     s->result = cr_session_result(t->session);
-    s->stale = s->result != NULL && (state != CR_STATE_SOLVED || moved != NULL);
+    bool fits = state == CR_STATE_SOLVED || state == CR_STATE_INTERRUPTED;
+    s->stale = s->result != NULL && (!fits || moved != NULL);
     s->scene_view = cr_session_scene_view(t->session);
     if (view->frame >= cr_session_frames(t->session)) {
         s->scene_view.time = (double)NAN; /* the end: final values */

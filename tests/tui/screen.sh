@@ -76,6 +76,17 @@ keys "set voxel=5mm dt=0.01ms" Enter "sweep A.speed 20:80:0.1" Enter
 shows "long work shows its progress" "SWEEP [0-9]+ %  [0-9]+ of 601 runs"
 keys C-c
 shows "^C stops it" "interrupted"
+keys "view scene" Enter "set dt=0.001ms" Enter F5
+shows "a solve grows live" "SOLVING [0-9]+ %.*t [1-9][0-9.]* ms"
+keys C-c
+shows "^C keeps what was solved" "INTERRUPTED  t [0-9.]+/[0-9.]+ ms  frame ([1-9][0-9]*)/\1 "
+shows "and says so beside the picture" "stop: interrupted"
+keys C-c "show frame=9" Enter
+shows "its slices can be walked" "INTERRUPTED .*frame 9/"
+keys "export report part.txt" Enter
+shows "but are not written as a result by mistake" "the solve was interrupted"
+keys C-c "set dt=0.5ms voxel=25mm" Enter F5
+shows "solving begins anew" " SOLVED "
 keys "quit!" Enter
 shows "and it ends" "^status 0"
 

@@ -123,6 +123,59 @@ static void errors_come_through(void **state) {
     assert_null(r);
 }
 
+/* counts the slices of the solve that is kept: its voxels are finer than the trial's */
+static void count_slices(void *user, struct cr_solver *solver, const struct cr_compiled *compiled) {
+    int *samples = user;
+    *samples = compiled->cs.opts.dt < 1e-3 ? cr_solver_solution(solver)->samples : 0;
+}
+
+static int after_thirty(void *user) {
+    return *(const int *)user >= 30;
+}
+
+static void interrupted_solves_leave_their_part(void **state) {
+    (void)state;
+    struct cr_result *r;
+    struct cr_error err;
+    int samples = 0;
+    const struct cr_context before = ctx;
+    ctx.cancel = after_thirty;
+    ctx.watch = count_slices;
+    ctx.user = &samples;
+    struct cr_scene scene;
+    static const char json[] =
+        "{\"crumple\":1,\"name\":\"cut\",\"settings\":{\"voxel_mm\":50,\"dt_ms\":0.5},"
+        "\"participants\":[{\"id\":\"A\",\"kind\":\"vehicle\",\"type\":\"compact\",\"mass_kg\":"
+        "1400,\"position_m\":[0,0],\"heading_deg\":0,\"speed_kmh\":40},{\"id\":\"W\",\"kind\":"
+        "\"object\",\"shape\":\"wall\",\"position_m\":[3.5,0],\"heading_deg\":180}]}";
+    assert_int_equal(cr_scene_parse(json, strlen(json), "test", &scene, &err), CR_ERR_OK);
+    assert_int_equal(cr_result_run(&scene, &ctx, &r, &err), CR_ERR_INTERRUPTED);
+    assert_null(r); /* who does not ask for it gets nothing */
+    ctx.keep = true;
+    samples = 0;
+    assert_int_equal(cr_result_run(&scene, &ctx, &r, &err), CR_ERR_INTERRUPTED);
+    assert_non_null(r);
+    assert_true(r->solution->interrupted);
+    assert_int_equal(r->solution->samples, 30);
+    assert_non_null(strstr(r->warning[0], "interrupted 1"));
+    assert_non_null(strstr(r->warning[0], "of that instant"));
+    /* EES so far is that of the energy so far */
+    const struct cr_sample *last = &r->solution->trace[29 * 2];
+    check_near(r->of[0].ees, sqrt(2 * last->energy / 1400), 1e-9);
+    struct cr_str text = {0};
+    const struct cr_result_opts opts = {.trace = true};
+    assert_int_equal(cr_result_json(r, &opts, &text, &err), CR_ERR_OK);
+    cJSON *back = cJSON_Parse(text.s);
+    const cJSON *time = cJSON_GetObjectItem(back, "time");
+    assert_string_equal(cJSON_GetObjectItem(time, "stop")->valuestring, "interrupted");
+    assert_true(cJSON_IsNull(cJSON_GetObjectItem(time, "plastic_end_s")));
+    cJSON_Delete(back);
+    cr_str_fini(&text);
+    cr_result_free(r);
+    cr_scene_fini(&scene);
+    ctx = before;
+}
+
 /* keys of formats.md in its order; others may stand between them */
 static void check_order(const cJSON *object, const char *const *key, int n) {
     const cJSON *item = object->child;
@@ -255,6 +308,7 @@ int main(void) {
         cmocka_unit_test(mirrored_hits_give_mirrored_results),
         cmocka_unit_test(given_models_are_used),
         cmocka_unit_test(errors_come_through),
+        cmocka_unit_test(interrupted_solves_leave_their_part),
         cmocka_unit_test(json_has_the_keys_of_the_format),
         cmocka_unit_test(csv_has_as_many_fields_as_its_header),
         cmocka_unit_test(error_objects_have_code_message_and_place),

@@ -187,6 +187,40 @@ static void cancelled(void **state) {
     cr_arena_free(&arena);
 }
 
+static int after_twenty(void *user) {
+    return cr_solver_solution(user)->samples >= 20;
+}
+
+/* what was worked until then stays: the first slices of the same crash, marked as a part of it */
+static void cancelled_in_contact(void **state) {
+    (void)state;
+    struct cr_arena arena = {0};
+    struct cr_case cs = case_of(car_body(&arena, 0.05, -4, 0, 0, 10), pole_body(0, 0, 0.15));
+    struct cr_solver *s = NULL, *whole = solved(&cs);
+    const struct cr_solution *all = cr_solver_solution(whole);
+    assert_false(all->interrupted);
+    assert_int_equal(cr_solver_new(&cs, &s, NULL), CR_ERR_OK);
+    assert_int_equal(cr_solver_run(s, after_twenty, s, NULL), CR_ERR_INTERRUPTED);
+    const struct cr_solution *part = cr_solver_solution(s);
+    assert_true(part->interrupted);
+    assert_int_equal(part->samples, 20);
+    assert_int_equal(part->contact[0].stop, CR_STOP_INTERRUPTED);
+    assert_string_equal(cr_stop_word(part->contact[0].stop), "interrupted");
+    assert_memory_equal(part->t, all->t, 20 * sizeof *part->t);
+    assert_memory_equal(part->trace, all->trace, 20 * 2 * sizeof *part->trace);
+    assert_true(part->body[0].energy > 0 && part->body[0].energy < all->body[0].energy);
+    assert_true(part->balance.momentum_residual < 1e-9 && part->balance.energy_residual < 1e-9);
+    /* and going on takes the mark away */
+    assert_int_equal(cr_solver_run(s, NULL, NULL, NULL), CR_ERR_OK);
+    part = cr_solver_solution(s);
+    assert_false(part->interrupted);
+    assert_int_equal(part->contact[0].stop, all->contact[0].stop);
+    assert_int_equal(part->samples, all->samples);
+    cr_solver_free(s);
+    cr_solver_free(whole);
+    cr_arena_free(&arena);
+}
+
 /* numbers too large to multiply end in an error, not in a result */
 static void overflow_is_an_error(void **state) {
     (void)state;
@@ -241,6 +275,7 @@ int main(void) {
         cmocka_unit_test(number_of_bodies),
         cmocka_unit_test(never_meet),
         cmocka_unit_test(cancelled),
+        cmocka_unit_test(cancelled_in_contact),
         cmocka_unit_test(overflow_is_an_error),
 #if !defined(__SANITIZE_ADDRESS__)
         cmocka_unit_test(memory_is_out),

@@ -68,6 +68,14 @@ keys "sweep A.speed 10:100:0.1" Enter
 shows "long work shows its progress" "SWEEP \[[#.]*\] [0-9]+ of 901"
 keys C-c
 shows "^C stops long work" "interrupted after [0-9]+ of 901 runs"
+keys "set dt=0.001ms" Enter "solve" Enter
+shows "a solve shows its progress" "SOLVING [0-9]+ % of the approach  t [0-9.]+ ms"
+keys C-c
+shows "^C keeps what was solved" "error: interrupted [0-9.]+ ms after the first contact"
+keys "assert A.ees > 1km/h" Enter
+shows "which is no result" "there are no final values"
+keys "show frame=1" Enter
+shows "but can be looked at" "frame 1 of [0-9]+, 0.0 ms after the first contact"
 keys "vehicle A \\" Enter "speed=30" Enter "li" Enter
 shows "a line can be continued" "30\.0 km/h"
 keys "quit" Enter
