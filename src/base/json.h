@@ -4,6 +4,7 @@
 #define CR_BASE_JSON_H
 
 #include "base/err.h"
+#include "base/str.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -27,6 +28,12 @@ enum cr_json_part {
  * pointer that leads nowhere gives the deepest value on its way, and false. */
 bool cr_json_locate(const char *text, size_t len, const char *pointer, enum cr_json_part part,
                     int *line, int *col);
+
+/* The text of a tree of cJSON, which is deleted, after what out holds: every number in the shortest
+ * text that reads back to the same bits, and null for what is none. False when memory is out, also
+ * where json is NULL. */
+struct cJSON;
+CR_MUST_CHECK bool cr_json_add(struct cJSON *json, bool pretty, struct cr_str *out);
 
 /* Append "/token" to a pointer in buf, escaped; what does not fit is left out. */
 void cr_json_pointer_add(char *buf, size_t size, const char *token);

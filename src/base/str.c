@@ -1,5 +1,7 @@
 #include "base/str.h"
 
+#include "base/number.h"
+
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -51,6 +53,11 @@ void cr_str_addf(struct cr_str *str, const char *fmt, ...) {
         str->len += (size_t)n;
     }
     va_end(again);
+}
+
+void cr_str_number(struct cr_str *str, double x) {
+    char text[CR_NUMBER_SIZE];
+    cr_str_add(str, cr_number_text(x, text));
 }
 
 void cr_str_fill(struct cr_str *str, char c, int n) {
@@ -121,10 +128,4 @@ const char *cr_str_nearest(const char *word, const char *const *list, int n) {
         }
     }
     return best;
-}
-
-double cr_round12(double x) {
-    char buf[40];
-    snprintf(buf, sizeof buf, "%.12g", x);
-    return strtod(buf, NULL);
 }

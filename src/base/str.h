@@ -18,6 +18,7 @@ struct cr_str {
 void cr_str_add(struct cr_str *str, const char *text);
 void cr_str_addn(struct cr_str *str, const char *text, size_t n);
 void cr_str_addf(struct cr_str *str, const char *fmt, ...) CR_PRINTF(2, 3);
+void cr_str_number(struct cr_str *str, double x);    /* shortest exact text, base/number.h */
 void cr_str_fill(struct cr_str *str, char c, int n); /* n times c */
 void cr_str_clear(struct cr_str *str);               /* keeps the memory */
 void cr_str_fini(struct cr_str *str);
@@ -27,9 +28,5 @@ const char *cr_str_get(const struct cr_str *str);
 /* Word of the list nearest to `word` in edit distance (transpositions count one), or NULL when
  * none is nearer than about a third of its length. */
 const char *cr_str_nearest(const char *word, const char *const *list, int n);
-
-/* Formats x with 12 significant digits and reads it back, so that text made from results is
- * short and the same wherever the last bits differ. */
-double cr_round12(double x);
 
 #endif

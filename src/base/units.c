@@ -1,5 +1,6 @@
 #include "base/units.h"
 
+#include "base/number.h"
 #include "base/str.h"
 #include "base/vec.h"
 
@@ -83,7 +84,13 @@ double cr_unit_to_si(const struct cr_unit *unit, double x) {
 
 double cr_unit_from_si(const struct cr_unit *unit, double si) {
     double x = si * unit->div / unit->mul;
-    for (int digits = 6; digits <= 17; digits++) {
+    for (int k = 0; k <= 15; k++) {
+        double y = cr_round_decimals(x, k);
+        if (cr_unit_to_si(unit, y) == si) {
+            return y;
+        }
+    }
+    for (int digits = 15; digits <= 17; digits++) {
         char buf[40];
         snprintf(buf, sizeof buf, "%.*g", digits, x);
         double y = strtod(buf, NULL);

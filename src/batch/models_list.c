@@ -4,6 +4,7 @@
 #include "batch/models.h"
 
 #include "base/file.h"
+#include "base/json.h"
 #include "base/vec.h"
 
 #include <cjson/cJSON.h>
@@ -155,13 +156,10 @@ enum cr_err cr_model_list_json(const struct cr_model_papers *papers, int type, i
         cJSON_AddStringToObject(o, "basis", r.basis);
         cJSON_AddItemToArray(list, o);
     }
-    char *text = cJSON_Print(list);
-    cJSON_Delete(list);
-    if (text == NULL) {
+    if (!cr_json_add(list, true, out)) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for the list");
     }
-    cr_str_addf(out, "%s\n", text);
-    cJSON_free(text);
+    cr_str_add(out, "\n");
     return CR_ERR_OK;
 }
 
@@ -230,8 +228,7 @@ void cr_model_provenance(const struct cr_model_papers *papers, const struct cr_m
         cJSON_AddNumberToObject(o, "depth_sd_percent", r.sd);
     }
     cJSON_AddStringToObject(o, "basis", r.basis);
-    char *text = cJSON_PrintUnformatted(o);
-    cr_str_add(out, text != NULL ? text : "{}");
-    cJSON_free(text);
-    cJSON_Delete(o);
+    if (!cr_json_add(o, false, out)) {
+        cr_str_add(out, "{}");
+    }
 }

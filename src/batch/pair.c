@@ -1,5 +1,7 @@
 #include "batch/pair.h"
 
+#include "base/json.h"
+#include "base/number.h"
 #include "result/result.h"
 
 #include <cjson/cJSON.h>
@@ -178,13 +180,10 @@ static enum cr_err write_pair(const struct pair *p, struct cr_str *out, int *fai
         cJSON_AddItemToArray(scenes, cJSON_CreateString(name_of(p->part[i], "scene")));
     }
     cJSON_AddItemToObject(json, "difference", difference(p));
-    char *text = cJSON_PrintUnformatted(json);
-    cJSON_Delete(json);
-    if (!text) {
+    if (!cr_json_add(json, false, out)) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for pairs of scenes");
     }
-    cr_str_addf(out, "%s\n", text);
-    cJSON_free(text);
+    cr_str_add(out, "\n");
     return CR_ERR_OK;
 }
 

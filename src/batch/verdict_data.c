@@ -3,6 +3,9 @@
 
 #include "batch/verdict.h"
 
+#include "base/json.h"
+#include "base/number.h"
+
 #include <cjson/cJSON.h>
 #include <math.h>
 #include <string.h>
@@ -171,12 +174,9 @@ enum cr_err cr_verdict_json(const struct cr_verdict *v, const struct cr_test_lis
     for (int i = 0; list && i < tests->n; i++) {
         json_case(&tests->item[i], form->runs, list);
     }
-    char *s = cJSON_Print(json);
-    cJSON_Delete(json);
-    if (!s) {
+    if (!cr_json_add(json, true, out)) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for the validation as JSON");
     }
-    cr_str_addf(out, "%s\n", s);
-    cJSON_free(s);
+    cr_str_add(out, "\n");
     return CR_ERR_OK;
 }

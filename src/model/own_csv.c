@@ -3,6 +3,7 @@
 
 #include "model/model_priv.h"
 
+#include "base/number.h"
 #include "base/str.h"
 #include "base/vec.h"
 
@@ -20,7 +21,8 @@ void cr_voxels_csv(const struct cr_voxels *voxels, struct cr_str *out) {
     for (int i = 0; i < fields; i++) {
         cr_str_addf(out, "# %s", field[i].key);
         for (int k = 0; k < (v.flat ? field[i].at_least : field[i].n); k++) {
-            cr_str_addf(out, ",%.17g", *field[i].at[k]);
+            cr_str_add(out, ",");
+            cr_str_number(out, *field[i].at[k]);
         }
         cr_str_add(out, "\n");
     }
@@ -34,7 +36,10 @@ void cr_voxels_csv(const struct cr_voxels *voxels, struct cr_str *out) {
         if (!v.flat) {
             cr_str_addf(out, "%zu,", i / nx / ny);
         }
-        cr_str_addf(out, "%.17g,%.17g\n", v.fill[i], v.energy[i]);
+        cr_str_number(out, v.fill[i]);
+        cr_str_add(out, ",");
+        cr_str_number(out, v.energy[i]);
+        cr_str_add(out, "\n");
     }
 }
 

@@ -4,10 +4,10 @@
 
 #include "model/json.h"
 
-#include <cjson/cJSON.h>
-
+#include "base/number.h"
 #include "base/vec.h"
 
+#include <cjson/cJSON.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,12 +19,8 @@ static const char *const array_key[] = {"fill", "energy_J"};
 static void add_numbers(struct cr_str *out, const double *v, size_t n, size_t per_line) {
     cr_str_add(out, "[");
     for (size_t i = 0; i < n; i++) {
-        const char *gap = i == 0 ? "" : i % per_line == 0 ? ",\n " : ",";
-        if (v[i] == 0) {
-            cr_str_addf(out, "%s0", gap);
-        } else {
-            cr_str_addf(out, "%s%.17g", gap, v[i]);
-        }
+        cr_str_add(out, i == 0 ? "" : i % per_line == 0 ? ",\n " : ",");
+        cr_str_number(out, v[i]);
     }
     cr_str_add(out, "]");
 }
@@ -32,7 +28,8 @@ static void add_numbers(struct cr_str *out, const double *v, size_t n, size_t pe
 static void add_field(struct cr_str *out, const struct cr_voxels_field *f, int n) {
     cr_str_addf(out, "\"%s\": %s", f->key, f->n > 1 ? "[" : "");
     for (int i = 0; i < n; i++) {
-        cr_str_addf(out, "%s%.17g", i > 0 ? ", " : "", *f->at[i]);
+        cr_str_add(out, i > 0 ? ", " : "");
+        cr_str_number(out, *f->at[i]);
     }
     cr_str_add(out, f->n > 1 ? "]" : "");
 }

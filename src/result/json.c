@@ -5,6 +5,8 @@
 #include "result/result_priv.h"
 
 #include "base/hash.h"
+#include "base/json.h"
+#include "base/number.h"
 
 #include <cjson/cJSON.h>
 #include <math.h>
@@ -47,15 +49,15 @@ static void put_assumed(const struct cr_result *r, cJSON *json) {
 
 enum cr_err cr_result_scene_hash(const struct cr_scene *scene, char hex[CR_HASH_SIZE],
                                  struct cr_error *err) {
-    cJSON *json = cr_scene_to_json(scene, false);
-    char *text = json ? cJSON_PrintUnformatted(json) : NULL;
-    cJSON_Delete(json);
-    if (!text) {
-        return cr_err_set(err, CR_ERR_MEMORY, "no memory to hash a scene");
+    struct cr_str text = {0};
+    enum cr_err code = CR_ERR_OK;
+    if (cr_json_add(cr_scene_to_json(scene, false), false, &text)) {
+        cr_hash_hex(text.s, text.len, hex);
+    } else {
+        code = cr_err_set(err, CR_ERR_MEMORY, "no memory to hash a scene");
     }
-    cr_hash_hex(text, strlen(text), hex);
-    cJSON_free(text);
-    return CR_ERR_OK;
+    cr_str_fini(&text);
+    return code;
 }
 
 static bool put_input(const struct cr_result *r, const struct cr_result_opts *opts, cJSON *json) {
@@ -267,16 +269,11 @@ static void put_trace(const struct cr_result *r, cJSON *json) {
 
 /* text of json with a newline into out; deletes json */
 static enum cr_err print(cJSON *json, bool pretty, struct cr_str *out, struct cr_error *err) {
-    char *text = json ? pretty ? cJSON_Print(json) : cJSON_PrintUnformatted(json) : NULL;
-    cJSON_Delete(json);
-    if (!text) {
-        return cr_err_set(err, CR_ERR_MEMORY, "no memory for the JSON of a result");
-    }
-    cr_str_add(out, text);
+    bool done = cr_json_add(json, pretty, out);
     cr_str_add(out, "\n");
-    cJSON_free(text);
-    return out->failed ? cr_err_set(err, CR_ERR_MEMORY, "no memory for the JSON of a result")
-                       : CR_ERR_OK;
+    return done && !out->failed
+               ? CR_ERR_OK
+               : cr_err_set(err, CR_ERR_MEMORY, "no memory for the JSON of a result");
 }
 
 enum cr_err cr_result_json(const struct cr_result *r, const struct cr_result_opts *opts,

@@ -212,7 +212,9 @@ static void settle(struct cr_participant *p, struct cr_vec2 pos, double heading)
     p->waypoint = NULL;
     p->waypoints = 0;
     p->pos = pos;
-    p->heading = cr_angle_wrap(heading);
+    /* a number of degrees, so that a file keeps it to the last bit */
+    const struct cr_unit *deg = cr_unit_find("deg", CR_DIM_ANGLE);
+    p->heading = cr_unit_to_si(deg, cr_unit_from_si(deg, cr_angle_wrap(heading)));
 }
 
 static enum cr_err check_wish(const struct cr_participant *p, const struct cr_participant *o,

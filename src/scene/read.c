@@ -176,19 +176,14 @@ enum cr_err cr_scene_members_read(struct cr_reader *r, enum cr_key_table table, 
 
 /* text of the x_ keys that were kept, NULL if there are none */
 static enum cr_err extra_text(struct cr_reader *r, char **out) {
-    char *text = NULL;
-    if (r->extra->child != NULL) {
-        char *printed = cJSON_PrintUnformatted(r->extra);
-        size_t n = printed != NULL ? strlen(printed) + 1 : 0;
-        text = printed != NULL ? malloc(n) : NULL;
-        if (text == NULL) {
-            cJSON_free(printed);
-            return cr_scene_fail(r, CR_ERR_MEMORY, "no memory to read the scene");
-        }
-        memcpy(text, printed, n);
-        cJSON_free(printed);
+    struct cr_str text = {0};
+    cJSON *kept = r->extra->child != NULL ? r->extra : NULL;
+    r->extra = kept != NULL ? NULL : r->extra; /* cr_json_add deletes it */
+    if (kept != NULL && !cr_json_add(kept, false, &text)) {
+        cr_str_fini(&text);
+        return cr_scene_fail(r, CR_ERR_MEMORY, "no memory to read the scene");
     }
-    *out = text;
+    *out = text.s;
     return CR_ERR_OK;
 }
 

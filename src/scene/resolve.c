@@ -1,6 +1,8 @@
 /* Values that were not given, from type and mass. */
 #include "scene/scene_priv.h"
 
+#include "base/number.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -127,7 +129,7 @@ static enum cr_err resolve_vehicle(struct cr_participant *p, const struct cr_mod
         if (!isnan(*x)) {
             continue;
         }
-        *x = rules[i].rule(&b);
+        *x = cr_round12(rules[i].rule(&b)); /* is read in the result, with all its digits */
         code = assume(assumed, p->id, rules[i].key, err);
         if (code != CR_ERR_OK) {
             return code;

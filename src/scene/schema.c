@@ -1,6 +1,8 @@
 /* The JSON Schema of the scene file, from the same tables that read it. */
 #include "scene/scene_priv.h"
 
+#include "base/json.h"
+
 #include <cjson/cJSON.h>
 #include <math.h>
 #include <stdio.h>
@@ -273,12 +275,8 @@ static void top_schema(struct build *b) {
 enum cr_err cr_scene_schema(struct cr_str *out, struct cr_error *err) {
     struct build b = {.root = cJSON_CreateObject()};
     top_schema(&b);
-    char *printed = b.failed ? NULL : cJSON_Print(b.root);
-    if (printed != NULL) {
-        cr_str_addf(out, "%s\n", printed);
-    }
-    bool failed = printed == NULL || out->failed;
-    cJSON_free(printed);
-    cJSON_Delete(b.root);
-    return failed ? cr_err_set(err, CR_ERR_MEMORY, "no memory for the schema") : CR_ERR_OK;
+    bool failed = !cr_json_add(b.root, true, out) || b.failed;
+    cr_str_add(out, "\n");
+    return failed || out->failed ? cr_err_set(err, CR_ERR_MEMORY, "no memory for the schema")
+                                 : CR_ERR_OK;
 }

@@ -252,12 +252,13 @@ enum cr_err cr_scene_get(const struct cr_scene *scene, const char *key, struct c
         return CR_ERR_OK;
     }
     cJSON *json = cr_scene_value_write(t.key, t.base);
-    char *text = json != NULL ? cJSON_PrintUnformatted(json) : NULL;
-    if (text != NULL) {
-        cr_str_add(out, cJSON_IsString(json) ? json->valuestring : text);
+    bool done;
+    if (cJSON_IsString(json)) { /* without its quotes */
+        cr_str_add(out, json->valuestring);
+        cJSON_Delete(json);
+        done = !out->failed;
+    } else {
+        done = cr_json_add(json, false, out);
     }
-    code = text == NULL || out->failed ? cr_err_set(err, CR_ERR_MEMORY, "no memory") : CR_ERR_OK;
-    cJSON_free(text);
-    cJSON_Delete(json);
-    return code;
+    return done ? CR_ERR_OK : cr_err_set(err, CR_ERR_MEMORY, "no memory");
 }

@@ -3,6 +3,7 @@
 #include "scene/scene_priv.h"
 
 #include "base/file.h"
+#include "base/json.h"
 
 #include <cjson/cJSON.h>
 #include <stdio.h>
@@ -210,8 +211,6 @@ static enum cr_err keep_files(struct cr_scene *scene, const char *path, struct c
 
 enum cr_err cr_scene_save(const struct cr_scene *scene, const char *path, struct cr_error *err) {
     struct cr_scene copy;
-    cJSON *json = NULL;
-    char *text = NULL;
     struct cr_str out = {0};
     enum cr_err code = cr_scene_copy(scene, &copy, err);
     if (code != CR_ERR_OK) {
@@ -219,16 +218,12 @@ enum cr_err cr_scene_save(const struct cr_scene *scene, const char *path, struct
     }
     code = keep_files(&copy, path, err);
     if (code == CR_ERR_OK) {
-        json = cr_scene_to_json(&copy, false);
-        text = json != NULL ? cJSON_Print(json) : NULL;
-        cr_str_addf(&out, "%s\n", text != NULL ? text : "");
-        code = text == NULL || out.failed
-                   ? cr_err_set(err, CR_ERR_MEMORY, "no memory to write the scene")
-                   : cr_file_write(path, out.s, out.len, err);
+        bool done = cr_json_add(cr_scene_to_json(&copy, false), true, &out);
+        cr_str_add(&out, "\n");
+        code = !done || out.failed ? cr_err_set(err, CR_ERR_MEMORY, "no memory to write the scene")
+                                   : cr_file_write(path, out.s, out.len, err);
     }
     cr_str_fini(&out);
-    cJSON_free(text);
-    cJSON_Delete(json);
     cr_scene_fini(&copy);
     return code;
 }

@@ -4,9 +4,14 @@
 #include "base/err.h"
 #include "base/file.h"
 #include "base/hash.h"
+#include "base/json.h"
+#include "base/number.h"
 #include "base/str.h"
 #include "base/vec.h"
 
+#include <cjson/cJSON.h>
+#include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -102,12 +107,99 @@ static void test_angles_and_rounding(void **state) {
     check_near(v.y, 1, 0);
 }
 
+static void text_is(double x, const char *want) {
+    char text[CR_NUMBER_SIZE];
+    assert_string_equal(cr_number_text(x, text), want);
+}
+
+/* no digit too many, none too few; in the form of %g */
+static void test_shortest_text_of_a_number(void **state) {
+    (void)state;
+    text_is(0, "0");
+    text_is(-0.0, "0");
+    text_is(1, "1");
+    text_is(-12.5, "-12.5");
+    text_is(0.1, "0.1");
+    text_is(0.1 + 0.2, "0.30000000000000004");
+    text_is(0.3, "0.3");
+    text_is(1e-4, "0.0001");
+    text_is(0.00012345, "0.00012345");
+    text_is(1e-5, "1e-05");
+    text_is(100, "100");
+    text_is(1e14, "100000000000000");
+    text_is(1e15, "1e+15");
+    text_is(123456789012345, "123456789012345");
+    text_is(9007199254740991, "9007199254740991"); /* 2^53 - 1: 16 digits */
+    text_is(1.7976931348623157e308, "1.7976931348623157e+308");
+    text_is(5e-324, "4.94065645841247e-324"); /* %g; shorter ones are read as the same */
+    text_is(2.5e-7, "2.5e-07");
+    text_is(0.1234567890123456,
+            "0.1234567890123456"); /* 16 digits do, 17 would be 0.12345678901234559 */
+}
+
+static uint64_t next_random(uint64_t *state) {
+    *state = *state * 6364136223846793005u + 1442695040888963407u;
+    return *state;
+}
+
+/* against printf and strtod, over all sizes: exact, and never longer than the shortest of %.15g to
+ * %.17g that is exact */
+static void test_numbers_against_printf(void **state) {
+    (void)state;
+    uint64_t seed = 1;
+    for (int i = 0; i < 200000; i++) {
+        double x =
+            (double)(int64_t)next_random(&seed) * pow(10, (int)(next_random(&seed) >> 58) - 50);
+        char text[CR_NUMBER_SIZE], want[40];
+        if (i % 2 == 0) { /* what was rounded once */
+            snprintf(want, sizeof want, "%.*g", 1 + i / 2 % 15, x);
+            x = strtod(want, NULL);
+        }
+        cr_number_text(x, text);
+        assert_true(strtod(text, NULL) == x);
+        for (int digits = 15; digits <= 17; digits++) {
+            snprintf(want, sizeof want, "%.*g", digits, x);
+            if (strtod(want, NULL) == x) {
+                break;
+            }
+        }
+        assert_true(strlen(text) <= strlen(want));
+        snprintf(want, sizeof want, "%.12g", x);
+        assert_true(cr_round12(x) == strtod(want, NULL));
+        x = trunc(x * 1e6) + 0.5; /* ties of the twelfth digit and near them */
+        snprintf(want, sizeof want, "%.12g", x);
+        assert_true(cr_round12(x) == strtod(want, NULL));
+    }
+}
+
+/* keys, nesting and what is no number as cJSON has them; numbers exact; the tree is gone */
+static void test_tree_as_text(void **state) {
+    (void)state;
+    struct cr_str out = {0};
+    const char *text = "{\"a\":[1,-0.30000000000000004,{\"b\":1e-07}],\"c\":null,\"d\":\"\\n\"}";
+    assert_true(cr_json_add(cJSON_Parse(text), false, &out));
+    assert_string_equal(cr_str_get(&out), text);
+    cr_str_clear(&out);
+    cJSON *json = cJSON_CreateArray();
+    cJSON_AddItemToArray(json, cJSON_CreateNumber(NAN));
+    cJSON *inner = cJSON_CreateObject();
+    cJSON_AddItemToObjectCS(inner, "constant", cJSON_CreateNumber(2));
+    cJSON_AddItemToArray(json, inner);
+    assert_true(cr_json_add(json, true, &out));
+    assert_string_equal(cr_str_get(&out), "[null, {\n\t\t\"constant\":\t2\n\t}]");
+    assert_false(cr_json_add(NULL, true, &out));
+    cr_str_fini(&out);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_arena_gives_zeroed_memory),
         cmocka_unit_test(test_error_text_names_place_and_way_out),
         cmocka_unit_test(test_nearest_word),
         cmocka_unit_test(test_text_grows),
+        cmocka_unit_test(test_shortest_text_of_a_number),
+        cmocka_unit_test(test_numbers_against_printf),
+        cmocka_unit_test(test_tree_as_text),
         cmocka_unit_test(test_hash_of_abc),
         cmocka_unit_test(test_file_is_whole_or_not_there),
         cmocka_unit_test(test_angles_and_rounding),
