@@ -7,6 +7,7 @@
 #include "base/vec.h"
 
 #include <math.h>
+#include <string.h>
 
 /* 50 mm: the voxel edge of the 3D models (method.md 2) */
 static const double body_edge = 0.05;
@@ -27,23 +28,46 @@ static int in_wheel(const struct cr_model_recipe *r, double dx2, double y, doubl
     return d2 < r->house_radius * r->house_radius ? 1 : 0;
 }
 
-/* Cells of one column: share that is material; returns their sum. */
-static double fill_column(const struct cr_model_recipe *r, const struct cr_model_body *b,
-                          const double *half, const double *tall, double dx2, double y,
-                          double *fill) {
-    double sum = 0, inner = r->dims.width / 2 - 0.02 - r->wheel_width;
-    bool wheels = y >= inner && dx2 < r->house_radius * r->house_radius;
+/* What is the same in all slices of a body, and scratch. A slice is the cells at one ix,
+ * [iz * ny + iy]: worked as rows in y, which a compiler turns into vectors. */
+struct maker {
+    const struct cr_model_recipe *r;
+    struct cr_model_body b;
+    double *wide; /* [nz * ny] share of a cell within the width of the body at its height */
+    double *sum;  /* [ny] material of a column, in cells */
+    double *line; /* [ny] */
+};
+
+struct slice {
+    double *fill, *weight[2];
+    int lo, hi; /* only the rows lo <= iz < hi have material, and are written */
+};
+
+static size_t slice_size(const struct cr_model_body *b) {
+    return (size_t)b->ny * (size_t)b->nz;
+}
+
+static bool begin(struct maker *m, const struct cr_model_recipe *r, struct cr_arena *scratch) {
+    struct cr_model_body *b = &m->b;
+    *m = (struct maker){.r = r, .b = {.edge = body_edge}};
+    b->nx = (int)ceil(r->dims.length / b->edge - 1e-9);
+    b->ny = (int)ceil(r->dims.width / 2 / b->edge - 1e-9);
+    b->nz = (int)ceil(r->dims.height / b->edge - 1e-9);
+    m->wide = cr_arena_take(scratch, slice_size(b), sizeof *m->wide);
+    m->sum = cr_arena_take(scratch, (size_t)b->ny, sizeof *m->sum);
+    m->line = cr_arena_take(scratch, (size_t)b->ny, sizeof *m->line);
+    if (m->wide == NULL || m->sum == NULL || m->line == NULL) {
+        return false;
+    }
     for (int iz = 0; iz < b->nz; iz++) {
         /* the cabin is narrower than the flanks */
-        double wide = (half[iz] - y) / b->edge + 0.5;
-        fill[iz] = tall[iz] * (wide < 0 ? 0 : wide > 1 ? 1 : wide);
-        int wheel = wheels ? in_wheel(r, dx2, y, (iz + 0.5) * b->edge) : 0;
-        if (wheel != 0) {
-            fill[iz] = wheel == 2;
+        double half = r->dims.width / 2 * cr_model_knots_at(&r->side, (iz + 0.5) * b->edge);
+        for (int iy = 0; iy < b->ny; iy++) {
+            double y = (iy + 0.5) * b->edge;
+            m->wide[iz * b->ny + iy] = cr_clamp((half - y) / b->edge + 0.5, 0, 1);
         }
-        sum += fill[iz];
     }
-    return sum;
+    return true;
 }
 
 /* Squared distance from the nearer axle. */
@@ -52,30 +76,63 @@ static double from_axle(const struct cr_dims *d, double x) {
     return fmin(front * front, rear * rear);
 }
 
-static void fill_columns(const struct cr_model_recipe *r, struct cr_model_body *b, double *fill,
-                         double *weight[2], double *half, double *tall) {
-    for (int iz = 0; iz < b->nz; iz++) {
-        half[iz] = r->dims.width / 2 * cr_model_knots_at(&r->side, (iz + 0.5) * b->edge);
-    }
-    for (int ix = 0; ix < b->nx; ix++) {
-        double x = (ix + 0.5) * b->edge, dx2 = from_axle(&r->dims, x);
-        double top = cr_model_knots_at(&r->top, x), bottom = cr_model_knots_at(&r->bottom, x);
-        for (int iz = 0; iz < b->nz; iz++) {
-            tall[iz] = overlap(iz * b->edge, (iz + 1) * b->edge, bottom, top);
-        }
-        for (int iy = 0; iy < b->ny; iy++) {
-            size_t at = ((size_t)ix * (size_t)b->ny + (size_t)iy) * (size_t)b->nz;
-            double y = (iy + 0.5) * b->edge;
-            double sum = fill_column(r, b, half, tall, dx2, y, fill + at);
-            if (sum <= 0) { /* every column of the plan has something to crush */
-                size_t iz = (size_t)cr_clamp((bottom + top) / 2 / b->edge, 0, b->nz - 1);
-                sum = fill[at + iz] = 1;
+/* Wheels, and the houses about them, at a distance from the nearer axle. */
+static void cut_wheels(const struct maker *m, double dx2, const struct slice *s) {
+    const struct cr_model_recipe *r = m->r;
+    double inner = r->dims.width / 2 - 0.02 - r->wheel_width;
+    for (int iy = 0; iy < m->b.ny && dx2 < r->house_radius * r->house_radius; iy++) {
+        double y = (iy + 0.5) * m->b.edge;
+        for (int iz = s->lo; iz < s->hi && y >= inner; iz++) {
+            int wheel = in_wheel(r, dx2, y, (iz + 0.5) * m->b.edge);
+            if (wheel != 0) {
+                s->fill[iz * m->b.ny + iy] = wheel == 2;
             }
-            /* the body's weight is per column, however tall the column is */
-            double w0 = r->body_weight[0] / sum, w1 = r->body_weight[1] / sum;
-            for (size_t i = at; i < at + (size_t)b->nz; i++) {
-                weight[0][i] = w0 * fill[i];
-                weight[1][i] = w1 * fill[i];
+        }
+    }
+}
+
+/* Material of a slice, and its sum in each column: every one has something to crush. */
+static void fill_slice(const struct maker *m, int ix, double bottom, double top,
+                       const struct slice *s) {
+    const struct cr_model_body *b = &m->b;
+    double *restrict sum = m->sum;
+    for (int iz = s->lo; iz < s->hi; iz++) {
+        double tall = overlap(iz * b->edge, (iz + 1) * b->edge, bottom, top);
+        const double *restrict wide = m->wide + iz * b->ny;
+        double *restrict fill = s->fill + iz * b->ny;
+        for (int iy = 0; iy < b->ny; iy++) {
+            fill[iy] = tall * wide[iy];
+        }
+    }
+    cut_wheels(m, from_axle(&m->r->dims, (ix + 0.5) * b->edge), s);
+    memset(sum, 0, (size_t)b->ny * sizeof *sum);
+    for (int iz = s->lo; iz < s->hi; iz++) {
+        const double *restrict fill = s->fill + iz * b->ny;
+        for (int iy = 0; iy < b->ny; iy++) {
+            sum[iy] += fill[iy];
+        }
+    }
+    int middle = (int)cr_clamp((bottom + top) / 2 / b->edge, 0, b->nz - 1);
+    for (int iy = 0; iy < b->ny; iy++) {
+        if (sum[iy] <= 0) {
+            sum[iy] = s->fill[middle * b->ny + iy] = 1;
+        }
+    }
+}
+
+/* The body's weight is per column, however tall the column is. */
+static void weigh_slice(const struct maker *m, const struct slice *s) {
+    int ny = m->b.ny;
+    for (int k = 0; k < 2; k++) {
+        double *restrict per_cell = m->line;
+        for (int iy = 0; iy < ny; iy++) {
+            per_cell[iy] = m->r->body_weight[k] / m->sum[iy];
+        }
+        for (int iz = s->lo; iz < s->hi; iz++) {
+            const double *restrict fill = s->fill + iz * ny;
+            double *restrict weight = s->weight[k] + iz * ny;
+            for (int iy = 0; iy < ny; iy++) {
+                weight[iy] = per_cell[iy] * fill[iy];
             }
         }
     }
@@ -88,97 +145,150 @@ static void span(double lo, double hi, double edge, int n, int out[2]) {
 }
 
 /* A structure is material wherever it is, and gives the columns it covers its weight. */
-static void paint_box(const struct cr_model_box *box, struct cr_model_body *b, double *fill,
-                      double *weight[2], double *fz) {
-    int xs[2], ys[2], zs[2];
-    span(box->x[0], box->x[1], b->edge, b->nx, xs);
-    span(box->y[0], box->y[1], b->edge, b->ny, ys);
-    span(box->z[0], box->z[1], b->edge, b->nz, zs);
-    double per_cell = b->edge / (box->z[1] - box->z[0]);
-    for (int iz = zs[0]; iz < zs[1]; iz++) {
-        fz[iz] = overlap(iz * b->edge, (iz + 1) * b->edge, box->z[0], box->z[1]);
+static void paint_box(const struct maker *m, const struct cr_model_box *box, int ix,
+                      const struct slice *s) {
+    const struct cr_model_body *b = &m->b;
+    double edge = b->edge, *restrict fy = m->line;
+    int ys[2], zs[2];
+    span(box->y[0], box->y[1], edge, b->ny, ys);
+    span(box->z[0], box->z[1], edge, b->nz, zs);
+    double per_cell = edge / (box->z[1] - box->z[0]);
+    double fx = overlap(ix * edge, (ix + 1) * edge, box->x[0], box->x[1]);
+    for (int iy = ys[0]; iy < ys[1]; iy++) {
+        fy[iy] = fx * overlap(iy * edge, (iy + 1) * edge, box->y[0], box->y[1]);
     }
-    for (int ix = xs[0]; ix < xs[1]; ix++) {
-        double fx = overlap(ix * b->edge, (ix + 1) * b->edge, box->x[0], box->x[1]);
+    for (int iz = zs[0]; iz < zs[1]; iz++) {
+        double fz = overlap(iz * edge, (iz + 1) * edge, box->z[0], box->z[1]);
+        double *restrict fill = s->fill + iz * b->ny;
+        double *restrict along = s->weight[0] + iz * b->ny;
+        double *restrict across = s->weight[1] + iz * b->ny;
         for (int iy = ys[0]; iy < ys[1]; iy++) {
-            double fy = overlap(iy * b->edge, (iy + 1) * b->edge, box->y[0], box->y[1]);
-            size_t at = ((size_t)ix * (size_t)b->ny + (size_t)iy) * (size_t)b->nz;
-            for (int iz = zs[0]; iz < zs[1]; iz++) {
-                double share = fx * fy * fz[iz];
-                size_t i = at + (size_t)iz;
-                weight[0][i] += box->weight[0] * per_cell * share;
-                weight[1][i] += box->weight[1] * per_cell * share;
-                fill[i] = fill[i] > share ? fill[i] : share;
-            }
+            double share = fy[iy] * fz;
+            along[iy] += box->weight[0] * per_cell * share;
+            across[iy] += box->weight[1] * per_cell * share;
+            fill[iy] = fill[iy] > share ? fill[iy] : share;
         }
     }
+}
+
+static void widen(struct slice *s, const int rows[2]) {
+    s->lo = rows[0] < s->lo ? rows[0] : s->lo;
+    s->hi = rows[1] > s->hi ? rows[1] : s->hi;
+}
+
+static void make_slice(const struct maker *m, int ix, struct slice *s) {
+    const struct cr_model_recipe *r = m->r;
+    const struct cr_model_box *here[CR_MODEL_BOXES];
+    double x = (ix + 0.5) * m->b.edge;
+    double top = cr_model_knots_at(&r->top, x), bottom = cr_model_knots_at(&r->bottom, x);
+    int n = 0, xs[2], zs[2];
+    span(bottom, top, m->b.edge, m->b.nz, zs);
+    s->lo = zs[0];
+    s->hi = zs[1];
+    if (from_axle(&r->dims, x) < r->house_radius * r->house_radius) {
+        span(0, r->wheel_radius + r->house_radius, m->b.edge, m->b.nz, zs);
+        widen(s, zs);
+    }
+    for (int i = 0; i < r->boxes; i++) {
+        span(r->box[i].x[0], r->box[i].x[1], m->b.edge, m->b.nx, xs);
+        if (ix >= xs[0] && ix < xs[1]) {
+            span(r->box[i].z[0], r->box[i].z[1], m->b.edge, m->b.nz, zs);
+            widen(s, zs);
+            here[n++] = &r->box[i];
+        }
+    }
+    fill_slice(m, ix, bottom, top, s);
+    weigh_slice(m, s);
+    for (int i = 0; i < n; i++) {
+        paint_box(m, here[i], ix, s);
+    }
+}
+
+static bool take_slices(struct slice *s, size_t n, struct cr_arena *arena) {
+    s->fill = cr_arena_take(arena, n, sizeof *s->fill);
+    s->weight[0] = cr_arena_take(arena, n, sizeof *s->fill);
+    s->weight[1] = cr_arena_take(arena, n, sizeof *s->fill);
+    return s->fill != NULL && s->weight[0] != NULL && s->weight[1] != NULL;
 }
 
 enum cr_err cr_model_body_build(const struct cr_model_recipe *r, struct cr_arena *arena,
                                 struct cr_model_body *out, struct cr_error *err) {
-    struct cr_model_body b = {.edge = body_edge};
-    b.nx = (int)ceil(r->dims.length / b.edge - 1e-9);
-    b.ny = (int)ceil(r->dims.width / 2 / b.edge - 1e-9);
-    b.nz = (int)ceil(r->dims.height / b.edge - 1e-9);
-    size_t n = (size_t)b.nx * (size_t)b.ny * (size_t)b.nz;
-    double *fill = cr_arena_take(arena, n, sizeof *fill);
-    double *weight[2] = {cr_arena_take(arena, n, sizeof **weight),
-                         cr_arena_take(arena, n, sizeof **weight)};
-    double *scratch = cr_arena_take(arena, 2 * (size_t)b.nz, sizeof *scratch);
-    if (fill == NULL || weight[0] == NULL || weight[1] == NULL || scratch == NULL) {
-        return cr_err_set(err, CR_ERR_MEMORY, "no memory for the body of a model");
+    struct cr_arena scratch = {0};
+    struct maker m;
+    struct slice all = {0};
+    enum cr_err rc = CR_ERR_OK;
+    if (!begin(&m, r, &scratch) || !take_slices(&all, (size_t)m.b.nx * slice_size(&m.b), arena)) {
+        rc = cr_err_set(err, CR_ERR_MEMORY, "no memory for the body of a model");
     }
-    fill_columns(r, &b, fill, weight, scratch, scratch + b.nz);
-    for (int i = 0; i < r->boxes; i++) {
-        paint_box(&r->box[i], &b, fill, weight, scratch);
+    for (int ix = 0; ix < m.b.nx && !rc; ix++) {
+        size_t at = (size_t)ix * slice_size(&m.b);
+        struct slice s = {all.fill + at, {all.weight[0] + at, all.weight[1] + at}, 0, 0};
+        make_slice(&m, ix, &s);
     }
-    b.fill = fill;
-    b.weight[0] = weight[0];
-    b.weight[1] = weight[1];
-    *out = b;
-    return CR_ERR_OK;
+    *out = m.b;
+    out->fill = all.fill;
+    out->weight[0] = all.weight[0];
+    out->weight[1] = all.weight[1];
+    cr_arena_free(&scratch);
+    return rc;
 }
 
-/* Sum of a column between two heights in cells; part cells count by their share. */
-static double column_sum(const double *v, double lo, double hi) {
-    int from = (int)lo, to = (int)hi;
-    if (from == to) {
-        return v[from] * (hi - lo);
-    }
-    double sum = v[from] * (from + 1 - lo);
-    for (int iz = from + 1; iz < to; iz++) {
-        sum += v[iz];
-    }
-    return hi > to ? sum + v[to] * (hi - to) : sum;
-}
-
-enum cr_err cr_model_plan_build(const struct cr_model_body *b, double z_lo, double z_hi,
-                                struct cr_arena *arena, struct cr_model_plan *out,
-                                struct cr_error *err) {
-    size_t n = (size_t)b->nx * (size_t)b->ny;
-    double *v[5];
-    for (int i = 0; i < 5; i++) {
-        v[i] = cr_arena_take(arena, n, sizeof *v[i]);
-        if (v[i] == NULL) {
-            return cr_err_set(err, CR_ERR_MEMORY, "no memory for the plan of a model");
+/* Sums of the columns of a slice between two heights in cells; part cells count by their share. */
+static void sum_columns(const struct maker *m, const struct slice *s, const double *v, double lo,
+                        double hi, double *restrict sum) {
+    int from = (int)lo > s->lo ? (int)lo : s->lo, to = (int)ceil(hi), ny = m->b.ny;
+    memset(sum, 0, (size_t)ny * sizeof *sum);
+    for (int iz = from; iz < to && iz < s->hi; iz++) {
+        double share = (hi < iz + 1 ? hi : iz + 1) - (lo > iz ? lo : iz);
+        const double *restrict row = v + iz * ny;
+        for (int iy = 0; iy < ny; iy++) {
+            sum[iy] += row[iy] * share;
         }
     }
-    double lo = cr_clamp(z_lo / b->edge, 0, b->nz), hi = cr_clamp(z_hi / b->edge, 0, b->nz);
-    bool empty = !(hi > lo);
-    for (size_t i = 0; i < n; i++) {
-        size_t at = i * (size_t)b->nz;
+}
+
+static void make_plan(const struct maker *m, struct slice *s, double lo, double hi,
+                      double *const v[3]) {
+    const struct cr_model_body *b = &m->b;
+    for (int ix = 0; ix < b->nx && hi > lo; ix++) {
+        size_t at = (size_t)ix * (size_t)b->ny;
+        make_slice(m, ix, s);
         for (int k = 0; k < 2; k++) {
-            v[k][i] = empty ? 0 : column_sum(b->weight[k] + at, lo, hi);
-            v[2 + k][i] = column_sum(b->weight[k] + at, 0, b->nz);
+            sum_columns(m, s, s->weight[k], lo, hi, v[k] + at);
         }
+        sum_columns(m, s, s->fill, lo, hi, v[2] + at);
         /* a tenth of a cell is enough to be there, less fades out */
-        v[4][i] = empty ? 0 : cr_clamp(10 * column_sum(b->fill + at, lo, hi), 0, 1);
+        for (int iy = 0; iy < b->ny; iy++) {
+            v[2][at + (size_t)iy] = cr_clamp(10 * v[2][at + (size_t)iy], 0, 1);
+        }
     }
-    *out = (struct cr_model_plan){.nx = b->nx,
-                                  .ny = b->ny,
-                                  .edge = b->edge,
-                                  .weight = {v[0], v[1]},
-                                  .full = {v[2], v[3]},
-                                  .present = v[4]};
-    return CR_ERR_OK;
+}
+
+enum cr_err cr_model_plan_build(const struct cr_model_recipe *r, double z_lo, double z_hi,
+                                const struct cr_model_plan *whole, struct cr_arena *arena,
+                                struct cr_model_plan *out, struct cr_error *err) {
+    struct cr_arena scratch = {0};
+    struct maker m;
+    struct slice s;
+    double *v[3] = {NULL};
+    bool ok = begin(&m, r, &scratch) && take_slices(&s, slice_size(&m.b), &scratch);
+    for (int i = 0; i < 3 && ok; i++) {
+        v[i] = cr_arena_take(arena, (size_t)m.b.nx * (size_t)m.b.ny, sizeof *v[i]);
+        ok = v[i] != NULL;
+    }
+    if (ok) {
+        make_plan(&m, &s, cr_clamp(z_lo / m.b.edge, 0, m.b.nz),
+                  cr_clamp(z_hi / m.b.edge, 0, m.b.nz), v);
+        *out = (struct cr_model_plan){.nx = m.b.nx,
+                                      .ny = m.b.ny,
+                                      .edge = m.b.edge,
+                                      .weight = {v[0], v[1]},
+                                      .full = {v[0], v[1]},
+                                      .present = v[2]};
+        if (whole != NULL) {
+            memcpy(out->full, whole->full, sizeof out->full);
+        }
+    }
+    cr_arena_free(&scratch);
+    return ok ? CR_ERR_OK : cr_err_set(err, CR_ERR_MEMORY, "no memory for the plan of a model");
 }

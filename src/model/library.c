@@ -17,8 +17,9 @@ enum { PLANS = 64 };
 
 struct kept {
     struct cr_arena arena;
-    bool built;
+    bool built; /* the body: voxels need it */
     struct cr_model_body body;
+    bool planned;
     struct cr_model_plan whole; /* all layers */
     int plans;
     double range[PLANS][2];
@@ -164,23 +165,6 @@ void cr_model_set_face(struct cr_model_lib *lib, enum cr_type type, enum cr_mode
     lib->cache->finished.n = 0;
 }
 
-/* Under the lock: body and whole plan of a type. */
-static enum cr_err build(const struct cr_model_recipe *r, struct kept *k, struct cr_error *err) {
-    if (k->built) {
-        return CR_ERR_OK;
-    }
-    enum cr_err rc = cr_model_body_build(r, &k->arena, &k->body, err);
-    if (!rc) {
-        rc = cr_model_plan_build(&k->body, 0, INFINITY, &k->arena, &k->whole, err);
-    }
-    if (!rc) {
-        k->whole.weight[0] = k->whole.full[0];
-        k->whole.weight[1] = k->whole.full[1];
-        k->built = true;
-    }
-    return rc;
-}
-
 enum cr_err cr_model_body_of(const struct cr_model_lib *lib, enum cr_type type,
                              const struct cr_model_recipe **recipe,
                              const struct cr_model_body **body, struct cr_error *err) {
@@ -192,7 +176,8 @@ enum cr_err cr_model_body_of(const struct cr_model_lib *lib, enum cr_type type,
     *recipe = recipe_of(lib, type);
     *body = &k->body;
     pthread_mutex_lock(&lib->cache->lock);
-    rc = build(*recipe, k, err);
+    rc = k->built ? CR_ERR_OK : cr_model_body_build(*recipe, &k->arena, &k->body, err);
+    k->built = !rc;
     pthread_mutex_unlock(&lib->cache->lock);
     return rc;
 }
@@ -201,7 +186,11 @@ enum cr_err cr_model_body_of(const struct cr_model_lib *lib, enum cr_type type,
 static enum cr_err plan_of(const struct cr_model_recipe *r, struct kept *k, double lo, double hi,
                            struct cr_arena *scratch, struct cr_model_plan *out,
                            struct cr_error *err) {
-    enum cr_err rc = build(r, k, err);
+    enum cr_err rc = CR_ERR_OK;
+    if (!k->planned) {
+        rc = cr_model_plan_build(r, 0, INFINITY, NULL, &k->arena, &k->whole, err);
+        k->planned = !rc;
+    }
     if (rc) {
         return rc;
     }
@@ -216,7 +205,7 @@ static enum cr_err plan_of(const struct cr_model_recipe *r, struct kept *k, doub
         }
     }
     bool keep = k->plans < PLANS;
-    rc = cr_model_plan_build(&k->body, lo, hi, keep ? &k->arena : scratch, out, err);
+    rc = cr_model_plan_build(r, lo, hi, &k->whole, keep ? &k->arena : scratch, out, err);
     if (!rc && keep) {
         k->range[k->plans][0] = lo;
         k->range[k->plans][1] = hi;

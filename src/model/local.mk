@@ -13,7 +13,7 @@ libmodel_a_SOURCES = \
 	src/model/substitute.c \
 	src/model/type.c \
 	src/model/voxels.c
-libmodel_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)
+libmodel_a_CFLAGS = $(CR_CFLAGS) $(CR_VECTOR_CFLAGS) $(CJSON_CFLAGS)
 
 modelsdir = $(pkgdatadir)/models
 dist_models_DATA = \

@@ -48,7 +48,7 @@ CR_MUST_CHECK enum cr_err cr_model_recipe_read(const char *text, size_t len, con
 struct cr_model_body {
     double edge;             /* m */
     int nx, ny, nz;          /* cells from the front end, from the centre line, from the road */
-    const double *weight[2]; /* [(ix * ny + iy) * nz + iz] */
+    const double *weight[2]; /* [(ix * nz + iz) * ny + iy] */
     const double *fill;      /* 0..1, in height and profile; the plan outline is not in it */
 };
 
@@ -65,10 +65,12 @@ struct cr_model_plan {
     const double *present;   /* share of the column's plan that has material in those layers */
 };
 
-/* Columns of the layers between z_lo and z_hi (m of the reference vehicle). */
-CR_MUST_CHECK enum cr_err cr_model_plan_build(const struct cr_model_body *body, double z_lo,
-                                              double z_hi, struct cr_arena *arena,
-                                              struct cr_model_plan *out, struct cr_error *err);
+/* Columns of the layers between z_lo and z_hi (m of the reference vehicle), without the memory of a
+ * whole body. whole: plan of all layers, borrowed from; NULL if this is it. */
+CR_MUST_CHECK enum cr_err cr_model_plan_build(const struct cr_model_recipe *r, double z_lo,
+                                              double z_hi, const struct cr_model_plan *whole,
+                                              struct cr_arena *arena, struct cr_model_plan *out,
+                                              struct cr_error *err);
 
 /* Monotone piecewise linear map between the vehicle's own lines and the reference grid's. */
 enum { CR_MODEL_LINES = 6 };

@@ -21,9 +21,9 @@ static void column_of(const struct cr_model_body *b, const double *v, const doub
         double fx = fmin(ix + 1, x[1]) - fmax(ix, x[0]);
         for (int iy = (int)y[0]; iy < b->ny && iy < y[1]; iy++) {
             double share = fx * (fmin(iy + 1, y[1]) - fmax(iy, y[0])) / area;
-            const double *from = v + ((size_t)ix * (size_t)b->ny + (size_t)iy) * (size_t)b->nz;
+            const double *from = v + (size_t)ix * (size_t)b->nz * (size_t)b->ny + iy;
             for (int iz = 0; iz < b->nz; iz++) {
-                column[iz] += share * from[iz];
+                column[iz] += share * from[iz * b->ny];
             }
         }
     }
