@@ -47,6 +47,20 @@ skip() {
     echo "ok $tap_n - $1 # SKIP $2"
 }
 
+# need_terminals: ends the test as skipped where tmux cannot open a terminal (not installed, or no
+# pseudo-terminals: a container without devpts)
+need_terminals() {
+    if ! command -v tmux >/dev/null 2>&1; then
+        echo "1..0 # SKIP tmux is not installed"
+        exit 0
+    fi
+    if ! tap_why=$(tmux -L "cr-probe-$$" -f /dev/null new-session -d "exec sleep 9" 2>&1); then
+        echo "1..0 # SKIP no pseudo-terminal here (is /dev/pts mounted?): $tap_why"
+        exit 0
+    fi
+    tmux -L "cr-probe-$$" kill-server
+}
+
 # finish: the plan; last line of each test
 finish() {
     echo "1..$tap_n"

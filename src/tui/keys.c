@@ -18,6 +18,7 @@ enum {
     TIMED = BIT(PULSE) | BIT(ENERGY),
     PAGED = BIT(LOG) | BIT(TABLE)
 };
+#define TWICE_S 0.4 /* two Tabs within this time are one key */
 enum kind { CHARACTER, FUNCTION, ALT, READLINE };
 
 struct key {
@@ -73,6 +74,18 @@ static void open_overlay(struct cr_tui *t, int which) {
     t->filter[0] = '\0';
     t->chosen = 0;
     t->dirty = true;
+}
+
+/* the next pane; twice at once on an empty line: the palette, and the focus is where it was */
+static void tab(struct cr_tui *t, int step) {
+    double now = cr_tui_clock();
+    if (t->focus != CR_AREAS && now - t->tabbed_at < TWICE_S) {
+        cr_tui_focus(t, CR_AREAS);
+        open_overlay(t, CR_OVERLAY_PALETTE);
+        return;
+    }
+    t->tabbed_at = t->focus == CR_AREAS ? now : -1;
+    next_pane(t, step);
 }
 
 static void solve(struct cr_tui *t, int arg) {
@@ -303,7 +316,7 @@ static const struct key keys[] = {
     {ROW("Space", "play", "play, pause (empty line)", EVERYWHERE, CHARACTER, ' '), .act = play},
     {ROW("F6", "panes", "next pane (empty: Tab)", EVERYWHERE, FUNCTION, KEY_F(6)), .act = next_pane,
      .arg = 1},
-    {ALSO(EVERYWHERE, CHARACTER, '\t'), .act = next_pane, .arg = 1},
+    {ALSO(EVERYWHERE, CHARACTER, '\t'), .act = tab, .arg = 1},
     {ALSO(EVERYWHERE, FUNCTION, KEY_BTAB), .act = next_pane, .arg = -1},
     {ROW("Tab", "complete", "complete, list", AT_PROMPT, READLINE, 0)},
     {ROW("^R", "history", "search the history", AT_PROMPT, READLINE, 0)},
@@ -320,7 +333,7 @@ static const struct key keys[] = {
     {ALSO(EVERYWHERE, FUNCTION, KEY_F(8)), .command = "show frame=+1"},
     {ALSO(PANES, CHARACTER, '['), .command = "show frame=-1"},
     {ALSO(PANES, CHARACTER, ']'), .command = "show frame=+1"},
-    {ROW("F9", "palette", "all commands (pane: : /)", EVERYWHERE, FUNCTION, KEY_F(9)),
+    {ROW("F9", "palette", "all commands (Tab Tab, : /)", EVERYWHERE, FUNCTION, KEY_F(9)),
      .act = open_overlay, .arg = CR_OVERLAY_PALETTE},
     {ALSO(PANES, CHARACTER, ':'), .act = open_overlay, .arg = CR_OVERLAY_PALETTE},
     {ALSO(PANES, CHARACTER, '/'), .act = open_overlay, .arg = CR_OVERLAY_PALETTE},
@@ -454,6 +467,9 @@ static void run_command(struct cr_tui *t, const char *command) {
 }
 
 static void press(struct cr_tui *t, const struct key *k) {
+    if (k->act != tab) {
+        t->tabbed_at = -1;
+    }
     if (k->act != play && k->act != redraw && k->act != suspend && k->act != open_overlay) {
         cr_play_stop(t);
     }

@@ -308,6 +308,7 @@ int cr_tui_main(const char *data_dir, const char *state_dir) {
     }
     t->focus = CR_AREAS;
     t->sheet_from = t->taken = t->dragged = -1;
+    t->tabbed_at = -1;
     struct cr_session_opts opts = {.data_dir = data_dir,
                                    .state_dir = state_dir[0] != '\0' ? state_dir : NULL,
                                    .ask = true,

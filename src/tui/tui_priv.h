@@ -103,6 +103,7 @@ struct cr_tui {
     bool failed;        /* the last line that was run */
     double drawn_at;    /* s of the clock */
     enum cr_area focus; /* CR_AREAS: the prompt */
+    double tabbed_at;   /* s of the clock: Tab on the empty prompt, -1: something else since */
     int log_back, table_down, sweep_row;
     struct cr_play play;
     /* sheet above the prompt: an answer that is too long for the dialogue, or candidates */

@@ -55,6 +55,14 @@ keys x F9 swe
 shows "F9 filters the commands" "sweep +solve for a range"
 keys Enter
 shows "and types the chosen one" "^crumple> sweep"
+keys C-c Tab Tab
+shows "Tab Tab on an empty line is the palette too" "Commands +Enter chooses"
+keys Escape
+gone "Esc closes it" "Commands +Enter"
+keys "lis"
+shows "and the prompt has the keys" "^crumple> lis$"
+keys C-c Tab
+shows "one Tab goes to the pane" "^Up Down scroll"
 keys C-c "view scene" Enter
 
 screen resize-window -x 100 -y 30

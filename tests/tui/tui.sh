@@ -10,10 +10,7 @@ screen() {
 }
 trap 'screen kill-server 2>/dev/null; rm -rf "$tmp"' EXIT
 trap 'exit 130' INT TERM
-if ! command -v tmux >/dev/null 2>&1; then
-    echo "1..0 # SKIP tmux is not installed"
-    exit 0
-fi
+need_terminals
 cd "$tmp" || exit 99
 cp "$SRC/share/scenes/q7-fiat500.json" crash.json
 

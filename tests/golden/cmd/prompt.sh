@@ -9,10 +9,7 @@ screen() {
 }
 trap 'screen kill-server 2>/dev/null; rm -rf "$tmp"' EXIT
 trap 'exit 130' INT TERM
-if ! command -v tmux >/dev/null 2>&1; then
-    skip "the plain prompt" "tmux is not installed"
-    finish
-fi
+need_terminals
 cd "$tmp" || exit 99
 
 # start ARG ...: the program in a terminal of 80 x 24 (^C is for the program: dash
