@@ -87,7 +87,7 @@ shows "^C stops it" "interrupted"
 keys "view scene" Enter "set dt=0.001ms" Enter F5
 shows "a solve grows live" "SOLVING [0-9]+ %.*t [1-9][0-9.]* ms"
 keys C-c
-shows "^C keeps what was solved" "INTERRUPTED  t [0-9.]+/[0-9.]+ ms  frame ([1-9][0-9]*)/\1 "
+shows "^C keeps what was solved" "INTERRUPTED  t [0-9.]+/[0-9.]+ ms  frame ([1-9][0-9]*)/\1( |$)"
 shows "and says so beside the picture" "stop: interrupted"
 keys C-c "show frame=9" Enter
 shows "its slices can be walked" "INTERRUPTED .*frame 9/"
