@@ -21,7 +21,7 @@ void cr_session_reset_view(struct cr_session *s) {
     snprintf(s->view.colormap, sizeof s->view.colormap, "%s",
              keep.colormap[0] != '\0' ? keep.colormap : "viridis");
     snprintf(s->view.theme, sizeof s->view.theme, "%s",
-             keep.theme[0] != '\0' ? keep.theme : "dark");
+             keep.theme[0] != '\0' ? keep.theme : "auto");
 }
 
 enum cr_err cr_session_new(const struct cr_session_opts *opts, struct cr_session **out,

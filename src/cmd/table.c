@@ -202,8 +202,8 @@ static const struct cr_arg view_args[] = {
     OPTION("PANE", CR_VALUE_WORD, .words = "scene|pulse|energy|table|sweep|log",
            .help = "what is in front"),
     KEY("zoom", CR_VALUE_SWITCH, .words = "on|off", .def = "off", .help = "the pane alone"),
-    KEY("theme", CR_VALUE_WORD, .words = "dark|light|contrast", .def = "dark",
-        .help = "colours of the screen"),
+    KEY("theme", CR_VALUE_WORD, .words = "auto|dark|light|contrast", .def = "auto",
+        .help = "colours of the screen; auto: as the terminal's background needs"),
     END,
 };
 

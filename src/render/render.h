@@ -65,7 +65,7 @@ struct cr_look {
     bool ascii; /* no character above 126 */
     enum cr_color color;
     enum cr_colormap map;
-    const struct cr_theme *theme; /* NULL: dark (render/theme.h) */
+    const struct cr_theme *theme; /* NULL: auto (render/theme.h) */
 };
 /* Cells as lines of text, trailing blanks cut. */
 void cr_cells_text(const struct cr_cells *cells, const struct cr_look *look, struct cr_str *out);

@@ -210,9 +210,9 @@ static void next_map(struct cr_tui *t, int arg) {
 }
 
 static void next_theme(struct cr_tui *t, int arg) {
-    static const char *const words[] = {"dark", "light", "contrast"};
+    static const char *const words[] = {"auto", "dark", "light", "contrast"};
     (void)arg;
-    next_word(t, "view theme=", cr_session_view(t->session)->theme, words, 3);
+    next_word(t, "view theme=", cr_session_view(t->session)->theme, words, 4);
 }
 
 static void arrows(struct cr_tui *t, int arg) {
@@ -414,7 +414,7 @@ static const struct key keys[] = {
     {ALSO(BIT(SWEEP), FUNCTION, KEY_ENTER), .act = take_run},
     {ROW("x", NULL, "export the sweep", BIT(SWEEP), CHARACTER, 'x'), .act = export_run},
     {ROW("z", "zoom", "this pane alone, back", PANES, CHARACTER, 'z'), .act = zoom},
-    {ROW("t", NULL, "dark, light, contrast", PANES, CHARACTER, 't'), .act = next_theme},
+    {ROW("t", NULL, "theme: dark, light, ...", PANES, CHARACTER, 't'), .act = next_theme},
     {ROW("mouse", NULL, "choose, drag, scrub, zoom", PANES, READLINE, 0)},
 };
 enum { KEYS = sizeof keys / sizeof *keys };

@@ -16,7 +16,12 @@ struct cr_look cr_tui_look(const struct cr_tui *t) {
     static const char *const maps[CR_COLORMAPS] = {"viridis", "magma", "gray"};
     const struct cr_view *view = cr_session_view(t->session);
     struct cr_look look = *cr_session_look(t->session);
-    look.theme = cr_theme_find(look.color == CR_COLOR_NONE ? "mono" : view->theme);
+    const char *theme = look.color == CR_COLOR_NONE ? "mono" : view->theme;
+    if (strcmp(theme, "auto") == 0) {
+        static const char *const on[] = {"auto", "dark", "light"};
+        theme = on[cr_term_ground()];
+    }
+    look.theme = cr_theme_find(theme);
     for (int i = 0; i < CR_COLORMAPS; i++) {
         if (strcmp(maps[i], view->colormap) == 0) {
             look.map = (enum cr_colormap)i;
@@ -64,7 +69,7 @@ static struct cr_title title_of(const struct cr_tui *t) {
                              .t_end = (double)NAN,
                              .dt = scene->set.dt,
                              .field = fields[view->field],
-                             .theme = view->theme};
+                             .theme = cr_tui_look(t).theme->name};
     for (int i = 0; i < scene->n; i++) {
         *(scene->part[i].kind == CR_KIND_VEHICLE ? &title.vehicles : &title.objects) += 1;
     }

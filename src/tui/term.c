@@ -10,6 +10,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <langinfo.h>
+#include <math.h>
 #include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -22,7 +23,14 @@
 volatile sig_atomic_t cr_tui_resized, cr_tui_interrupted, cr_tui_ending, cr_tui_stopping,
     cr_tui_continued;
 
-enum { RESTORE_MAX = 512, ESCAPE_MS = 40 };
+enum {
+    RESTORE_MAX = 512,
+    ESCAPE_MS = 40,
+    KEY_ANSWER = 2000,
+    ANSWER_MS = 150,
+    ANSWER_ESCAPE_MS = 300
+};
+#define ANSWER_S 2.0 /* an answer is expected for so long; one that has begun ends within half */
 
 /* curses and the handlers know no argument for it: one terminal per process */
 static struct {
@@ -35,6 +43,10 @@ static struct {
     volatile sig_atomic_t restore_len;
     int stderr_before, stderr_file;
     off_t stderr_read;
+    int escape_ms;
+    enum cr_ground ground;
+    struct cr_ground_reader answer; /* to the question for it, being read */
+    double asked_at, answered_at;   /* s of the clock; NaN: not asked, or over; answer begun */
 } term = {.wake = {-1, -1}, .stderr_before = -1, .stderr_file = -1};
 
 /* ---- signals ---- */
@@ -239,6 +251,41 @@ static void mouse(bool on) {
     }
 }
 
+/* The answer comes as a key does, see cr_term_read. */
+static void ask_ground(void) {
+    const char *name = getenv("TERM");
+    term.ground = cr_ground_of_environment(getenv("COLORFGBG"), name);
+    term.asked_at = NAN;
+    if (cr_term_color() != CR_COLOR_NONE && cr_ground_may_ask(name)) {
+        define_key(CR_GROUND_ANSWER, KEY_ANSWER);
+        set_escdelay(ANSWER_ESCAPE_MS); /* a slow line may part it */
+        fputs(CR_GROUND_QUESTION, stdout);
+        fflush(stdout);
+        term.asked_at = cr_tui_clock();
+    }
+}
+
+/* An answer that is still under way is not for the shell. */
+static void await_answer(void) {
+    struct pollfd fd = {.fd = STDIN_FILENO, .events = POLLIN};
+    if (isfinite(term.asked_at) && cr_tui_clock() - term.asked_at < ANSWER_S) {
+        poll(&fd, 1, ANSWER_MS);
+        tcflush(STDIN_FILENO, TCIFLUSH);
+    }
+    term.asked_at = NAN;
+}
+
+static void ask_no_more(void) {
+    if (isfinite(term.asked_at)) {
+        term.asked_at = NAN;
+        set_escdelay(term.escape_ms);
+    }
+}
+
+enum cr_ground cr_term_ground(void) {
+    return term.ground;
+}
+
 static void prepare_restore(void) {
     static const char off[] = "\033[?1000l\033[?1002l\033[?1003l\033[?1006l";
     term.restore_len = 0;
@@ -282,6 +329,7 @@ enum cr_err cr_term_open(struct cr_error *err) {
     if (getenv("ESCDELAY") == NULL) {
         set_escdelay(ESCAPE_MS);
     }
+    term.escape_ms = get_escdelay();
     term.screen = newterm(NULL, stdout, stdin);
     if (term.screen == NULL) {
         return cr_err_set(err, CR_ERR_IO, "curses cannot use the terminal %s", name);
@@ -296,6 +344,7 @@ enum cr_err cr_term_open(struct cr_error *err) {
     capture_stderr();
     set_modes();
     mouse(true);
+    ask_ground();
     atexit(cr_term_close);
     return CR_ERR_OK;
 }
@@ -306,6 +355,7 @@ void cr_term_close(void) {
     }
     term.open = false;
     mouse(false);
+    await_answer();
     endwin();
     term.restore_len = 0;
     release_stderr();
@@ -395,7 +445,31 @@ static bool read_one(struct cr_input *out) {
     return true;
 }
 
-bool cr_term_read(struct cr_input *out) {
+/* Part of the terminal's answer about its background: not a key, unless it turns out to be none. */
+static bool is_answer(const struct cr_input *in) {
+    if (in->function && in->code == KEY_ANSWER) {
+        term.answer = (struct cr_ground_reader){.on = true};
+        term.answered_at = cr_tui_clock();
+        return true;
+    }
+    term.answer.on = term.answer.on && cr_tui_clock() - term.answered_at < ANSWER_S / 2;
+    if (!term.answer.on || in->function) {
+        return false;
+    }
+    switch (cr_ground_read(&term.answer, in->code, in->alt)) {
+    case CR_GROUND_MORE:
+        return true;
+    case CR_GROUND_DONE:
+        term.ground = cr_ground_of_color(term.answer.text);
+        ask_no_more();
+        return true;
+    default:
+        return false;
+    }
+}
+
+/* a key with what belongs to it: the place of a mouse event, the escape that stands for Alt */
+static bool read_key(struct cr_input *out) {
     if (!read_one(out)) {
         return false;
     }
@@ -414,4 +488,21 @@ bool cr_term_read(struct cr_input *out) {
         }
     }
     return true;
+}
+
+bool cr_term_read(struct cr_input *out) {
+    const struct cr_input redraw = {.function = true, .code = KEY_RESIZE};
+    if (isfinite(term.asked_at) && cr_tui_clock() - term.asked_at > ANSWER_S) {
+        ask_no_more();
+    }
+    while (read_key(out)) {
+        if (!is_answer(out)) {
+            return true;
+        }
+        if (!term.answer.on) { /* it is whole, so colours may change */
+            *out = redraw;
+            return true;
+        }
+    }
+    return false;
 }

@@ -4,6 +4,7 @@
 
 #include "cmd/cmd.h"
 #include "render/screen.h"
+#include "tui/ground.h"
 #include "tui/tui.h"
 
 #include <signal.h>
@@ -25,8 +26,9 @@ void cr_term_suspend(void);
 void cr_term_resize(int *w, int *h);
 /* Everything is to be drawn again, whatever the terminal shows. */
 void cr_term_redraw(void);
-enum cr_color cr_term_color(void); /* colours of the terminal, NO_COLOR considered */
-bool cr_term_ascii(void);          /* no UTF-8, or block characters of a doubtful width */
+enum cr_color cr_term_color(void);   /* colours of the terminal, NO_COLOR considered */
+enum cr_ground cr_term_ground(void); /* of the terminal, as far as it has told */
+bool cr_term_ascii(void);            /* no UTF-8, or block characters of a doubtful width */
 
 /* Waits for a key or a signal, at most so many ms (-1: any time). False: the terminal is gone. */
 bool cr_term_wait(int ms);

@@ -100,8 +100,20 @@ shows "and it ends" "^status 0"
 
 start 200 50
 shows "200x50 from the start" "┌ Scene .*┌ Table "
+# what the terminal answers to the question for its background (OSC 11) is no typing
+answer() {
+    screen send-keys -H 1b 5d 31 31 3b 72 67 62 3a $1 2f $1 2f $1 1b 5c
+}
+answer "66 66 66 66"
+shows "a terminal that tells a light background has the light theme" "theme light"
+answer "30 30 30 30"
+shows "and one that tells a dark one the dark theme" "theme dark"
+shows "nothing of it is typed" "^crumple>$"
+keys "view theme=contrast" Enter
+shows "a theme that was chosen stays" "theme contrast"
+answer "66 66 66 66"
 keys "load crash.json" Enter "solve" Enter
-shows "solves" "SOLVED"
+shows "solves" "SOLVED.*theme contrast"
 keys "set rest"
 shows "help for what is typed stands below it" "restitution"
 keys C-c

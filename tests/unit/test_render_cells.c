@@ -130,12 +130,12 @@ static void test_mono_theme_has_no_colour(void **state) {
         assert_int_equal(mono->role[i].bg16, -1);
     }
     assert_null(cr_theme_find("nosuch"));
-    assert_ptr_equal(cr_theme_get(0), cr_theme_find("dark"));
-    assert_true(cr_theme_count() >= 4);
+    assert_ptr_equal(cr_theme_get(0), cr_theme_find("auto"));
+    assert_true(cr_theme_count() >= 5);
 }
 
-/* CIE L* of an entry of the xterm palette (6x6x6 cube and greys, IEC 61966-2-1 sRGB). */
-static double lightness(int i) {
+/* relative luminance of an entry of the xterm palette (6x6x6 cube and greys, IEC 61966-2-1 sRGB) */
+static double luminance(int i) {
     static const int level[] = {0, 95, 135, 175, 215, 255};
     double rgb[3], y = 0;
     static const double weight[] = {0.2126, 0.7152, 0.0722};
@@ -149,6 +149,12 @@ static double lightness(int i) {
         rgb[k] = rgb[k] <= 0.04045 ? rgb[k] / 12.92 : pow((rgb[k] + 0.055) / 1.055, 2.4);
         y += weight[k] * rgb[k];
     }
+    return y;
+}
+
+/* CIE L* */
+static double lightness(int i) {
+    double y = luminance(i);
     return y > 0.008856 ? 116 * cbrt(y) - 16 : 903.3 * y;
 }
 
@@ -167,6 +173,32 @@ static void test_colour_maps_rise(void **state) {
     /* exemplars.md 11 gives L* 8 for the first and 87 for the last step of viridis */
     check_near(lightness(cr_theme_ramp(CR_COLORMAP_VIRIDIS, CR_COLOR_256, 1)), 8, 1);
     check_near(lightness(cr_theme_ramp(CR_COLORMAP_VIRIDIS, CR_COLOR_256, 8)), 87, 1);
+}
+
+/* every word can be read on the backgrounds that a theme is for: contrast ratio of WCAG 2.1 */
+static void test_themes_can_be_read(void **state) {
+    (void)state;
+    static const struct {
+        const char *theme;
+        int ground;
+    } rows[] = {{"auto", 16},   {"auto", 231},  {"dark", 16},     {"dark", 234},
+                {"light", 231}, {"light", 254}, {"contrast", 16}, {"contrast", 231}};
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        const struct cr_theme *theme = cr_theme_find(rows[i].theme);
+        for (int r = 0; r < CR_ROLES; r++) {
+            const struct cr_style *s = &theme->role[r];
+            int ground = s->bg256 >= 0 ? s->bg256 : rows[i].ground;
+            if (s->fg256 < 0) { /* the terminal's own word on its own ground */
+                assert_true(s->bg256 < 0);
+                continue;
+            }
+            double a = luminance(s->fg256) + 0.05, b = luminance(ground) + 0.05;
+            double ratio = a > b ? a / b : b / a;
+            if (!(ratio >= 3)) {
+                fail_msg("%s, role %d on %d: contrast %.2f", rows[i].theme, r, ground, ratio);
+            }
+        }
+    }
 }
 
 static void test_shades(void **state) {
@@ -242,6 +274,7 @@ int main(void) {
         cmocka_unit_test(test_colour_text),
         cmocka_unit_test(test_ground_of_a_theme),
         cmocka_unit_test(test_mono_theme_has_no_colour),
+        cmocka_unit_test(test_themes_can_be_read),
         cmocka_unit_test(test_colour_maps_rise),
         cmocka_unit_test(test_shades),
         cmocka_unit_test(test_arrows),
