@@ -206,17 +206,18 @@ static bool at_rest(const struct cr_result *result) {
     return result->resolved.set.end == CR_END_REST;
 }
 
-/* names of the injury functions in order of first appearance; returns how many */
-static int injuries(const struct cr_result *result, const char *name[CR_INJURY_MAX]) {
+/* the injury functions in order of first appearance; returns how many */
+static int injuries(const struct cr_result *result, const struct cr_injury *list[CR_INJURY_MAX]) {
     int n = 0;
     for (int b = 0; b < result->solution->bodies; b++) {
         for (int i = 0; i < result->of[b].injuries; i++) {
             int k = 0;
-            while (k < n && strcmp(name[k], result->of[b].injury[i].function) != 0) {
+            const struct cr_injury *one = &result->of[b].injury[i];
+            while (k < n && strcmp(list[k]->function, one->function) != 0) {
                 k++;
             }
             if (k == n && n < CR_INJURY_MAX) {
-                name[n++] = result->of[b].injury[i].function;
+                list[n++] = one;
             }
         }
     }
@@ -224,8 +225,8 @@ static int injuries(const struct cr_result *result, const char *name[CR_INJURY_M
 }
 
 int cr_render_table_rows(const struct cr_result *result) {
-    const char *name[CR_INJURY_MAX];
-    int n = injuries(result, name);
+    const struct cr_injury *list[CR_INJURY_MAX];
+    int n = injuries(result, list);
     return 1 + FINALS + (at_rest(result) ? RESTS : 0) + (n > 0 ? n + 1 : 0);
 }
 
@@ -297,18 +298,18 @@ static void write_head(struct layout *l, const struct cr_result *result) {
 }
 
 static void write_injuries(struct layout *l, const struct cr_result *result) {
-    const char *name[CR_INJURY_MAX];
-    int n = injuries(result, name);
+    const struct cr_injury *list[CR_INJURY_MAX];
+    int n = injuries(result, list);
     if (n > 0 && l->y < l->at.y + l->at.h) {
         cr_cells_print(l->cells, l->at.x, l->y++, 0, CR_ROLE_TITLE, "Probability of injury");
     }
     for (int i = 0; i < n && l->y < l->at.y + l->at.h; i++) {
-        cr_cells_print(l->cells, l->at.x + 2, l->y, l->label - 2, CR_ROLE_TEXT, name[i]);
+        cr_cells_print(l->cells, l->at.x + 2, l->y, l->label - 2, CR_ROLE_TEXT, list[i]->title);
         for (int k = 0; k < l->n; k++) {
             const struct cr_severity *of = &result->of[l->body[k]];
             char text[32] = "-";
             for (int j = 0; j < of->injuries; j++) {
-                if (strcmp(of->injury[j].function, name[i]) == 0) {
+                if (strcmp(of->injury[j].function, list[i]->function) == 0) {
                     snprintf(text, sizeof text, "%s%.1f", of->injury[j].extrapolated ? "(!) " : "",
                              of->injury[j].probability * 100);
                 }

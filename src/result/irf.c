@@ -9,6 +9,7 @@
 #include <dirent.h>
 #include <errno.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -27,7 +28,7 @@ static const char *const SECTOR[SECTORS] = {"",     "1",    "2",     "3",    "4"
                                             "side", "left", "right", "rear", "all"};
 
 struct irf {
-    char name[CR_NAME_MAX], level[16];
+    char name[CR_NAME_MAX], title[CR_NAME_MAX], level[16];
     enum covariate covariate;
     double unit; /* m/s */
     bool power, vehicle_partner, front_only;
@@ -135,6 +136,8 @@ static enum cr_err read_irf(const cJSON *json, const char *path, struct irf *f,
     if (!f->name[0] || !f->level[0]) {
         return bad(err, path, f->name, "name, injury", "text");
     }
+    const char *title = word(json, "title");
+    snprintf(f->title, sizeof f->title, "%s", title[0] ? title : f->name);
     int covariate = find_covariate(word(json, "covariate"));
     if (covariate < 0) {
         return bad(err, path, f->name, "covariate", "'delta_v', 'closing_speed' or 'ees'");
@@ -271,6 +274,7 @@ void cr_irf_apply(const struct cr_irf_set *set, const struct cr_irf_case *what,
         struct cr_injury *to = &severity->injury[severity->injuries++];
         double by = by_sector(f->sector, what->pdof, f->power ? (double)NAN : 0.0);
         memcpy(to->function, f->name, sizeof to->function);
+        memcpy(to->title, f->title, sizeof to->title);
         memcpy(to->level, f->level, sizeof to->level);
         to->probability = f->power ? fmin(1, pow(fmax(0, x) / by, f->exponent))
                                    : 1 / (1 + exp(-(f->intercept + f->slope * x + by)));

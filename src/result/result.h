@@ -13,10 +13,11 @@
 enum { CR_INJURY_MAX = 20, CR_PROFILE = 6, CR_WARNING_MAX = 24 };
 
 struct cr_injury {
-    char function[CR_NAME_MAX];
-    char level[16];     /* "MAIS2+" */
-    double probability; /* 0..1 */
-    bool extrapolated;  /* outside the range of the function's data */
+    char function[CR_NAME_MAX]; /* its name in share/irf/ */
+    char title[CR_NAME_MAX];    /* the same in words, for tables */
+    char level[16];             /* "MAIS2+" */
+    double probability;         /* 0..1 */
+    bool extrapolated;          /* outside the range of the function's data */
 };
 
 /* What is reported of one participant. Directions in its own frame at first contact. */

@@ -2,9 +2,12 @@
  * and what can be done. The numbers are the ranges of the tests the models were calibrated on. */
 #include "result/result_priv.h"
 
+#include "base/number.h"
+
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* narrow object, m: between NHTSA's 254 mm pole and the 0.41 m of a narrow CDC (literature.md 4.2)
@@ -32,6 +35,19 @@ void cr_result_warn(struct cr_result *r, const char *fmt, ...) {
     va_start(ap, fmt);
     vsnprintf(r->warning[r->warnings++], sizeof r->warning[0], fmt, ap);
     va_end(ap);
+}
+
+/* The number with as many decimals as tell it from the limit: "EES 66 km/h is above the 66 km/h"
+ * would be nonsense. */
+static const char *beside(double x, double limit, char buf[16]) {
+    for (int decimals = 0; decimals <= 6; decimals++) {
+        snprintf(buf, 16, "%.*f", decimals, x);
+        double shown = strtod(buf, NULL);
+        if (shown != limit && (shown > limit) == (x > limit)) {
+            break;
+        }
+    }
+    return buf;
 }
 
 static bool is_vehicle(const struct cr_result *r, int i) {
@@ -82,12 +98,15 @@ static void check_contact(struct cr_result *r, const struct cr_contact *c) {
                        id, with);
     }
     bool side = face == CR_FACE_LEFT || face == CR_FACE_RIGHT;
+    char number[16];
     double lo = side ? POLE_LO : WALL_LO, hi = side ? POLE_HI : WALL_HI;
     if (vehicle[0] != vehicle[1] && (c->closing < lo || c->closing > hi)) {
+        double limit = cr_round12(cr_kmh(c->closing < lo ? lo : hi));
         cr_result_warn(r,
-                       "%s: closing speed %.0f km/h is outside the %.0f to %.0f km/h of the %s "
+                       "%s: closing speed %s km/h is outside the %.0f to %.0f km/h of the %s "
                        "tests behind the models: depth and EES are extrapolated",
-                       id, cr_kmh(c->closing), cr_kmh(lo), cr_kmh(hi), side ? "side" : "front");
+                       id, beside(cr_kmh(c->closing), limit, number), cr_kmh(lo), cr_kmh(hi),
+                       side ? "side" : "front");
     }
     for (int k = 0; k < 2; k++) {
         if (vehicle[k]) {
@@ -96,9 +115,9 @@ static void check_contact(struct cr_result *r, const struct cr_contact *c) {
     }
     if (c->restitution > RESTITUTION_HI) {
         cr_result_warn(r,
-                       "%s with %s: restitution %.2f is above the 0.4 of measured crashes; "
+                       "%s with %s: restitution %s is above the %g of measured crashes; "
                        "set \"restitution\" lower or \"auto\"",
-                       id, with, c->restitution);
+                       id, with, beside(c->restitution, RESTITUTION_HI, number), RESTITUTION_HI);
     }
 }
 
@@ -112,8 +131,10 @@ static void check_vehicle(struct cr_result *r, int i) {
                        p->id);
     }
     if (s->ees > EES_HI) {
-        cr_result_warn(r, "%s: EES %.0f km/h is above the %.0f km/h of the tests behind the models",
-                       p->id, cr_kmh(s->ees), cr_kmh(EES_HI));
+        char number[16];
+        double limit = cr_round12(cr_kmh(EES_HI));
+        cr_result_warn(r, "%s: EES %s km/h is above the %.0f km/h of the tests behind the models",
+                       p->id, beside(cr_kmh(s->ees), limit, number), limit);
     }
     bool end = s->face == CR_FACE_FRONT || s->face == CR_FACE_REAR;
     double extent = end ? p->length : p->width;

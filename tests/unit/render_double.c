@@ -121,7 +121,8 @@ static void severity(const struct car *car, struct cr_severity *of) {
                                .phd = 0.2 * car->a_peak,
                                .injuries = 1};
     snprintf(of->model, sizeof of->model, "%s", car->model);
-    snprintf(of->injury[0].function, sizeof of->injury[0].function, "MAIS3+ frontal");
+    snprintf(of->injury[0].function, sizeof of->injury[0].function, "front-mais3");
+    snprintf(of->injury[0].title, sizeof of->injury[0].title, "MAIS3+ frontal");
     of->injury[0].probability = 0.125;
     for (int i = 0; i < CR_PROFILE; i++) {
         of->profile[i] = fmax(car->depth - 0.195 - 0.1 * i, 0);

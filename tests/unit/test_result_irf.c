@@ -109,6 +109,23 @@ static void functions_apply_where_they_may(void **state) {
     assert_int_equal(s.injuries, 0);
 }
 
+/* tables show them beside two columns of numbers at 80 characters */
+static void titles_tell_the_functions_apart(void **state) {
+    (void)state;
+    struct cr_severity s;
+    struct cr_irf_case what = car(50, 0);
+    cr_irf_apply(set, &what, &s);
+    assert_int_equal(s.injuries, 15);
+    for (int i = 0; i < s.injuries; i++) {
+        assert_string_not_equal(s.injury[i].title, s.injury[i].function);
+        assert_in_range(strlen(s.injury[i].title), 1, 25);
+        assert_non_null(strstr(s.injury[i].title, s.injury[i].level));
+        for (int k = 0; k < i; k++) {
+            assert_string_not_equal(s.injury[i].title, s.injury[k].title);
+        }
+    }
+}
+
 static enum cr_err load(const char *json, struct cr_error *err) {
     char dir[] = "/tmp/crumple-irf-XXXXXX", path[64];
     assert_non_null(mkdtemp(dir));
@@ -170,6 +187,7 @@ int main(void) {
         cmocka_unit_test(values_of_the_literature),
         cmocka_unit_test(direction_chooses_the_offset),
         cmocka_unit_test(functions_apply_where_they_may),
+        cmocka_unit_test(titles_tell_the_functions_apart),
         cmocka_unit_test(faulty_files_are_refused),
     };
     return cmocka_run_group_tests(tests, open_set, close_set);

@@ -295,7 +295,7 @@ static void limits_of_validity_are_named(void **state) {
     cr_result_check(result);
     assert_true(has_warning("narrow object"));
     assert_true(has_warning("closing speed 25 km/h"));
-    assert_true(has_warning("restitution 0.50"));
+    assert_true(has_warning("restitution 0.5 "));
     assert_true(has_warning("still moving"));
     assert_true(has_warning("does not close"));
     assert_true(has_warning("EES 70 km/h"));
@@ -326,6 +326,35 @@ static void limits_of_validity_are_named(void **state) {
     assert_true(has_warning("struck at the rear"));
 }
 
+/* the number and the limit it is beyond never read the same */
+static void warnings_do_not_contradict_themselves(void **state) {
+    (void)state;
+    static const struct {
+        double ees, closing, restitution;
+        const char *says[3];
+    } rows[] = {
+        {65.04,
+         58.3,
+         0.404,
+         {"EES 65.04 km/h is above the 65 km/h", "58.3 km/h", "0.404 is above"}},
+        {65.8, 37.96, 0.41, {"EES 66 km/h is above the 65 km/h", "37.96 km/h", "0.41 is above"}},
+        {80.4, 37.4, 0.44, {"EES 80 km/h is above", "37 km/h is outside", "0.44 is above the 0.4"}},
+    };
+    make(0, constant, 0.1);
+    crush_front();
+    measure();
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        result->warnings = 0;
+        result->of[0].ees = rows[i].ees / 3.6;
+        contact[0].closing = rows[i].closing / 3.6;
+        contact[0].restitution = rows[i].restitution;
+        cr_result_check(result);
+        for (int k = 0; k < 3; k++) {
+            assert_true(has_warning(rows[i].says[k]));
+        }
+    }
+}
+
 static int setup(void **state) {
     (void)state;
     result = calloc(1, sizeof *result);
@@ -351,6 +380,7 @@ int main(void) {
         TEST(pdof_is_clockwise_from_ahead),
         TEST(warnings_have_a_last_place),
         TEST(limits_of_validity_are_named),
+        TEST(warnings_do_not_contradict_themselves),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
