@@ -13,6 +13,12 @@ update-examples: crumple$(EXEEXT)
 	    $(SHELL) $(srcdir)/tests/check_examples.sh update
 .PHONY: update-examples
 
+# the expected lines of the command tests, and the pictures, as they are today; review the difference
+update-golden: crumple$(EXEEXT) $(golden_pictures)
+	SRC='$(abs_srcdir)' CRUMPLE='$(abs_builddir)/crumple$(EXEEXT)' LC_ALL=C.UTF-8 \
+	    TERM=xterm-256color $(SHELL) $(srcdir)/tests/golden/cmd/run.sh update
+.PHONY: update-golden update-pictures
+
 # the manual page of the commands, from their table
 check_PROGRAMS += crumple-manual
 crumple_manual_SOURCES = tests/manual.c
@@ -46,7 +52,7 @@ clean-local:
 
 # the command language: each command with its success and its errors, the lessons, the prompt
 golden_checks = tests/golden/cmd/run.sh tests/golden/cmd/lessons.sh tests/golden/cmd/prompt.sh \
-	tests/golden/cmd/sources.sh
+	tests/golden/cmd/sources.sh tests/golden/cmd/update.sh
 TESTS += $(golden_checks)
 EXTRA_DIST += $(golden_checks) \
 	tests/golden/cmd/scene.test \

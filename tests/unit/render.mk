@@ -47,3 +47,6 @@ EXTRA_DIST += tests/golden/render/report-80.txt \
 	tests/golden/render/screen-200x50.txt \
 	tests/golden/render/screen-live-80x24.txt \
 	tests/golden/render/screen-live-160x44.txt
+golden_pictures = update-pictures
+update-pictures: test_render_golden$(EXEEXT)
+	SRC='$(abs_srcdir)' LC_ALL=C.UTF-8 CRUMPLE_GOLDEN=update ./test_render_golden$(EXEEXT)
