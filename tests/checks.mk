@@ -13,7 +13,7 @@ update-examples: crumple$(EXEEXT)
 	    $(SHELL) $(srcdir)/tests/check_examples.sh update
 .PHONY: update-examples
 
-# the expected lines of the command tests, and the pictures, as they are today; review the difference
+# the expected lines of the command tests, and the pictures, as they are today; to be reviewed
 update-golden: crumple$(EXEEXT) $(golden_pictures)
 	SRC='$(abs_srcdir)' CRUMPLE='$(abs_builddir)/crumple$(EXEEXT)' LC_ALL=C.UTF-8 \
 	    TERM=xterm-256color $(SHELL) $(srcdir)/tests/golden/cmd/run.sh update
