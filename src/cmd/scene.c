@@ -220,7 +220,8 @@ static enum cr_err find_or_add(struct cr_call *call, enum cr_kind kind, struct c
 
 /* a vehicle needs a type; its mass is that of the type's reference car unless it is given */
 static enum cr_err complete_vehicle(struct cr_call *call, struct cr_scene *scene,
-                                    struct cr_participant *p, struct cr_error *err) {
+                                    struct cr_participant *p, bool is_new, struct cr_error *err) {
+    (void)is_new;
     char value[40], full[CR_NAME_MAX + 16];
     double mass;
     if (p->type >= CR_TYPES) {
@@ -243,7 +244,7 @@ static enum cr_err complete_vehicle(struct cr_call *call, struct cr_scene *scene
     return cr_scene_set(scene, full, value, err);
 }
 
-/* A vehicle of another size still stands as it was placed, and so do those placed against it. */
+/* One of another size still stands as it was placed, and so do those placed against it. */
 static enum cr_err place_again(struct cr_session *s, struct cr_state *draft, const char *id,
                                struct cr_error *err) {
     for (int i = 0; i < CR_BODY_MAX; i++) {
@@ -263,32 +264,6 @@ static enum cr_err place_again(struct cr_session *s, struct cr_state *draft, con
         }
     }
     return CR_ERR_OK;
-}
-
-enum cr_err cr_cmd_vehicle(struct cr_call *call, struct cr_error *err) {
-    const char *id = cr_cmd_text(call, "NAME", "");
-    struct cr_participant *p = cr_scene_find(&cr_session_now(call->s)->scene, id);
-    struct cr_state *draft;
-    bool is_new;
-    if (cr_cmd_given(call, "remove")) {
-        return forget(call, id, err);
-    }
-    if (p != NULL && p->kind == CR_KIND_VEHICLE && cr_cmd_keys_given(call) == 0) {
-        say_participant(call->s, p);
-        return say_keys(call, id, err);
-    }
-    enum cr_err code = find_or_add(call, CR_KIND_VEHICLE, &draft, &p, &is_new, err);
-    if (code == CR_ERR_OK) {
-        code = cr_cmd_set_keys(call, &draft->scene, id, err);
-    }
-    if (code == CR_ERR_OK) {
-        code = complete_vehicle(call, &draft->scene, p, err);
-    }
-    if (code != CR_ERR_OK) {
-        return code;
-    }
-    say_participant(call->s, p);
-    return is_new ? CR_ERR_OK : place_again(call->s, draft, id, err);
 }
 
 enum cr_err cr_cmd_set_text(struct cr_scene *scene, const char *id, const char *key,
@@ -351,7 +326,18 @@ static enum cr_err check_object(struct cr_call *call, const struct cr_participan
     return CR_ERR_OK;
 }
 
-enum cr_err cr_cmd_object(struct cr_call *call, struct cr_error *err) {
+static enum cr_err complete_object(struct cr_call *call, struct cr_scene *scene,
+                                   struct cr_participant *p, bool is_new, struct cr_error *err) {
+    enum cr_err code = object_extras(call, scene, p, is_new, err);
+    return code == CR_ERR_OK ? check_object(call, p, is_new, err) : code;
+}
+
+/* One participant made, changed, shown or removed. complete adds what its kind needs beside the
+ * keys of the scene file, and checks it. */
+static enum cr_err edit(struct cr_call *call, enum cr_kind kind,
+                        enum cr_err (*complete)(struct cr_call *, struct cr_scene *,
+                                                struct cr_participant *, bool, struct cr_error *),
+                        struct cr_error *err) {
     const char *id = cr_cmd_text(call, "NAME", "");
     struct cr_participant *p = cr_scene_find(&cr_session_now(call->s)->scene, id);
     struct cr_state *draft;
@@ -359,24 +345,30 @@ enum cr_err cr_cmd_object(struct cr_call *call, struct cr_error *err) {
     if (cr_cmd_given(call, "remove")) {
         return forget(call, id, err);
     }
-    if (p != NULL && p->kind == CR_KIND_OBJECT && cr_cmd_keys_given(call) == 0) {
+    if (p != NULL && p->kind == kind && cr_cmd_keys_given(call) == 0) {
         say_participant(call->s, p);
         return say_keys(call, id, err);
     }
-    enum cr_err code = find_or_add(call, CR_KIND_OBJECT, &draft, &p, &is_new, err);
+    enum cr_err code = find_or_add(call, kind, &draft, &p, &is_new, err);
     if (code == CR_ERR_OK) {
         code = cr_cmd_set_keys(call, &draft->scene, id, err);
     }
     if (code == CR_ERR_OK) {
-        code = object_extras(call, &draft->scene, p, is_new, err);
+        code = complete(call, &draft->scene, p, is_new, err);
     }
-    if (code == CR_ERR_OK) {
-        code = check_object(call, p, is_new, err);
+    if (code != CR_ERR_OK) {
+        return code;
     }
-    if (code == CR_ERR_OK) {
-        say_participant(call->s, p);
-    }
-    return code;
+    say_participant(call->s, p);
+    return is_new ? CR_ERR_OK : place_again(call->s, draft, id, err);
+}
+
+enum cr_err cr_cmd_vehicle(struct cr_call *call, struct cr_error *err) {
+    return edit(call, CR_KIND_VEHICLE, complete_vehicle, err);
+}
+
+enum cr_err cr_cmd_object(struct cr_call *call, struct cr_error *err) {
+    return edit(call, CR_KIND_OBJECT, complete_object, err);
 }
 
 static enum cr_err copy_into(struct cr_participant *to, const struct cr_participant *from,

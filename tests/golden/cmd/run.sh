@@ -67,9 +67,9 @@ matches() {
         }' "$1"
 }
 
-# renewed GOT WANT: WANT with what GOT no longer says taken from GOT. Of a block with ~ each line that
-# is not met becomes the line that shares the most words with it, numbers as @ where it had one, or
-# goes when there is none.
+# renewed GOT WANT: WANT with what GOT no longer says taken from GOT. Of a block with ~ each line
+# that is not met becomes the line that shares the most words with it, numbers as @ where it had
+# one, or goes when there is none.
 renewed() {
     awk -v want="$2" '
         '"$pattern"'

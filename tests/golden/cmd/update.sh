@@ -35,8 +35,9 @@ what stands before the first block stays
 ~ hint: the scene is empty; begin with: vehicle A type=compact
 = 3
 END
-sed 's/2000 kg  x=0.00/1000 kg  x=9/; s/^~ all @ slices/~ at @ all slices/; s/the scene is/this scene was/
-    s/stdin:1:7: error: there is/stdin:1:9: error: here is/; s/^= 3/= 0/' \
+sed 's/2000 kg  x=0.00/1000 kg  x=9/; s/^~ all @ slices/~ at @ all slices/
+    s/the scene is/this scene was/; s/stdin:1:7: error: there is/stdin:1:9: error: here is/
+    s/^= 3/= 0/' \
     "$folder/right.test" >"$folder/wrong.test"
 mv "$folder/right.test" "$tmp/right"
 
