@@ -1,5 +1,6 @@
 #include "config.h"
 
+#include "base/arena.h"
 #include "base/str.h"
 #include "batch/batch.h"
 #include "repl/repl.h"
@@ -75,6 +76,7 @@ static int interactive(int argc, char **argv, const char *data_dir) {
 }
 
 int main(int argc, char **argv) {
+    cr_arena_keep();
     setlocale(LC_ALL, "");
     /* JSON and command files have a decimal point wherever the program runs */
     setlocale(LC_NUMERIC, "C");

@@ -1,4 +1,10 @@
+#include "config.h"
+
 #include "base/arena.h"
+
+#ifdef HAVE_MALLOPT
+#include <malloc.h>
+#endif
 
 #include <stdalign.h>
 #include <stdint.h>
@@ -44,4 +50,12 @@ void cr_arena_free(struct cr_arena *arena) {
     }
     arena->head = NULL;
     arena->total = 0;
+}
+
+void cr_arena_keep(void) {
+#ifdef HAVE_MALLOPT
+    enum { KEPT = 64 << 20, MAPPED = 16 << 20 }; /* bytes: above these the kernel gets it back */
+    mallopt(M_TRIM_THRESHOLD, KEPT);
+    mallopt(M_MMAP_THRESHOLD, MAPPED);
+#endif
 }

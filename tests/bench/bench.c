@@ -1,6 +1,7 @@
 /* Benchmark: make bench. Times the solver alone, the way from scene to result, the whole process,
  * and stacks. Times are in wall clock; the best of many runs is what the machine can do, the median
  * what one sees. */
+#include "base/arena.h"
 #include "base/file.h"
 #include "result/result.h"
 #include "scene/scene.h"
@@ -178,6 +179,7 @@ int main(void) {
     } scenes[] = {{"demo", "share/scenes/q7-fiat500.json"},
                   {"wall", "tests/bench/wall.json"},
                   {"pole", "tests/bench/pole.json"}};
+    cr_arena_keep();
     struct cr_error err;
     struct cr_context ctx = {0};
     struct cr_model_lib *models = NULL;
