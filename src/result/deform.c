@@ -91,11 +91,10 @@ static double line_loss(const struct cr_deform *d, struct cr_vec2 at, struct cr_
     double step = (t1 - t0) / n;
     for (int i = 0; i < n; i++) {
         struct cr_vec2 p = cr_vec2_axpy(at, t0 + (i + 0.5) * step, dir);
-        int x = (int)floor(p.x), y = (int)floor(p.y);
-        if (x < 0 || y < 0 || x >= g->nx || y >= g->ny) {
+        if (!(p.x >= 0 && p.y >= 0 && p.x < g->nx && p.y < g->ny)) {
             continue;
         }
-        int k = y * g->nx + x;
+        int k = (int)p.y * g->nx + (int)p.x;
         if (walk(g->fill[k] * g->h, g->fill[k] - d->left[k], step, &sum, &intact)) {
             break;
         }

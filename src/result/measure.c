@@ -105,7 +105,7 @@ static enum cr_err measure_pulse(const struct cr_solution *sol, int i, struct cr
     s->olc = cr_pulse_olc(p.along + start, p.n - start, p.dt);
     s->vpi = cr_pulse_vpi(p.along + start, p.n - start, p.dt);
     for (int k = 0; k < p.n; k++) {
-        double a = hypot(p.ax[k], p.ay[k]);
+        double a = cr_pulse_greater(p.ax[k], p.ay[k], s->acceleration_max);
         if (a > s->acceleration_max) {
             s->acceleration_max = a;
             s->t_max = p.t0 + (k + 0.5) * p.dt - o->t_first;

@@ -11,8 +11,9 @@
 struct field {
     const struct cr_grid *grid;
     const double *left;
-    int w, h;  /* corners of squares: nx + 2, ny + 2 */
-    int *next; /* [2 * w * h] */
+    int w, h;            /* corners of squares: nx + 2, ny + 2 */
+    int *next;           /* [2 * w * h] */
+    unsigned char *full; /* [2 * w] whether the corners of two rows hold material */
 };
 
 static const double LEVEL = 0.5; /* material per voxel */
@@ -29,12 +30,21 @@ static int edge(const struct field *f, int x, int y, int side) {
     return of[side];
 }
 
-/* bits of the left corners of the square (x, y): 1 the lower, 8 the upper one holds material */
-static int left_corners(const struct field *f, int x, int y) {
-    return (value(f, x, y) >= LEVEL) | (value(f, x, y + 1) >= LEVEL) << 3;
+/* which corners of row y hold material, into the half of `full` that is the row's turn */
+static const unsigned char *corners(const struct field *f, int y) {
+    unsigned char *full = f->full + (y % 2) * f->w;
+    int nx = f->grid->nx;
+    bool in = y >= 1 && y <= f->grid->ny;
+    const double *left = f->left + (in ? (y - 1) * nx : 0);
+    full[0] = full[nx + 1] = 0;
+    for (int x = 0; x < nx; x++) {
+        full[x + 1] = in && left[x] >= LEVEL;
+    }
+    return full;
 }
 
-static void link_row(struct field *f, int y) {
+/* low, high: corners of row y and of the next one */
+static void link_row(struct field *f, int y, const unsigned char *low, const unsigned char *high) {
     // corners lower left, lower right, upper right, upper left; from edge -> to edge, with the
     // material on the left hand; the two saddles keep the corners of material apart
     static const signed char TABLE[16][4] = {
@@ -43,14 +53,11 @@ static void link_row(struct field *f, int y) {
         {3, 2, -1, -1},   {0, 2, -1, -1}, {1, 0, 3, 2},   {1, 2, -1, -1},
         {3, 1, -1, -1},   {0, 1, -1, -1}, {3, 0, -1, -1}, {-1, -1, -1, -1},
     };
-    int left = left_corners(f, 0, y);
     for (int x = 0; x + 1 < f->w; x++) {
-        int right = left_corners(f, x + 1, y);
-        int kind = left | (right & 1) << 1 | (right & 8) >> 1;
+        int kind = low[x] | low[x + 1] << 1 | high[x + 1] << 2 | high[x] << 3;
         for (int i = 0; i < 4 && TABLE[kind][i] >= 0; i += 2) {
             f->next[edge(f, x, y, TABLE[kind][i])] = edge(f, x, y, TABLE[kind][i + 1]);
         }
-        left = right;
     }
 }
 
@@ -114,9 +121,9 @@ static int simplify(struct cr_vec2 *p, int n, double tol) {
         struct cr_vec2 ab = cr_vec2_sub(b, a);
         double len = cr_vec2_len(ab), off = 0;
         // every point dropped since the last kept one stays within the tolerance
-        for (int k = from; k <= i; k++) {
+        for (int k = from; k <= i && off <= tol; k++) {
             struct cr_vec2 ak = cr_vec2_sub(p[k], a);
-            off = fmax(off, len > 0 ? fabs(cr_vec2_cross(ab, ak)) / len : cr_vec2_len(ak));
+            off = len > 0 ? fabs(cr_vec2_cross(ab, ak)) / len : cr_vec2_len(ak);
         }
         if (off > tol || i == 0) {
             p[kept++] = p[i];
@@ -134,12 +141,16 @@ enum cr_err cr_deform_outline(const struct cr_grid *grid, const double *left, do
     *out = NULL;
     *n = 0;
     f.next = malloc(edges * sizeof *f.next);
-    if (!f.next) {
+    f.full = malloc(2 * (size_t)f.w);
+    if (!f.next || !f.full) {
         goto out;
     }
     memset(f.next, 0xff, edges * sizeof *f.next);
+    const unsigned char *low = corners(&f, 0);
     for (int y = 0; y + 1 < f.h; y++) {
-        link_row(&f, y);
+        const unsigned char *high = corners(&f, y + 1);
+        link_row(&f, y, low, high);
+        low = high;
     }
     int points = 0;
     int start = largest(&f, &points);
@@ -162,5 +173,6 @@ enum cr_err cr_deform_outline(const struct cr_grid *grid, const double *left, do
     *out = p;
 out:
     free(f.next);
+    free(f.full);
     return rc ? cr_err_set(err, rc, "no memory for the outline of a grid") : rc;
 }

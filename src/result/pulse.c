@@ -136,7 +136,8 @@ double cr_pulse_vpi(const double *accel, int n, double dt) {
     static const double TAIL = 1.0; /* s without acceleration after the record */
     double x = 0, v = 0, pull = 0, top = 0;
     int tail = (int)(TAIL / dt);
-    for (int i = 0; i < n + tail; i++) {
+    /* after the record only what still runs into the belt can pull harder */
+    for (int i = 0; i < n || (i < n + tail && v > 0); i++) {
         double a = i < n ? accel[i] : 0;
         // velocity Verlet on the motion relative to the vehicle
         v += (a - pull) * dt / 2;
@@ -146,6 +147,13 @@ double cr_pulse_vpi(const double *accel, int n, double dt) {
         top = pull > top ? pull : top;
     }
     return top;
+}
+
+double cr_pulse_greater(double x, double y, double than) {
+    /* the squares decide, but for what rounding may hide */
+    bool may = x * x + y * y > than * than * (1 - 1e-12);
+    double length = may ? hypot(x, y) : than;
+    return length > than ? length : than;
 }
 
 double cr_pulse_asi(const double *ax, const double *ay, int n, double dt) {
@@ -159,8 +167,7 @@ double cr_pulse_asi(const double *ax, const double *ay, int n, double dt) {
             sx -= ax[i - w];
             sy -= ay[i - w];
         }
-        double asi = hypot(sx / w / LIMIT_X, sy / w / LIMIT_Y);
-        top = asi > top ? asi : top;
+        top = cr_pulse_greater(sx / w / LIMIT_X, sy / w / LIMIT_Y, top);
     }
     return top;
 }

@@ -36,6 +36,9 @@ double cr_pulse_olc(const double *accel, int n, double dt);
  * after 30 mm of slack (ISO/TR 12353-3). */
 double cr_pulse_vpi(const double *accel, int n, double dt);
 
+/* Length of (x, y) if it is greater than `than`, else that: hypot is only asked near and above. */
+double cr_pulse_greater(double x, double y, double than);
+
 /* Acceleration severity index of EN 1317: 50 ms moving means over 12 g and 9 g. */
 double cr_pulse_asi(const double *ax, const double *ay, int n, double dt);
 
