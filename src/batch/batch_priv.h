@@ -12,8 +12,9 @@
  * is known) and return its exit status. */
 int cr_batch_fail(const struct cr_error *err);
 
-/* Print the help of a word on standard output; returns the exit status. */
-int cr_batch_help(const struct cr_usage *usage);
+/* Parse the options and operands of a word as cr_options_parse does. Returns -1 to go on; or, after
+ * printing the help or the fault, the exit status. */
+int cr_batch_options(const struct cr_usage *usage, int argc, char **argv, int *operands);
 
 /* Write a text to a file, whole or not at all, or to standard output when path is NULL or "-".
  * Errors: IO, also for a closed pipe or a full disk behind standard output. */

@@ -501,13 +501,9 @@ int cr_batch_calibrate(int argc, char **argv) {
         .option = option,
         .options = 1};
     struct cr_error err = {0};
-    int operands;
-    bool help;
-    if (cr_options_parse(&usage, argc, argv, &operands, &help, &err) != CR_ERR_OK) {
-        return cr_batch_fail(&err);
-    }
-    if (help) {
-        return cr_batch_help(&usage);
+    int operands, status = cr_batch_options(&usage, argc, argv, &operands);
+    if (status >= 0) {
+        return status;
     }
     struct cr_batch_shared shared = {0};
     struct cr_calibration_data data = {.walls = 0};

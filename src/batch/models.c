@@ -326,13 +326,9 @@ int cr_batch_models(int argc, char **argv) {
                                    .options = sizeof table / sizeof *table,
                                    .most = 1};
     struct cr_error err = {0};
-    int operands;
-    bool help;
-    if (cr_options_parse(&usage, argc, argv, &operands, &help, &err) != CR_ERR_OK) {
-        return cr_batch_fail(&err);
-    }
-    if (help) {
-        return cr_batch_help(&usage);
+    int operands, status = cr_batch_options(&usage, argc, argv, &operands);
+    if (status >= 0) {
+        return status;
     }
     cr_batch_catch();
     return models(operands > 0 ? argv[1] : NULL, &opt, &err) ? cr_batch_fail(&err) : 0;

@@ -134,6 +134,17 @@ void cr_model_list_text(const struct cr_model_papers *papers, int type, int cloc
     }
 }
 
+/* the tests behind a model */
+static void put_basis(cJSON *o, const struct row *r) {
+    cJSON_AddNumberToObject(o, "tests", r->tests);
+    cJSON_AddNumberToObject(o, "borrowed", r->borrowed);
+    if (isfinite(r->mpe)) {
+        cJSON_AddNumberToObject(o, "depth_mpe_percent", r->mpe);
+        cJSON_AddNumberToObject(o, "depth_sd_percent", r->sd);
+    }
+    cJSON_AddStringToObject(o, "basis", r->basis);
+}
+
 enum cr_err cr_model_list_json(const struct cr_model_papers *papers, int type, int clock,
                                struct cr_str *out, struct cr_error *err) {
     cJSON *list = cJSON_CreateArray();
@@ -147,13 +158,7 @@ enum cr_err cr_model_list_json(const struct cr_model_papers *papers, int type, i
         snprintf(name, sizeof name, "%s/%d", cr_type_word(r.type), r.clock);
         cJSON_AddStringToObject(o, "model", name);
         cJSON_AddStringToObject(o, "face", r.face);
-        cJSON_AddNumberToObject(o, "tests", r.tests);
-        cJSON_AddNumberToObject(o, "borrowed", r.borrowed);
-        if (isfinite(r.mpe)) {
-            cJSON_AddNumberToObject(o, "depth_mpe_percent", r.mpe);
-            cJSON_AddNumberToObject(o, "depth_sd_percent", r.sd);
-        }
-        cJSON_AddStringToObject(o, "basis", r.basis);
+        put_basis(o, &r);
         cJSON_AddItemToArray(list, o);
     }
     if (!cr_json_add(list, true, out)) {
@@ -221,13 +226,7 @@ void cr_model_provenance(const struct cr_model_papers *papers, const struct cr_m
     struct row r = row_of(papers, type, clock);
     cJSON_AddStringToObject(o, "program", PACKAGE_STRING);
     cJSON_AddStringToObject(o, "recipe_sha256", cr_model_hash(lib, type));
-    cJSON_AddNumberToObject(o, "tests", r.tests);
-    cJSON_AddNumberToObject(o, "borrowed", r.borrowed);
-    if (isfinite(r.mpe)) {
-        cJSON_AddNumberToObject(o, "depth_mpe_percent", r.mpe);
-        cJSON_AddNumberToObject(o, "depth_sd_percent", r.sd);
-    }
-    cJSON_AddStringToObject(o, "basis", r.basis);
+    put_basis(o, &r);
     if (!cr_json_add(o, false, out)) {
         cr_str_add(out, "{}");
     }

@@ -38,11 +38,18 @@ enum cr_err cr_batch_emit(const char *path, const struct cr_str *text, struct cr
     return cr_file_write(path, cr_str_get(text), text->len, err);
 }
 
-int cr_batch_help(const struct cr_usage *usage) {
+int cr_batch_options(const struct cr_usage *usage, int argc, char **argv, int *operands) {
     struct cr_str out = {0};
-    struct cr_error err;
-    cr_options_help(usage, &out);
-    enum cr_err code = cr_batch_emit(NULL, &out, &err);
+    struct cr_error err = {0};
+    bool help;
+    enum cr_err code = cr_options_parse(usage, argc, argv, operands, &help, &err);
+    if (code == CR_ERR_OK && !help) {
+        return -1;
+    }
+    if (code == CR_ERR_OK) {
+        cr_options_help(usage, &out);
+        code = cr_batch_emit(NULL, &out, &err);
+    }
     cr_str_fini(&out);
     return code == CR_ERR_OK ? 0 : cr_batch_fail(&err);
 }

@@ -131,13 +131,9 @@ int cr_batch_run(int argc, char **argv) {
                                    .least = 1,
                                    .most = 1};
     struct cr_error err = {0};
-    int operands;
-    bool help;
-    if (cr_options_parse(&usage, argc, argv, &operands, &help, &err) != CR_ERR_OK) {
-        return cr_batch_fail(&err);
-    }
-    if (help) {
-        return cr_batch_help(&usage);
+    int operands, status = cr_batch_options(&usage, argc, argv, &operands);
+    if (status >= 0) {
+        return status;
     }
     return run(argv[1], &opt, &err) == CR_ERR_OK ? 0 : cr_batch_fail(&err);
 }

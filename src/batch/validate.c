@@ -330,12 +330,7 @@ static int read_options(int argc, char **argv, struct options *opt, int *operand
                                    .options = OPTIONS,
                                    .least = 0,
                                    .most = -1};
-    struct cr_error err = {0};
-    bool help;
-    if (cr_options_parse(&usage, argc, argv, operands, &help, &err) != CR_ERR_OK) {
-        return cr_batch_fail(&err);
-    }
-    return help ? cr_batch_help(&usage) : -1;
+    return cr_batch_options(&usage, argc, argv, operands);
 }
 
 int cr_batch_validate(int argc, char **argv) {

@@ -205,6 +205,10 @@ enum cr_err cr_cmd_picture(struct cr_session *s, int width, int height,
                                                struct cr_rect at, struct cr_error *err),
                            void *user, struct cr_error *err);
 
+/* A plot over the room there is but for some lines, by way of cr_cmd_picture. */
+enum cr_err cr_cmd_plot(struct cr_session *s, const struct cr_plot *plot, int lines,
+                        struct cr_error *err);
+
 /* The selected vehicle's 3D model from `view` (enum cr_project). */
 enum cr_err cr_cmd_project(struct cr_session *s, int view, struct cr_error *err);
 

@@ -34,22 +34,10 @@ static int whose(struct cr_call *call, struct cr_error *err) {
     return found;
 }
 
-struct overlay {
-    struct cr_session *s;
-    struct cr_plot plot;
-};
-
-static enum cr_err draw(void *user, struct cr_cells *cells, struct cr_rect at,
-                        struct cr_error *err) {
-    struct overlay *o = user;
-    return cr_render_plot(cells, at, &o->s->opts.look, &o->plot, err);
-}
-
 /* both curves in the unit that is shown, over ms */
 static enum cr_err plot(struct cr_session *s, const struct cr_compare *c, int body, double unit,
                         const char *unit_name, struct cr_error *err) {
     double *memory = calloc(3 * (size_t)c->n, sizeof *memory);
-    int w, h;
     if (memory == NULL) {
         return cr_err_set(err, CR_ERR_MEMORY, "out of memory");
     }
@@ -69,15 +57,13 @@ static enum cr_err plot(struct cr_session *s, const struct cr_compare *c, int bo
          .name = "test",
          .role = CR_ROLE_REFERENCE,
          .dashed = true}};
-    struct overlay o = {.s = s,
-                        .plot = {.title = "measured and computed",
-                                 .x_unit = "ms",
-                                 .y_unit = unit_name,
-                                 .curves = 2,
-                                 .curve = curve,
-                                 .cursor = (double)NAN}};
-    cr_session_room(s, &w, &h);
-    enum cr_err code = cr_cmd_picture(s, w, h - 8 > 10 ? h - 8 : 10, draw, &o, err);
+    const struct cr_plot shown = {.title = "measured and computed",
+                                  .x_unit = "ms",
+                                  .y_unit = unit_name,
+                                  .curves = 2,
+                                  .curve = curve,
+                                  .cursor = NAN};
+    enum cr_err code = cr_cmd_plot(s, &shown, 8, err);
     free(memory);
     return code;
 }

@@ -109,14 +109,22 @@ static enum cr_err read_measured(struct cr_call *call, const char *path, int kin
 /* ---- the plot ---- */
 
 struct plot_job {
-    struct cr_session *s;
-    struct cr_plot plot;
+    const struct cr_session *s;
+    const struct cr_plot *plot;
 };
 
 static enum cr_err draw(void *user, struct cr_cells *cells, struct cr_rect at,
                         struct cr_error *err) {
-    struct plot_job *job = user;
-    return cr_render_plot(cells, at, &job->s->opts.look, &job->plot, err);
+    const struct plot_job *job = user;
+    return cr_render_plot(cells, at, &job->s->opts.look, job->plot, err);
+}
+
+enum cr_err cr_cmd_plot(struct cr_session *s, const struct cr_plot *plot, int lines,
+                        struct cr_error *err) {
+    struct plot_job job = {s, plot};
+    int w, h;
+    cr_session_room(s, &w, &h);
+    return cr_cmd_picture(s, w, h - lines > 10 ? h - lines : 10, draw, &job, err);
 }
 
 /* samples until a little after the last contact */
@@ -187,9 +195,8 @@ static enum cr_err plot_pulse(struct cr_session *s, const struct pulse_call *wha
     const struct cr_solution *sol = r->solution;
     struct cr_curve_line curve[CR_BODY_MAX + 1];
     struct cr_arena arena = {0};
-    struct plot_job job = {.s = s};
     enum cr_err code = CR_ERR_OK;
-    int n = shown_samples(sol), curves = 0, w, h;
+    int n = shown_samples(sol), curves = 0;
     double *t = cr_arena_take(&arena, (size_t)n + 1, sizeof *t);
     double *y = cr_arena_take(&arena, (size_t)(n + 1) * CR_BODY_MAX, sizeof *y);
     if (t == NULL || y == NULL) {
@@ -218,15 +225,14 @@ static enum cr_err plot_pulse(struct cr_session *s, const struct pulse_call *wha
                                                  .dashed = true};
     }
     if (code == CR_ERR_OK) {
-        cr_session_room(s, &w, &h);
-        job.plot = (struct cr_plot){.title = kinds[what->kind].title,
-                                    .x_unit = "ms",
-                                    .y_unit = kinds[what->kind].unit,
-                                    .curves = curves,
-                                    .curve = curve,
-                                    .cursor = 1e3 * (cr_session_time(s) - sol->t_contact)};
-        code = cells != NULL ? cr_render_plot(cells, at, &s->opts.look, &job.plot, err)
-                             : cr_cmd_picture(s, w, h - 4 > 10 ? h - 4 : 10, draw, &job, err);
+        struct cr_plot plot = {.title = kinds[what->kind].title,
+                               .x_unit = "ms",
+                               .y_unit = kinds[what->kind].unit,
+                               .curves = curves,
+                               .curve = curve,
+                               .cursor = 1e3 * (cr_session_time(s) - sol->t_contact)};
+        code = cells != NULL ? cr_render_plot(cells, at, &s->opts.look, &plot, err)
+                             : cr_cmd_plot(s, &plot, 4, err);
     }
     cr_arena_free(&arena);
     return code;

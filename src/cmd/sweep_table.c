@@ -153,23 +153,12 @@ enum cr_err cr_sweep_plots(struct cr_call *call, const struct cr_sweep *sweep,
     return what_to_plot(call, sweep, &part, &m, err);
 }
 
-struct plot_job {
-    struct cr_session *s;
-    struct cr_plot plot;
-};
-
-static enum cr_err draw(void *user, struct cr_cells *cells, struct cr_rect at,
-                        struct cr_error *err) {
-    struct plot_job *job = user;
-    return cr_render_plot(cells, at, &job->s->opts.look, &job->plot, err);
-}
-
 static enum cr_err draw_curves(struct cr_session *s, int only, const struct cr_measure *m,
                                struct cr_error *err) {
     const struct cr_sweep *sweep = s->sweep;
     struct cr_curve_line curve[CR_BODY_MAX];
     struct cr_arena arena = {0};
-    int curves = 0, w, h;
+    int curves = 0;
     double *x = cr_arena_take(&arena, (size_t)sweep->n * CR_BODY_MAX, sizeof *x);
     double *y = cr_arena_take(&arena, (size_t)sweep->n * CR_BODY_MAX, sizeof *y);
     if (x == NULL || y == NULL) {
@@ -197,16 +186,13 @@ static enum cr_err draw_curves(struct cr_session *s, int only, const struct cr_m
                                                      .role = cr_render_role_of(p)};
         }
     }
-    struct plot_job job = {s,
-                           {.title = m->name,
-                            .x_unit = sweep->axis[0].unit->name,
-                            .y_unit = m->unit,
-                            .curves = curves,
-                            .curve = curve,
-                            .cursor = NAN}};
-    cr_session_room(s, &w, &h);
-    enum cr_err code =
-        curves > 0 ? cr_cmd_picture(s, w, h - 4 > 10 ? h - 4 : 10, draw, &job, err) : CR_ERR_OK;
+    struct cr_plot plot = {.title = m->name,
+                           .x_unit = sweep->axis[0].unit->name,
+                           .y_unit = m->unit,
+                           .curves = curves,
+                           .curve = curve,
+                           .cursor = NAN};
+    enum cr_err code = curves > 0 ? cr_cmd_plot(s, &plot, 4, err) : CR_ERR_OK;
     cr_arena_free(&arena);
     return code;
 }

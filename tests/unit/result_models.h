@@ -2,31 +2,19 @@
 #ifndef CR_RESULT_MODELS_H
 #define CR_RESULT_MODELS_H
 
+#include "model_lib.h"
 #include "result/result.h"
-
-#include <stdio.h>
-#include <stdlib.h>
 
 static struct cr_context ctx;
 
 static int open_models(void **state) {
-    (void)state;
-    char dir[512];
-    struct cr_model_lib *lib;
-    struct cr_error err;
-    snprintf(dir, sizeof dir, "%s/models", getenv("SRC") ? getenv("SRC") : "..");
-    if (cr_model_lib_open(dir, &lib, &err)) {
-        printf("# %s\n", err.text);
-        return -1;
-    }
+    int failed = open_lib(state);
     ctx.models = lib;
-    return 0;
+    return failed;
 }
 
 static int close_models(void **state) {
-    (void)state;
-    cr_model_lib_free((struct cr_model_lib *)ctx.models);
-    return 0;
+    return close_lib(state);
 }
 
 #endif

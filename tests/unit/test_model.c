@@ -1,6 +1,7 @@
 /* Tests of src/model: energy of faces, conservation, symmetry, reading of recipes. */
 #include "config.h"
 
+#include "model_lib.h"
 #include "test.h"
 
 #include "base/file.h"
@@ -12,28 +13,6 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-static struct cr_model_lib *lib;
-
-static int open_lib(void **state) {
-    char dir[512];
-    struct cr_error err;
-    (void)state;
-    snprintf(dir, sizeof dir, "%s/models", getenv("SRC"));
-    enum cr_err rc = cr_model_lib_open(dir, &lib, &err);
-    rc = rc ? rc : cr_model_need_all(lib, &err);
-    if (rc) {
-        char buf[768];
-        print_error("%s\n", cr_err_format(&err, buf, sizeof buf));
-    }
-    return (int)rc;
-}
-
-static int close_lib(void **state) {
-    (void)state;
-    cr_model_lib_free(lib);
-    return 0;
-}
 
 static struct cr_model_query query_of(enum cr_type type, int clock, double voxel) {
     struct cr_model_query q = {

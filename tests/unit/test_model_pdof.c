@@ -1,6 +1,7 @@
 /* The direction of force: a wall that goes all round a car, and the borders of the sectors. */
 #include "config.h"
 
+#include "model_lib.h"
 #include "test.h"
 
 #include "base/vec.h"
@@ -9,22 +10,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static struct cr_model_lib *lib;
-
-static int open_lib(void **state) {
-    char dir[512];
-    (void)state;
-    snprintf(dir, sizeof dir, "%s/models", getenv("SRC"));
-    enum cr_err rc = cr_model_lib_open(dir, &lib, NULL);
-    return (int)(rc ? rc : cr_model_need_all(lib, NULL));
-}
-
-static int close_lib(void **state) {
-    (void)state;
-    cr_model_lib_free(lib);
-    return 0;
-}
 
 struct hit {
     double ees, delta_v; /* km/h */

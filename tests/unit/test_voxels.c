@@ -1,6 +1,7 @@
 /* Tests of voxel models as files: 3D models, export, import, what is refused. */
 #include "config.h"
 
+#include "model_lib.h"
 #include "test.h"
 
 #include "base/file.h"
@@ -10,22 +11,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static struct cr_model_lib *lib;
-
-static int open_lib(void **state) {
-    char dir[512];
-    (void)state;
-    snprintf(dir, sizeof dir, "%s/models", getenv("SRC"));
-    enum cr_err rc = cr_model_lib_open(dir, &lib, NULL);
-    return (int)(rc ? rc : cr_model_need_all(lib, NULL));
-}
-
-static int close_lib(void **state) {
-    (void)state;
-    cr_model_lib_free(lib);
-    return 0;
-}
 
 static struct cr_model_query query_of(enum cr_type type, int clock, double voxel) {
     struct cr_model_query q = {
