@@ -7,18 +7,31 @@
 #endif
 
 #include <stdalign.h>
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { BLOCK_MIN = 64 * 1024 };
 
 struct cr_arena_block {
     struct cr_arena_block *next;
     size_t used, size;
+    bool zeroed; /* what is not used yet is zero */
     alignas(max_align_t) unsigned char data[];
 };
 
-void *cr_arena_take(struct cr_arena *arena, size_t n, size_t size) {
+static struct cr_arena_block *new_block(struct cr_arena *arena, size_t want, bool zeroed) {
+    size_t bytes = want > BLOCK_MIN ? want : BLOCK_MIN;
+    struct cr_arena_block *b = zeroed ? calloc(1, sizeof *b + bytes) : malloc(sizeof *b + bytes);
+    if (b != NULL) {
+        *b = (struct cr_arena_block){.next = arena->head, .size = bytes, .zeroed = zeroed};
+        arena->head = b;
+    }
+    return b;
+}
+
+static void *take(struct cr_arena *arena, size_t n, size_t size, bool zeroed) {
     if (size != 0 && n > (SIZE_MAX - BLOCK_MIN) / size) {
         return NULL;
     }
@@ -26,19 +39,23 @@ void *cr_arena_take(struct cr_arena *arena, size_t n, size_t size) {
     size_t want = (n * size + align - 1) / align * align;
     struct cr_arena_block *b = arena->head;
     if (b == NULL || b->size - b->used < want) {
-        size_t bytes = want > BLOCK_MIN ? want : BLOCK_MIN;
-        b = calloc(1, sizeof *b + bytes);
+        b = new_block(arena, want, zeroed);
         if (b == NULL) {
             return NULL;
         }
-        b->size = bytes;
-        b->next = arena->head;
-        arena->head = b;
     }
     void *p = b->data + b->used;
     b->used += want;
     arena->total += want;
-    return p;
+    return zeroed && !b->zeroed ? memset(p, 0, want) : p;
+}
+
+void *cr_arena_take(struct cr_arena *arena, size_t n, size_t size) {
+    return take(arena, n, size, true);
+}
+
+void *cr_arena_take_raw(struct cr_arena *arena, size_t n, size_t size) {
+    return take(arena, n, size, false);
 }
 
 void cr_arena_free(struct cr_arena *arena) {

@@ -15,6 +15,9 @@ struct cr_arena {
 /* Zeroed memory for n objects of the given size; NULL when memory is out or n * size overflows. */
 void *cr_arena_take(struct cr_arena *arena, size_t n, size_t size);
 
+/* The same with any content, for what is written whole before it is read. */
+void *cr_arena_take_raw(struct cr_arena *arena, size_t n, size_t size);
+
 /* Give back everything; the arena is empty and usable again. */
 void cr_arena_free(struct cr_arena *arena);
 

@@ -53,9 +53,9 @@ static bool begin(struct maker *m, const struct cr_model_recipe *r, struct cr_ar
     b->nx = (int)ceil(r->dims.length / b->edge - 1e-9);
     b->ny = (int)ceil(r->dims.width / 2 / b->edge - 1e-9);
     b->nz = (int)ceil(r->dims.height / b->edge - 1e-9);
-    m->wide = cr_arena_take(scratch, slice_size(b), sizeof *m->wide);
-    m->sum = cr_arena_take(scratch, (size_t)b->ny, sizeof *m->sum);
-    m->line = cr_arena_take(scratch, (size_t)b->ny, sizeof *m->line);
+    m->wide = cr_arena_take_raw(scratch, slice_size(b), sizeof *m->wide);
+    m->sum = cr_arena_take_raw(scratch, (size_t)b->ny, sizeof *m->sum);
+    m->line = cr_arena_take_raw(scratch, (size_t)b->ny, sizeof *m->line);
     if (m->wide == NULL || m->sum == NULL || m->line == NULL) {
         return false;
     }

@@ -185,18 +185,18 @@ static bool take_work(struct work *w, int plan_ny, bool ranged, struct cr_arena 
     size_t nx = (size_t)w->nx;
     for (int v = 0; v < 5; v++) {
         bool same = !ranged && (v == 2 || v == 3);
-        w->slab[v] = same ? w->slab[v - 2] : cr_arena_take(scratch, nx * (size_t)plan_ny, 8);
-        w->line[v] = same ? w->line[v - 2] : cr_arena_take(scratch, nx, 8);
+        w->slab[v] = same ? w->slab[v - 2] : cr_arena_take_raw(scratch, nx * (size_t)plan_ny, 8);
+        w->line[v] = same ? w->line[v - 2] : cr_arena_take_raw(scratch, nx, 8);
         if (w->slab[v] == NULL || w->line[v] == NULL) {
             return false;
         }
     }
-    w->row_budget = cr_arena_take(scratch, nx, 8);
+    w->row_budget = cr_arena_take_raw(scratch, nx, 8);
     w->row_weight = cr_arena_take(scratch, nx, 8);
-    w->fill = cr_arena_take(scratch, nx, 8);
-    w->mean = cr_arena_take(scratch, (size_t)plan_ny, 8);
-    w->col_budget = cr_arena_take(scratch, (size_t)w->half, 8);
-    w->sum = cr_arena_take(scratch, nx + (size_t)w->half, 8);
+    w->fill = cr_arena_take_raw(scratch, nx, 8);
+    w->mean = cr_arena_take_raw(scratch, (size_t)plan_ny, 8);
+    w->col_budget = cr_arena_take_raw(scratch, (size_t)w->half, 8);
+    w->sum = cr_arena_take_raw(scratch, nx + (size_t)w->half, 8);
     return w->row_budget != NULL && w->row_weight != NULL && w->fill != NULL &&
            w->col_budget != NULL && w->sum != NULL && w->mean != NULL;
 }
@@ -230,7 +230,7 @@ static bool take_half(struct half_grid *g, size_t n, bool ranged, struct cr_aren
                               &g->out,  &g->ranged[0], &g->ranged[1]};
     *g = (struct half_grid){.fill = NULL};
     for (int i = 0; i < (ranged ? 7 : 5); i++) {
-        *array[i] = cr_arena_take(scratch, n, 8);
+        *array[i] = cr_arena_take_raw(scratch, n, 8);
         if (*array[i] == NULL) {
             return false;
         }
@@ -272,7 +272,7 @@ static enum cr_err run(struct work *w, const struct cr_model_plan *p, struct cr_
     size_t n = (size_t)w->nx * (size_t)w->half;
     bool ranged = p->weight[0] != p->full[0];
     struct half_grid half;
-    double *fill = cr_arena_take(arena, 2 * n, 8), *energy = cr_arena_take(arena, 2 * n, 8);
+    double *fill = cr_arena_take_raw(arena, 2 * n, 8), *energy = cr_arena_take_raw(arena, 2 * n, 8);
     if (fill == NULL || energy == NULL || !take_half(&half, n, ranged, scratch) ||
         !take_work(w, p->ny, ranged, scratch)) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for a model of %zu voxels", 2 * n);

@@ -44,12 +44,6 @@ static bool new_lines(struct cr_solver *s, struct cr_moving *m) {
     return m->row != NULL && m->col != NULL;
 }
 
-/* a line holds material in its voxel k */
-static inline void stretch_over(struct cr_span *line, int k) {
-    line->lo = k < line->lo ? k : line->lo;
-    line->hi = k + 1 > line->hi ? k + 1 : line->hi;
-}
-
 /* live spans of all lines, and their fullest voxel into the pitch of the front and left faces */
 static void span_lines(struct cr_moving *m) {
     const struct cr_grid *g = &m->body->grid;
@@ -58,16 +52,23 @@ static void span_lines(struct cr_moving *m) {
         m->col[ix] = (struct cr_span){g->ny, 0};
     }
     for (int iy = 0; iy < g->ny; iy++) {
-        m->row[iy] = (struct cr_span){g->nx, 0};
-        for (int ix = 0; ix < g->nx; ix++) {
-            double fill = m->left[iy * g->nx + ix];
-            if (fill > 0) {
-                stretch_over(&m->row[iy], ix);
-                stretch_over(&m->col[ix], iy);
-                row_most[iy] = fill > row_most[iy] ? fill : row_most[iy];
-                col_most[ix] = fill > col_most[ix] ? fill : col_most[ix];
-            }
+        const double *left = m->left + iy * g->nx;
+        struct cr_span row = {0, g->nx};
+        while (row.lo < row.hi && !(left[row.lo] > 0)) {
+            row.lo++;
         }
+        while (row.lo < row.hi && !(left[row.hi - 1] > 0)) {
+            row.hi--;
+        }
+        double most = 0;
+        for (int ix = row.lo; ix < row.hi; ix++) {
+            most = left[ix] > most ? left[ix] : most;
+            col_most[ix] = left[ix] > col_most[ix] ? left[ix] : col_most[ix];
+            m->col[ix].lo = iy < m->col[ix].lo && left[ix] > 0 ? iy : m->col[ix].lo;
+            m->col[ix].hi = left[ix] > 0 ? iy + 1 : m->col[ix].hi;
+        }
+        row_most[iy] = most;
+        m->row[iy] = row.lo < row.hi ? row : (struct cr_span){g->nx, 0};
     }
     m->rows = (struct cr_span){0, g->ny};
     m->cols = (struct cr_span){0, g->nx};
@@ -135,7 +136,7 @@ static bool new_units(struct cr_solver *s, struct cr_moving *m) {
         }
         tune_string(m, p, energy);
         size_t n = (size_t)g->nx * (size_t)g->ny;
-        double *unit = cr_arena_take(&s->arena, n, sizeof *unit);
+        double *unit = cr_arena_take_raw(&s->arena, n, sizeof *unit);
         if (unit == NULL) {
             return false;
         }
@@ -150,7 +151,7 @@ static bool new_units(struct cr_solver *s, struct cr_moving *m) {
 static bool new_grid(struct cr_solver *s, struct cr_moving *m) {
     const struct cr_grid *g = &m->body->grid;
     size_t n = (size_t)g->nx * (size_t)g->ny;
-    m->left = cr_arena_take(&s->arena, n, sizeof *m->left);
+    m->left = cr_arena_take_raw(&s->arena, n, sizeof *m->left);
     m->t_sum = cr_arena_take(&s->arena, n, sizeof *m->t_sum);
     m->how = cr_arena_take(&s->arena, n, sizeof *m->how);
     if (m->left == NULL || m->t_sum == NULL || m->how == NULL || !new_lines(s, m)) {
@@ -190,7 +191,7 @@ static bool new_body(struct cr_solver *s, int i) {
     float *when =
         b->grid.nx == 0
             ? NULL
-            : cr_arena_take(&s->arena, (size_t)b->grid.nx * (size_t)b->grid.ny, sizeof *when);
+            : cr_arena_take_raw(&s->arena, (size_t)b->grid.nx * (size_t)b->grid.ny, sizeof *when);
     s->out.body[i].t_crushed = when;
     return when != NULL || b->grid.nx == 0;
 }
