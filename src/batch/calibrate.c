@@ -327,6 +327,15 @@ static enum cr_err measure(struct fit *f, struct cr_error *err) {
 }
 
 /* Walls by speed class, all types: what a linear front can and cannot do. */
+/* a percentage; "-" where there are too few tests to have one */
+static const char *percent(double x, bool sign, char buf[16]) {
+    if (!isfinite(x)) {
+        return "-";
+    }
+    snprintf(buf, 16, sign ? "%+.1f" : "%.1f", x);
+    return buf;
+}
+
 static void print_speeds(const struct fit *f, struct cr_str *out) {
     static const double from[] = {0, 45, 52, 200};
     static const char *const name[] = {"40", "48", "56"};
@@ -345,8 +354,11 @@ static void print_speeds(const struct fit *f, struct cr_str *out) {
             m += isfinite(t->peak_g);
         }
         struct cr_stats_error e = cr_stats_errors(a, b, n);
-        cr_str_addf(out, "about %s km/h   %3d  %+9.1f  %6.1f     %+8.1f  %6.1f\n", name[k], n,
-                    e.mpe, e.sd, cr_stats_mean(c, m), cr_stats_sd(c, m));
+        char text[4][16];
+        cr_str_addf(out, "about %s km/h   %3d  %9s  %6s     %8s  %6s\n", name[k], n,
+                    percent(e.mpe, true, text[0]), percent(e.sd, false, text[1]),
+                    percent(cr_stats_mean(c, m), true, text[2]),
+                    percent(cr_stats_sd(c, m), false, text[3]));
     }
 }
 
@@ -359,12 +371,14 @@ static void print_fit(const struct fit *f, struct cr_str *out) {
             const struct cr_calibration_fit *c = &f->out[t][k];
             const struct cr_model_face *face =
                 cr_model_face(f->lib, (enum cr_type)t, k == 0 ? CR_MODEL_FRONT : CR_MODEL_SIDE);
-            cr_str_addf(out, "%-14s %-6s %5d + %-4d     %+8.1f  %6.1f   ",
-                        cr_type_word((enum cr_type)t), k == 0 ? "front" : "side", c->tests,
-                        c->borrowed, c->depth_mpe, c->depth_sd);
+            char text[4][16];
+            cr_str_addf(out, "%-14s %-6s %5d + %-4d     %8s  %6s   ", cr_type_word((enum cr_type)t),
+                        k == 0 ? "front" : "side", c->tests, c->borrowed,
+                        percent(c->depth_mpe, true, text[0]), percent(c->depth_sd, false, text[1]));
             if (k == 0) {
-                cr_str_addf(out, "%6d  %+8.1f %5.1f   w %.2f 1/s, springback %.3f m\n",
-                            c->dynamic_tests, c->dynamic_mpe, c->dynamic_sd, slope_of(face),
+                cr_str_addf(out, "%6d  %8s %5s   w %.2f 1/s, springback %.3f m\n", c->dynamic_tests,
+                            percent(c->dynamic_mpe, true, text[2]),
+                            percent(c->dynamic_sd, false, text[3]), slope_of(face),
                             face->springback);
             } else {
                 double depth = face->ees.x[2], v = face->ees.y[2];

@@ -79,7 +79,8 @@ struct cr_opts {
 struct cr_opts cr_opts_default(void);
 
 struct cr_case {
-    int n; /* bodies, in the order of the scene; contacts are worked in this order too */
+    int n; /* bodies, in the order of the scene; contacts are worked in this order and backwards in
+              turns */
     struct cr_body body[CR_BODY_MAX];
     struct cr_opts opts;
 };

@@ -80,7 +80,8 @@ has "in the depth of the poles" "$out" 'missed +pole: MPE of depth residual'
 mkdir -p "$tmp/data/share/validation/data"
 cp -R "$SRC/models" "$tmp/data/models"
 cp -R "$SRC/share/irf" "$SRC/share/calibration" "$tmp/data/share/"
-cp "$SRC"/share/validation/data/frontal_wall*.csv "$tmp/data/share/validation/data/"
+cp "$SRC"/share/validation/data/frontal_wall*.csv "$SRC"/share/validation/data/camry*.csv \
+    "$tmp/data/share/validation/data/"
 head -n 14 "$SRC/share/validation/data/side_pole.csv" \
     >"$tmp/data/share/validation/data/side_pole.csv"
 CRUMPLE_DATA=$tmp/data
@@ -92,4 +93,13 @@ cross=$(printf '%s\n' "$out" | grep '^pole,all,face_depth_m,m,1,cross-validated,
 has "fit and cross-validation of the same tests" "$fit$cross" extended.*cross
 [ "${fit#*extended}" != "${cross#*validated}" ]
 report $? "with other numbers, as the models are others"
+
+# a calibration with the same few tests: one sedan only has a spread that is none
+run calibrate --write "$tmp/data/models"
+same "the faces are fitted" "$status:$errs" "0:"
+empty "numbers that are none are dashes" "$(printf '%s\n' "$out" | grep -wE 'nan|inf')"
+cmp "$SRC/models/sedan.json" "$tmp/data/models/sedan.json" >"$tmp/why"
+same "and the recipes written" $? 1
+run run "$SRC/share/scenes/pole-side.json"
+same "with which scenes are solved" "$status:$errs" "0:"
 finish
