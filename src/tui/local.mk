@@ -1,5 +1,6 @@
 noinst_LIBRARIES += libtui.a
 libtui_a_SOURCES = \
+	src/tui/frame.c src/tui/frame.h \
 	src/tui/ground.c src/tui/ground.h \
 	src/tui/keys.c \
 	src/tui/log.c \

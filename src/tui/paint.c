@@ -96,9 +96,11 @@ void cr_paint(const struct cr_cells *cells, const struct cr_look *look, int curs
         }
     }
     shown_look = *look;
+    cr_frame_begin();
     curs_set(cursor_x >= 0 ? 1 : 0);
     if (cursor_x >= 0) {
         move(cursor_y, cursor_x);
     }
     refresh();
+    cr_frame_end(cr_tui_clock());
 }

@@ -293,6 +293,10 @@ int cr_tui_draw_due(struct cr_tui *t) {
     if (wait > 0) {
         return (int)ceil(1e3 * wait);
     }
+    int drawing = cr_frame_wait(cr_tui_clock());
+    if (drawing > 0) {
+        return drawing;
+    }
     cr_tui_draw(t);
     return -1;
 }

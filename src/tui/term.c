@@ -27,6 +27,7 @@ enum {
     RESTORE_MAX = 512,
     ESCAPE_MS = 40,
     KEY_ANSWER = 2000,
+    KEY_DRAWN,
     ANSWER_MS = 150,
     ANSWER_ESCAPE_MS = 300
 };
@@ -256,7 +257,12 @@ static void ask_ground(void) {
     const char *name = getenv("TERM");
     term.ground = cr_ground_of_environment(getenv("COLORFGBG"), name);
     term.asked_at = NAN;
-    if (cr_term_color() != CR_COLOR_NONE && cr_ground_may_ask(name)) {
+    if (!cr_ground_may_ask(name)) {
+        return;
+    }
+    define_key(CR_FRAME_ANSWER, KEY_DRAWN);
+    cr_frame_ask();
+    if (cr_term_color() != CR_COLOR_NONE) {
         define_key(CR_GROUND_ANSWER, KEY_ANSWER);
         set_escdelay(ANSWER_ESCAPE_MS); /* a slow line may part it */
         fputs(CR_GROUND_QUESTION, stdout);
@@ -265,9 +271,17 @@ static void ask_ground(void) {
     }
 }
 
-/* An answer that is still under way is not for the shell. */
-static void await_answer(void) {
+/* Answers that are still under way are not for the shell. */
+static void await_answers(void) {
     struct pollfd fd = {.fd = STDIN_FILENO, .events = POLLIN};
+    struct cr_input in;
+    int ms = cr_frame_awaits(cr_tui_clock());
+    while (ms > 0 && poll(&fd, 1, ms) > 0 && (fd.revents & POLLIN) != 0 && !cr_tui_ending) {
+        while (cr_term_read(&in)) {
+            continue; /* what was typed meanwhile was for the screen that goes */
+        }
+        ms = cr_frame_awaits(cr_tui_clock());
+    }
     if (isfinite(term.asked_at) && cr_tui_clock() - term.asked_at < ANSWER_S) {
         poll(&fd, 1, ANSWER_MS);
         tcflush(STDIN_FILENO, TCIFLUSH);
@@ -307,6 +321,7 @@ static void set_modes(void) {
     meta(stdscr, TRUE);
     keypad(term.input, TRUE);
     nodelay(term.input, TRUE);
+    typeahead(-1); /* a frame is drawn whole */
     intrflush(stdscr, FALSE);
     mouseinterval(0);
     mousemask(ALL_MOUSE_EVENTS | REPORT_MOUSE_POSITION, NULL);
@@ -330,8 +345,10 @@ enum cr_err cr_term_open(struct cr_error *err) {
         set_escdelay(ESCAPE_MS);
     }
     term.escape_ms = get_escdelay();
-    term.screen = newterm(NULL, stdout, stdin);
+    FILE *out = cr_frame_open(cr_ground_may_ask(name));
+    term.screen = newterm(NULL, out != NULL ? out : stdout, stdin);
     if (term.screen == NULL) {
+        cr_frame_close();
         return cr_err_set(err, CR_ERR_IO, "curses cannot use the terminal %s", name);
     }
     term.open = true;
@@ -355,7 +372,7 @@ void cr_term_close(void) {
     }
     term.open = false;
     mouse(false);
-    await_answer();
+    await_answers();
     endwin();
     term.restore_len = 0;
     release_stderr();
@@ -365,6 +382,7 @@ void cr_term_close(void) {
     cr_paint_forget();
     delscreen(term.screen);
     term.screen = NULL;
+    cr_frame_close();
 }
 
 void cr_term_suspend(void) {
@@ -372,6 +390,7 @@ void cr_term_suspend(void) {
     sigset_t only, kept;
     sigemptyset(&stop.sa_mask);
     mouse(false);
+    await_answers();
     endwin();
     sigaction(SIGTSTP, &stop, &ours);
     sigemptyset(&only);
@@ -496,6 +515,10 @@ bool cr_term_read(struct cr_input *out) {
         ask_no_more();
     }
     while (read_key(out)) {
+        if (out->function && out->code == KEY_DRAWN) {
+            cr_frame_answered(cr_tui_clock());
+            continue;
+        }
         if (!is_answer(out)) {
             return true;
         }

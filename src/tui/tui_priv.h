@@ -4,6 +4,7 @@
 
 #include "cmd/cmd.h"
 #include "render/screen.h"
+#include "tui/frame.h"
 #include "tui/ground.h"
 #include "tui/tui.h"
 
