@@ -8,8 +8,11 @@
 #include <unistd.h>
 
 static const char begin_mark[] = "\033[?2026h", end_mark[] = "\033[?2026l", question[] = "\033[5n";
-enum { SENT_MAX = 3 /* frames on their way on a fast line */ };
-static const double slow = 0.25;    /* s from frame to answer: from here one at a time */
+enum {
+    SENT_MAX = 6, /* frames on their way on a fast line, however long */
+    TELLING = 400 /* bytes of a frame that tells how fast the line is */
+};
+static const double fast = 0.1;     /* s such a frame may take beyond the way of an empty one */
 static const double given_up = 3.0; /* s after which no answer is expected any more */
 
 /* curses has one terminal, and so has this */
@@ -19,14 +22,19 @@ static struct {
     char *bytes;
     size_t size;
     bool asks, answers;
-    int sent;                 /* frames without an answer */
-    double sent_at[SENT_MAX]; /* s, the oldest first */
-    double took;              /* s that the last answer took */
+    struct sent {
+        double at; /* s of the clock */
+        size_t bytes;
+    } sent[SENT_MAX]; /* frames without an answer, the oldest first */
+    int n;
+    double took;  /* s that the last frame which tells took to its answer */
+    double least; /* s that any has taken: there and back */
 } frame;
 
 FILE *cr_frame_open(bool asks) {
     memset(&frame, 0, sizeof frame);
     frame.asks = asks;
+    frame.took = frame.least = INFINITY; /* not known yet */
     int fd = dup(STDOUT_FILENO);
     frame.file = tmpfile();
     frame.stream = fd >= 0 ? fdopen(fd, "w") : NULL;
@@ -91,12 +99,16 @@ static void put(size_t *n, const char *text) {
     *n += strlen(text);
 }
 
-static void note_sent(double now) {
-    if (frame.sent == SENT_MAX) {
-        memmove(frame.sent_at, frame.sent_at + 1, (SENT_MAX - 1) * sizeof frame.sent_at[0]);
-        frame.sent--;
+static void forget_oldest(void) {
+    frame.n--;
+    memmove(frame.sent, frame.sent + 1, (SENT_MAX - 1) * sizeof frame.sent[0]);
+}
+
+static void note_sent(double now, size_t bytes) {
+    if (frame.n == SENT_MAX) {
+        forget_oldest();
     }
-    frame.sent_at[frame.sent++] = now;
+    frame.sent[frame.n++] = (struct sent){now, bytes};
 }
 
 void cr_frame_end(double now) {
@@ -121,7 +133,7 @@ void cr_frame_end(double now) {
     }
     if (frame.answers) {
         put(&n, question);
-        note_sent(now);
+        note_sent(now, n);
     }
     lseek(file, 0, SEEK_SET);
     if (ftruncate(file, 0) == 0) {
@@ -137,23 +149,26 @@ void cr_frame_ask(void) {
 
 void cr_frame_answered(double now) {
     frame.answers = true;
-    if (frame.sent > 0) {
-        frame.took = now - frame.sent_at[0];
-        frame.sent--;
-        memmove(frame.sent_at, frame.sent_at + 1, (SENT_MAX - 1) * sizeof frame.sent_at[0]);
+    if (frame.n > 0) {
+        double took = now - frame.sent[0].at;
+        if (frame.sent[0].bytes >= TELLING || took > frame.took) {
+            frame.took = took;
+        }
+        frame.least = fmin(frame.least, took);
+        forget_oldest();
     }
 }
 
 int cr_frame_awaits(double now) {
-    double left = frame.sent > 0 ? frame.sent_at[frame.sent - 1] + given_up - now : 0;
+    double left = frame.n > 0 ? frame.sent[frame.n - 1].at + given_up - now : 0;
     return left > 0 ? (int)ceil(1e3 * left) : 0;
 }
 
 int cr_frame_wait(double now) {
-    int most = frame.took > slow ? 1 : SENT_MAX;
+    int most = frame.took < frame.least + fast ? SENT_MAX : 1;
     int wait = cr_frame_awaits(now);
     if (wait == 0) {
-        frame.sent = 0; /* they are lost */
+        frame.n = 0; /* they are lost */
     }
-    return frame.sent >= most ? wait : 0;
+    return frame.n >= most ? wait : 0;
 }
