@@ -11,16 +11,23 @@
 
 #include <string.h>
 
-/* 1/E = cos^2 / E_long + sin^2 / E_lat; a direction without share does not count. */
-static double in_series(const double share[2], double along, double across) {
+/* 1/E = cos^2 / E_long + sin^2 / E_lat into scratch; a direction without share does not count: then
+ * the other field is the one that is returned. */
+static const double *in_series(const struct cr_model_fields *f, const double share[2],
+                               double *scratch) {
+    const double *along = f->energy[0], *across = f->energy[1];
     if (share[1] == 0) {
         return along;
     }
     if (share[0] == 0) {
         return across;
     }
-    double sum = share[0] * across + share[1] * along;
-    return sum > 0 ? along * across / sum : 0;
+    size_t cells = (size_t)f->nx * (size_t)f->half;
+    for (size_t i = 0; i < cells; i++) {
+        double sum = share[0] * across[i] + share[1] * along[i];
+        scratch[i] = sum > 0 ? along[i] * across[i] / sum : 0;
+    }
+    return scratch;
 }
 
 /* Per layer of the loaded face: the factor that brings it to its energy, into sum. */
@@ -41,14 +48,12 @@ static void layer_factors(const struct cr_model_fields *f, bool side, const doub
 }
 
 void cr_model_mix(const struct cr_model_fields *f, const struct cr_model_sector *sector, int n,
-                  double *mixed, double *sum, double *out) {
+                  double *scratch, double *sum, double *out) {
     size_t nx = (size_t)f->nx, cells = nx * (size_t)f->half;
     memset(out, 0, cells * sizeof *out);
     for (int s = 0; s < n; s++) {
         const double *share = sector[s].share;
-        for (size_t i = 0; i < cells; i++) {
-            mixed[i] = in_series(share, f->energy[0][i], f->energy[1][i]);
-        }
+        const double *mixed = in_series(f, share, scratch);
         layer_factors(f, sector[s].side, mixed, sum);
         for (int j = 0; j < f->half; j++) {
             for (size_t k = 0; k < nx; k++) {

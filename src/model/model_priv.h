@@ -114,9 +114,10 @@ struct cr_model_fields {
     const double *layer_y;   /* [half] J of one half */
 };
 
-/* The fields mixed for the sectors of a model into out[half * nx]. sum: [max(nx, half)] scratch. */
+/* The fields mixed for the sectors of a model into out[half * nx]. scratch: [half * nx]; sum:
+ * [max(nx, half)] scratch too. */
 void cr_model_mix(const struct cr_model_fields *f, const struct cr_model_sector *sector, int n,
-                  double *mixed, double *sum, double *out);
+                  double *scratch, double *sum, double *out);
 
 /* The 2D substitute from its parts; faces may differ from the recipe's. */
 CR_MUST_CHECK enum cr_err cr_model_resample(const struct cr_model_recipe *r,

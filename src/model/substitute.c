@@ -11,6 +11,7 @@
 #include "base/vec.h"
 
 #include <math.h>
+#include <string.h>
 
 /* strips per voxel in which the outline is followed */
 enum { STRIPS = 8 };
@@ -201,15 +202,17 @@ static bool take_work(struct work *w, int plan_ny, bool ranged, struct cr_arena 
            w->col_budget != NULL && w->sum != NULL && w->mean != NULL;
 }
 
-/* Turn rows counted from the front into rows along x, and mirror them to the right half. */
-static void mirror(const struct work *w, const double *half, double *out) {
+/* Turn rows of the left half that are counted from the front into rows along x, and mirror them to
+ * the right half. */
+static void mirror(const struct work *w, double *grid) {
     size_t nx = (size_t)w->nx;
     for (int j = 0; j < w->half; j++) {
-        double *left = out + (size_t)(w->half + j) * nx,
-               *right = out + (size_t)(w->half - 1 - j) * nx;
+        double *left = grid + (size_t)(w->half + j) * nx;
+        double *right = grid + (size_t)(w->half - 1 - j) * nx;
         for (size_t k = 0; k < nx; k++) {
-            left[nx - 1 - k] = right[nx - 1 - k] = half[(size_t)j * nx + k];
+            right[nx - 1 - k] = left[k];
         }
+        memcpy(left, right, nx * sizeof *left);
     }
 }
 
@@ -225,11 +228,13 @@ static void set_faces(const struct work *w, struct cr_grid *g) {
     }
 }
 
-static bool take_half(struct half_grid *g, size_t n, bool ranged, struct cr_arena *scratch) {
-    double **const array[] = {&g->fill, &g->energy[0], &g->energy[1], &g->mixed,
-                              &g->out,  &g->ranged[0], &g->ranged[1]};
-    *g = (struct half_grid){.fill = NULL};
-    for (int i = 0; i < (ranged ? 7 : 5); i++) {
+/* fill and out are made in the left half of the grid itself */
+static bool take_half(struct half_grid *g, size_t n, double *fill, double *energy, bool ranged,
+                      struct cr_arena *scratch) {
+    double **const array[] = {&g->energy[0], &g->energy[1], &g->mixed, &g->ranged[0],
+                              &g->ranged[1]};
+    *g = (struct half_grid){.fill = fill + n, .out = energy + n};
+    for (int i = 0; i < (ranged ? 5 : 3); i++) {
         *array[i] = cr_arena_take_raw(scratch, n, 8);
         if (*array[i] == NULL) {
             return false;
@@ -273,13 +278,13 @@ static enum cr_err run(struct work *w, const struct cr_model_plan *p, struct cr_
     bool ranged = p->weight[0] != p->full[0];
     struct half_grid half;
     double *fill = cr_arena_take_raw(arena, 2 * n, 8), *energy = cr_arena_take_raw(arena, 2 * n, 8);
-    if (fill == NULL || energy == NULL || !take_half(&half, n, ranged, scratch) ||
+    if (fill == NULL || energy == NULL || !take_half(&half, n, fill, energy, ranged, scratch) ||
         !take_work(w, p->ny, ranged, scratch)) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for a model of %zu voxels", 2 * n);
     }
     make_half(w, p, &half);
-    mirror(w, half.fill, fill);
-    mirror(w, half.out, energy);
+    mirror(w, fill);
+    mirror(w, energy);
     g->fill = fill;
     g->energy = energy;
     return CR_ERR_OK;
