@@ -8,6 +8,21 @@ static const double slip_full_deg = 8.0; /* slip angle of full lateral force; pa
 static const double speed_soft = 0.1;    /* m/s below which friction fades (literature.md 7.5) */
 static const double slip_speed = 0.5;    /* m/s, least rolling speed in the slip angle */
 
+/* a slope beyond the full slip angle, whose tangent is 0.1405: the angle need not be known */
+static const double slope_full = 0.15;
+
+/* Share of the lateral force, with the sign of v.y: Fiala's cubic, full with a level tangent at the
+ * full slip angle. */
+static double side_share(struct cr_vec2 v) {
+    double rolling_speed = fmax(fabs(v.x), slip_speed);
+    if (fabs(v.y) > slope_full * rolling_speed) {
+        return copysign(1, v.y);
+    }
+    double slip = atan2(v.y, rolling_speed) / cr_rad(slip_full_deg);
+    double a = fmin(fabs(slip), 1);
+    return copysign(3 * a - 3 * a * a + a * a * a, v.y);
+}
+
 /* force on the tyre in the wheel's frame (x along the wheel), N */
 static struct cr_vec2 tyre_force(const struct cr_wheel *wheel, bool locked, double mu,
                                  struct cr_vec2 v) {
@@ -18,15 +33,12 @@ static struct cr_vec2 tyre_force(const struct cr_wheel *wheel, bool locked, doub
     double pull = fmin(fmax(wheel->brake, fmin(rolling, mu) / fmax(mu, 1e-9)), 1);
     double fade = fmin(fabs(v.x) / speed_soft, 1);
     double fx = -copysign(limit * pull * fade, v.x);
-    double slip = atan2(v.y, fmax(fabs(v.x), slip_speed)) / cr_rad(slip_full_deg);
-    double side = sqrt(fmax(1 - pull * pull, 0));
-    /* Fiala's cubic: full force, with a level tangent, at slip = 1 */
-    double a = fmin(fabs(slip), 1), share = 3 * a - 3 * a * a + a * a * a;
     /* a wheel with all its friction in braking slides: the force turns against its velocity */
     if (pull >= 1) {
         return cr_vec2_scale(v, -limit / fmax(speed, speed_soft));
     }
-    return cr_vec2(fx, -copysign(limit * side * share, v.y));
+    double side = sqrt(fmax(1 - pull * pull, 0));
+    return cr_vec2(fx, -limit * side * side_share(v));
 }
 
 void cr_tyres_apply(struct cr_solver *s, int body) {
