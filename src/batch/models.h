@@ -8,16 +8,6 @@
 
 struct cJSON;
 
-/* A model by name: a type and one of its twelve sectors. */
-struct cr_model_name {
-    enum cr_type type;
-    int clock; /* 0: all twelve */
-};
-
-/* "sedan", "sedan/12". Errors: NAME with the nearest name, RANGE for an hour that is none. */
-CR_MUST_CHECK enum cr_err cr_model_name_read(const char *text, struct cr_model_name *out,
-                                             struct cr_error *err);
-
 /* The recipes as JSON, for what the library does not keep: calibration, provenance, structures. */
 struct cr_model_papers {
     struct cJSON *recipe[CR_TYPES];

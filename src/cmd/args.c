@@ -285,7 +285,7 @@ static enum cr_err no_such_key(struct cr_call *call, const struct cr_token *tok,
         cr_err_hint(err, "one of:%s", fitting);
     } else if (near != NULL) {
         cr_err_hint(err, "did you mean '%s%s'?", dashes, near);
-    } else {
+    } else if (place == CR_ARG_FLAG || !cr_cmd_guess_key(call->s, tok, err)) {
         cr_err_hint(err, "help %s lists what it takes", call->cmd->name);
     }
     return CR_ERR_KEY;
@@ -320,6 +320,9 @@ static enum cr_err no_place(struct cr_call *call, const struct cr_token *tok,
     }
     call->blame = tok;
     cr_err_set(err, CR_ERR_SYNTAX, "unknown word '%.60s' for '%s'", tok->text, call->cmd->name);
+    if (cr_cmd_guess(call, tok, err)) {
+        return CR_ERR_SYNTAX;
+    }
     const char *near = strlen(tok->text) > 2 ? cr_str_nearest(tok->text, list, n) : NULL;
     if (near != NULL) {
         cr_err_hint(err, "did you mean '%s=...'?", near);

@@ -205,6 +205,13 @@ enum cr_err cr_cmd_picture(struct cr_session *s, int width, int height,
                                                struct cr_rect at, struct cr_error *err),
                            void *user, struct cr_error *err);
 
+/* Hint for a word that fits nowhere: a unit apart from its number, a value without its key. */
+bool cr_cmd_guess(const struct cr_call *call, const struct cr_token *tok, struct cr_error *err);
+/* The same for ID.KEY=VALUE where it is no key. */
+bool cr_cmd_guess_key(const struct cr_session *s, const struct cr_token *tok, struct cr_error *err);
+/* Hint of a file that could not be opened: the name with its suffix where there is such a file. */
+void cr_cmd_guess_file(const char *path, const char *suffix, struct cr_error *err);
+
 /* A plot over the room there is but for some lines, by way of cr_cmd_picture. */
 enum cr_err cr_cmd_plot(struct cr_session *s, const struct cr_plot *plot, int lines,
                         struct cr_error *err);

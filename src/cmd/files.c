@@ -53,6 +53,7 @@ enum cr_err cr_cmd_load(struct cr_call *call, struct cr_error *err) {
     memset(draft->placed, 0, sizeof draft->placed);
     code = cr_scene_load_draft(from, &draft->scene, err);
     if (code != CR_ERR_OK) {
+        cr_cmd_guess_file(from, ".json", err);
         return recover ? code : cr_cmd_blame(call, "FILE", code);
     }
     draft->file[0] = '\0';
@@ -82,8 +83,9 @@ static enum cr_err may_write(struct cr_call *call, const char *path, struct cr_e
     return cr_cmd_blame(call, "FILE", CR_ERR_DUPLICATE);
 }
 
-/* Relative model files are looked for beside the scene file; saved elsewhere they are lost. */
-static void warn_of_models(struct cr_session *s, const char *path) {
+/* Relative model files are looked for beside the scene file; saved elsewhere cr_scene_save writes
+ * their whole path. */
+static void say_models(struct cr_session *s, const char *path) {
     char folder[CR_PATH_MAX];
     const struct cr_scene *scene = cr_session_scene(s);
     const char *from = scene->dir[0] != '\0' ? scene->dir : ".";
@@ -91,8 +93,7 @@ static void warn_of_models(struct cr_session *s, const char *path) {
     for (int i = 0; i < scene->n; i++) {
         const char *file = scene->part[i].model.file;
         if (file[0] != '\0' && file[0] != '/' && strcmp(folder, from) != 0) {
-            cr_warn(s, "%s has its voxels from %s in %s; copy it to %s too", scene->part[i].id,
-                    file, from, folder);
+            cr_say(s, "%s: the file has the whole path of %s", scene->part[i].id, file);
         }
     }
 }
@@ -113,7 +114,7 @@ enum cr_err cr_cmd_save(struct cr_call *call, struct cr_error *err) {
     if (code == CR_ERR_OK) {
         cr_session_saved(s, path);
         cr_session_autosave(s);
-        warn_of_models(s, path);
+        say_models(s, path);
         cr_say(s, "%s: %d participant%s", path, cr_session_scene(s)->n,
                cr_session_scene(s)->n == 1 ? "" : "s");
     }

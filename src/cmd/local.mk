@@ -7,6 +7,7 @@ libcmd_a_SOURCES = \
 	src/cmd/complete.c \
 	src/cmd/files.c \
 	src/cmd/help.c \
+	src/cmd/hints.c \
 	src/cmd/look.c \
 	src/cmd/measure.c src/cmd/measure.h \
 	src/cmd/model.c \

@@ -17,37 +17,17 @@ static enum cr_err say_type(struct cr_session *s, enum cr_type type, struct cr_e
     return CR_ERR_OK;
 }
 
-/* "suv", "suv/12", "ees/suv/12" -> type and clock (0: automatic); false if it is none */
-static bool read_model(const char *text, enum cr_type *type, int *clock) {
-    char word[CR_NAME_MAX], end;
+/* "suv", "suv/12", "ees/suv/12" */
+static enum cr_err read_model(struct cr_call *call, const char *text, struct cr_model_name *out,
+                              struct cr_error *err) {
     text += strncmp(text, "ees/", 4) == 0 ? 4 : 0;
-    snprintf(word, sizeof word, "%.*s", (int)strcspn(text, "/"), text);
-    const char *slash = strchr(text, '/');
-    int found = cr_type_find(word);
-    *clock = 0;
-    *type = found >= 0 ? (enum cr_type)found : CR_TYPES;
-    return found >= 0 && (slash == NULL || (sscanf(slash + 1, "%d%c", clock, &end) == 1 &&
-                                            *clock >= 1 && *clock <= 12));
-}
-
-static enum cr_err no_model(struct cr_call *call, const char *text, struct cr_error *err) {
-    const char *list[CR_TYPES];
-    char word[CR_NAME_MAX];
-    snprintf(word, sizeof word, "%.*s", (int)strcspn(text, "/"), text);
-    for (int i = 0; i < CR_TYPES; i++) {
-        list[i] = cr_type_word((enum cr_type)i);
-    }
-    const char *near = cr_str_nearest(word, list, CR_TYPES);
-    cr_err_set(err, CR_ERR_NAME, "there is no model '%.60s'", text);
-    cr_err_hint(err, near != NULL ? "did you mean '%s'?" : "model list names all%s",
-                near != NULL ? near : "");
-    return cr_cmd_blame(call, "MODEL", CR_ERR_NAME);
+    enum cr_err code = cr_model_name_read(text, out, err);
+    return code == CR_ERR_OK ? code : cr_cmd_blame(call, "MODEL", code);
 }
 
 static enum cr_err model_info(struct cr_call *call, struct cr_error *err) {
     const char *text = cr_cmd_text(call, "MODEL", NULL);
-    enum cr_type type;
-    int clock;
+    struct cr_model_name model;
     enum cr_err code = cr_session_need_models(call->s, err);
     if (code != CR_ERR_OK) {
         return code;
@@ -64,17 +44,15 @@ static enum cr_err model_info(struct cr_call *call, struct cr_error *err) {
         cr_err_hint(err, "for example: model info suv/12");
         return CR_ERR_MISSING;
     }
-    if (!read_model(text, &type, &clock)) {
-        return no_model(call, text, err);
-    }
-    code = say_type(call->s, type, err);
+    code = read_model(call, text, &model, err);
+    code = code == CR_ERR_OK ? say_type(call->s, model.type, err) : code;
     if (code != CR_ERR_OK) {
         return code;
     }
-    cr_say(call->s, "recipe models/%s.json", cr_type_word(type));
-    cr_say(call->s, "sha256 %s", cr_model_hash(call->s->models, type));
+    cr_say(call->s, "recipe models/%s.json", cr_type_word(model.type));
+    cr_say(call->s, "sha256 %s", cr_model_hash(call->s->models, model.type));
     cr_say(call->s, "crumple models %s prints curves, structures, source tests and scatter",
-           cr_type_word(type));
+           cr_type_word(model.type));
     return CR_ERR_OK;
 }
 
@@ -87,8 +65,7 @@ static bool is_file(const char *text) {
 static enum cr_err choose_model(struct cr_call *call, struct cr_scene *scene, const char *id,
                                 struct cr_error *err) {
     const char *text = cr_cmd_text(call, "MODEL", NULL);
-    enum cr_type type;
-    int clock;
+    struct cr_model_name model;
     char value[16];
     if (text == NULL) {
         return CR_ERR_OK;
@@ -96,18 +73,19 @@ static enum cr_err choose_model(struct cr_call *call, struct cr_scene *scene, co
     if (is_file(text)) {
         return cr_cmd_blame(call, "MODEL", cr_cmd_set_text(scene, id, "model.file", text, err));
     }
-    if (!read_model(text, &type, &clock)) {
-        return no_model(call, text, err);
+    enum cr_err code = read_model(call, text, &model, err);
+    if (code != CR_ERR_OK) {
+        return code;
     }
     struct cr_participant *p = cr_scene_find(scene, id);
     p->model.file[0] = '\0';
-    enum cr_err code = cr_cmd_set_text(scene, id, "model.file", "", err);
+    code = cr_cmd_set_text(scene, id, "model.file", "", err);
     if (code == CR_ERR_OK) {
-        code = cr_cmd_set_text(scene, id, "type", cr_type_word(type), err);
+        code = cr_cmd_set_text(scene, id, "type", cr_type_word(model.type), err);
     }
-    snprintf(value, sizeof value, "%d", clock);
+    snprintf(value, sizeof value, "%d", model.clock);
     return code == CR_ERR_OK
-               ? cr_cmd_set_text(scene, id, "model.pdof", clock > 0 ? value : "auto", err)
+               ? cr_cmd_set_text(scene, id, "model.pdof", model.clock > 0 ? value : "auto", err)
                : code;
 }
 

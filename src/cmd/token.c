@@ -96,6 +96,10 @@ static int read_word(const char *text, int at, char **pool, struct cr_token *tok
     int end = at, len = 0, equals = -1, key_len = 0;
     char *copy = *pool;
     *tok = (struct cr_token){.kind = CR_TOKEN_WORD, .text = copy, .at = at, .value_at = at};
+    if (at == 0 && strncmp(text, "\xEF\xBB\xBF", 3) == 0) {
+        fault(err, 0, 1, "the text begins with a byte order mark", "save it as UTF-8 without BOM");
+        return -1;
+    }
     while (!ends_word(text + end)) {
         int n = char_len(text + end);
         if (text[end] == '"') {

@@ -34,6 +34,16 @@ enum cr_type {
 const char *cr_type_word(enum cr_type type);
 int cr_type_find(const char *word);
 
+/* A model by name: a type and one of its twelve sectors. */
+struct cr_model_name {
+    enum cr_type type;
+    int clock; /* 0: all twelve */
+};
+
+/* "sedan", "sedan/12". Errors: NAME with the nearest name, RANGE for an hour that is none. */
+CR_MUST_CHECK enum cr_err cr_model_name_read(const char *text, struct cr_model_name *out,
+                                             struct cr_error *err);
+
 /* Outer dimensions and reference lines of a vehicle, m; x lines from the front end rearward. */
 struct cr_dims {
     double length, width, height, wheelbase, track, front_overhang;

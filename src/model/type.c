@@ -3,8 +3,11 @@
 
 #include "model/model_priv.h"
 
+#include "base/str.h"
 #include "base/vec.h"
 
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const char *const type_word[] = {
@@ -24,6 +27,40 @@ int cr_type_find(const char *word) {
         }
     }
     return -1;
+}
+
+enum cr_err cr_model_name_read(const char *text, struct cr_model_name *out, struct cr_error *err) {
+    char word[32];
+    size_t len = strcspn(text, "/");
+    snprintf(word, sizeof word, "%.*s", (int)(len < 31 ? len : 31), text);
+    int type = cr_type_find(word);
+    if (type < 0) {
+        const char *known[CR_TYPES], *near;
+        for (int i = 0; i < CR_TYPES; i++) {
+            known[i] = cr_type_word((enum cr_type)i);
+        }
+        near = cr_str_nearest(word, known, CR_TYPES);
+        enum cr_err rc = cr_err_set(err, CR_ERR_NAME, "no model \"%.80s\"", text);
+        if (near != NULL) {
+            cr_err_hint(err, "did you mean %s%.40s?", near, text + len);
+        } else {
+            cr_err_hint(err, "super-compact, mini-compact, compact, station-wagon, sedan or suv, "
+                             "also with an hour, sedan/12");
+        }
+        return rc;
+    }
+    *out = (struct cr_model_name){.type = (enum cr_type)type};
+    if (text[len] == '/') {
+        char *end = NULL;
+        long clock = strtol(text + len + 1, &end, 10);
+        if (end == text + len + 1 || *end != '\0' || clock < 1 || clock > 12) {
+            enum cr_err rc = cr_err_set(err, CR_ERR_RANGE, "no model \"%.80s\"", text);
+            cr_err_hint(err, "the direction of force is a clock hour, %s/1 to %s/12", word, word);
+            return rc;
+        }
+        out->clock = (int)clock;
+    }
+    return CR_ERR_OK;
 }
 
 int cr_pdof_clock(double pdof) {

@@ -133,14 +133,20 @@ enum cr_err cr_scene_add(struct cr_scene *scene, const char *id, enum cr_kind ki
     return CR_ERR_OK;
 }
 
+/* the nearest id; of a single letter all are as near, so all are named */
 static void name_nearest(const struct cr_scene *scene, const char *id, struct cr_error *err) {
     const char *list[CR_BODY_MAX];
+    char all[160] = "";
     for (int i = 0; i < scene->n; i++) {
+        size_t used = strlen(all);
         list[i] = scene->part[i].id;
+        snprintf(all + used, sizeof all - used, "%s%s", i > 0 ? ", " : "", list[i]);
     }
-    const char *near = cr_str_nearest(id, list, scene->n);
+    const char *near = strlen(id) > 1 ? cr_str_nearest(id, list, scene->n) : NULL;
     if (near != NULL) {
         cr_err_hint(err, "did you mean \"%s\"?", near);
+    } else if (scene->n > 0) {
+        cr_err_hint(err, "there is %s", all);
     }
 }
 

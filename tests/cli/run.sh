@@ -109,4 +109,6 @@ unset CRUMPLE_DATA
 
 env LC_ALL=de_DE.UTF-8 "$crumple" run "$demo" 2>&1 | cksum >"$tmp/german"
 same "a German locale changes nothing" "$(cat "$tmp/german")" "$("$crumple" run "$demo" | cksum)"
+refused "an id that nobody has: all there are" 3 'no participant "C" .there is A, B' \
+    run "$demo" --set C.speed=50
 finish

@@ -83,4 +83,8 @@ read -r answer <&4
 same "an answer comes before the end of input" "  $answer" "$empty"
 exec 3>&-
 wait $!
+printf '\357\273\277vehicle A type=suv\n' >"$tmp/bom.crumple"
+"$CRUMPLE" "$tmp/bom.crumple" >"$tmp/out" 2>&1
+same "a byte order mark is an error of the text" "$?" 3
+has "with the way out" "$(cat "$tmp/out")" 'bom.crumple:1:1: error: .*byte order mark'
 finish
