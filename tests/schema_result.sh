@@ -50,7 +50,11 @@ error = {"crumple_result": 1, "scene": "x",
          "error": {"code": "no-contact", "message": "m", "where": ""}}
 accept("an error object", "error", error)
 refuse("an error without a code", "error", drop(error, "error", "code"))
-for path in sys.argv[2:]:
+for line in open(sys.argv[2]):
+    got = json.loads(line)
+    accept("line of a stack", "error" if "error" in got else "pair" if "pair" in got
+           and "scenes" in got else "solved", got)
+for path in sys.argv[3:]:
     got = json.load(open(path))
     accept(path, "solved", got)
     cars = [i for i, p in enumerate(got["participants"]) if "kind" not in p]
@@ -76,6 +80,12 @@ for scene in "$SRC"/share/scenes/*.json; do
     same "$name is solved" "$?:$(cat "$tmp/err")" "0:"
     [ -s "$tmp/$name" ] && set -- "$@" "$tmp/$name"
 done
+printf '%s\n' "{ \"crumple\": 1 }" >"$tmp/bad.json"
+"$CRUMPLE" stack "$SRC/share/scenes" "$tmp/bad.json" >"$tmp/lines" 2>"$tmp/err"
+same "a stack of them all" "$?:$(cat "$tmp/err")" 1:
+same "with an error" "$(grep -c '"error"' "$tmp/lines")" 1
+same "and a pair" "$(grep -c '"scenes"' "$tmp/lines")" 1
+set -- "$tmp/lines" "$@"
 empty "the schema takes good results and refuses bad ones" \
     "$(python3 "$tmp/check.py" "$SRC/share/schema/result.schema.json" "$@" 2>&1)"
 finish

@@ -21,7 +21,8 @@ PY
 }
 cases=$SRC/tests/cases/scene
 empty "good scenes are accepted" \
-    "$(check accept "$SRC"/share/scenes/*.json "$SRC"/tests/bench/*.json 2>&1)"
+    "$(check accept "$SRC"/share/scenes/*.json "$SRC"/share/validation/*/*.json \
+        "$SRC"/tests/bench/*.json 2>&1)"
 for case in "$cases"/*.json; do
     name=$(basename "$case" .json)
     case $name in syntax-*) continue ;; esac
