@@ -16,7 +16,7 @@
 #include <strings.h>
 
 #define VIEWS "all|side|top|front|slice"
-enum { VIEW_ALL };
+enum { VIEW_ALL, VIEW_SLICE = 4 };
 enum { ROWS_MAX = 40 };
 
 struct options {
@@ -92,14 +92,13 @@ static int find_body(const struct cr_result *r, const char *id) {
 /* The 3D model of a participant after a solve: the one its substitute was made of. */
 static enum cr_err crash_model(const struct cr_model_lib *lib, const struct options *opt,
                                struct shown *s, struct cr_error *err) {
-    const struct cr_participant *p = &s->result->resolved.part[s->body];
-    struct cr_model_query q = {.type = p->type,
-                               .mass_kg = p->mass,
-                               .pdof = s->result->of[s->body].pdof,
-                               .dims = {p->length, p->width, p->height, p->wheelbase, p->track,
-                                        p->front_overhang, p->cg_behind_front_axle, p->cg_height}};
+    const struct cr_scene *scene = &s->result->resolved;
+    const struct cr_participant *p = &scene->part[s->body];
+    struct cr_model_query q = cr_scene_query(scene, p, s->result->of[s->body].pdof);
     if (p->model.kind == CR_MODEL_FILE) {
-        return cr_voxels_read(p->model.file, &s->arena, &s->voxels, NULL, err);
+        char path[2 * CR_PATH_MAX];
+        cr_scene_model_path(scene, p, path);
+        return cr_voxels_read(path, &s->arena, &s->voxels, NULL, err);
     }
     const char *slash = strchr(s->result->of[s->body].model, '/');
     if (slash != NULL) {
@@ -116,7 +115,7 @@ static enum cr_err solve(const struct cr_batch_shared *shared, const struct opti
     if (!rc) {
         rc = cr_result_run(&scene, &shared->ctx, &s->result, err);
         if (rc && err->src[0] == '\0') {
-            cr_err_place(err, opt->crash, 0, 0);
+            cr_scene_locate_file(opt->crash, opt->crash, err);
         }
     }
     if (!rc) {
@@ -264,12 +263,33 @@ static enum cr_err show(const char *name, const struct options *opt,
     return rc;
 }
 
+/* Options that would change nothing are a slip. */
+static enum cr_err check_use(const char *name, const struct options *opt, struct cr_error *err) {
+    bool voxels = opt->crash != NULL || (name != NULL && wants_voxels(name, opt));
+    if (!voxels && (opt->view != VIEW_ALL || opt->flat || opt->voxel_mm > 0 || opt->at != NULL)) {
+        cr_err_set(err, CR_ERR_USAGE, "nothing is drawn without a model");
+        cr_err_hint(err, "name one, %s/12, or a scene with --crash", name != NULL ? name : "sedan");
+        return CR_ERR_USAGE;
+    }
+    if (opt->at != NULL && opt->view != VIEW_SLICE) {
+        cr_err_set(err, CR_ERR_USAGE, "--at is for --view slice");
+        return CR_ERR_USAGE;
+    }
+    if (opt->id != NULL && opt->crash == NULL) {
+        cr_err_set(err, CR_ERR_USAGE, "--id is for a scene");
+        cr_err_hint(err, "name it with --crash SCENE.json");
+        return CR_ERR_USAGE;
+    }
+    return CR_ERR_OK;
+}
+
 static enum cr_err models(const char *name, const struct options *opt, struct cr_error *err) {
     struct cr_batch_shared shared = {0};
     struct cr_model_papers papers = {{NULL}};
     struct cr_str out = {0};
     char dir[4200];
-    enum cr_err rc = cr_batch_open(&shared, CR_BATCH_ALL, err);
+    enum cr_err rc = check_use(name, opt, err);
+    rc = rc ? rc : cr_batch_open(&shared, CR_BATCH_ALL, err);
     if (!rc) {
         rc = cr_batch_data("models", dir, sizeof dir, err);
     }

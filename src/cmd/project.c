@@ -38,9 +38,7 @@ static enum cr_err make_voxels(struct cr_session *s, const struct cr_scene *scen
     bool solved = cr_session_fits(s);
     if (p->model.kind == CR_MODEL_FILE) {
         char path[2 * CR_PATH_MAX];
-        bool whole = p->model.file[0] == '/' || scene->dir[0] == '\0';
-        snprintf(path, sizeof path, "%s%s%s", whole ? "" : scene->dir, whole ? "" : "/",
-                 p->model.file);
+        cr_scene_model_path(scene, p, path);
         return cr_voxels_read(path, arena, out, NULL, err);
     }
     struct cr_model_query query =

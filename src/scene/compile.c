@@ -51,13 +51,11 @@ static struct cr_model_query query_of(const struct making *m, int i, double z_lo
     return q;
 }
 
-/* path of a model file, from the folder of the scene unless absolute */
-static enum cr_err file_path(const struct making *m, const char *file, char *path, size_t size) {
-    bool own = file[0] == '/' || m->scene->dir[0] == '\0';
-    int n =
-        own ? snprintf(path, size, "%s", file) : snprintf(path, size, "%s/%s", m->scene->dir, file);
-    return n < (int)size ? CR_ERR_OK
-                         : cr_err_set(m->err, CR_ERR_RANGE, "path of the model file is too long");
+void cr_scene_model_path(const struct cr_scene *scene, const struct cr_participant *p,
+                         char path[2 * CR_PATH_MAX]) {
+    const char *file = p->model.file;
+    bool own = file[0] == '/' || scene->dir[0] == '\0';
+    snprintf(path, 2 * CR_PATH_MAX, "%s%s%s", own ? "" : scene->dir, own ? "" : "/", file);
 }
 
 static enum cr_err make_grid(struct making *m, int i, double z_lo, double z_hi,
@@ -68,10 +66,8 @@ static enum cr_err make_grid(struct making *m, int i, double z_lo, double z_hi,
     enum cr_err code;
     switch (choice->kind) {
     case CR_MODEL_FILE:
-        code = file_path(m, choice->file, path, sizeof path);
-        if (code == CR_ERR_OK) {
-            code = cr_model_from_file(path, &query, &m->out->arena, grid, hash, m->err);
-        }
+        cr_scene_model_path(m->scene, &m->scene->part[i], path);
+        code = cr_model_from_file(path, &query, &m->out->arena, grid, hash, m->err);
         if (code == CR_ERR_OK) {
             memcpy(m->out->hash[i], hash, sizeof hash);
         }

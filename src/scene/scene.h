@@ -151,6 +151,10 @@ double cr_scene_dive(const struct cr_participant *p, double road_friction, bool 
 struct cr_model_query cr_scene_query(const struct cr_scene *scene, const struct cr_participant *p,
                                      double pdof);
 
+/* Path of the voxel model that a vehicle brings, from the scene's folder unless it is absolute. */
+void cr_scene_model_path(const struct cr_scene *scene, const struct cr_participant *p,
+                         char path[2 * CR_PATH_MAX]);
+
 /* How far the struck end goes down by the crash force until half of the energy is in, m; it comes
  * up where the force passes above the CG. The body's inertia alone resists; in pitch it is taken to
  * be that in yaw. Given a resolved vehicle, its delta-v (m/s), the height of the force (m). */

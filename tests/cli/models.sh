@@ -65,6 +65,8 @@ run models --crash "$tmp/type.json" --view top --ascii --width 80
 same "a crash is carried back" "$status" 0
 has "deformed voxels show their depth" "$out" '[0-4]{3}'
 has "with a legend" "$out" 'deformed, depth in dm'
+run models --crash "$tmp/own.json" --view top
+same "also onto voxels of its own, which lie beside the scene" "$status$errs" 0
 run models --crash "$tmp/type.json" --id Z
 same "no such participant" "$status" 3
 has "is named" "$errs" 'no vehicle "Z"'
@@ -83,6 +85,10 @@ fails "too many voxels" 3 'more than 50 million' suv/12 --voxel 5
 fails "voxels of a file" 2 'leave out' "$tmp/flat.json" --voxel 20
 fails "a side of a flat model" 3 'use the top view' "$tmp/flat.json" --view side
 fails "a slice beside the car" 2 'up to 0.9' sedan/12 --view slice --at 2
+fails "a picture of a type" 2 'name one, sedan/12' sedan --view side
+fails "a picture of nothing" 2 'nothing is drawn' --flat
+fails "a place without a slice" 2 'for --view slice' sedan/12 --view side --at 0.3
+fails "a vehicle without a scene" 2 'for a scene .*--crash' sedan/12 --id A
 fails "export without a name" 2 'wants the NAME' --to "$tmp/x.json"
 fails "unwritable" 2 'cannot' sedan/12 --to "$tmp/none/x.json"
 fails "not there" 2 'none.json' "$tmp/none.json"
