@@ -96,6 +96,30 @@ char cr_glyph_ascii(uint32_t ch) {
     return '?';
 }
 
+/* what the fonts of the Linux console have beside ASCII: common to code page 437, which is built
+ * in, and to the Latin fonts of console-setup */
+static const uint32_t CONSOLE[] = {
+    0xB0,   0xB1,   0xB2,   0xB5,   0xB7,   0x2190, 0x2191, 0x2192, 0x2193,
+    0x2500, 0x2502, 0x250C, 0x2510, 0x2514, 0x2518, 0x251C, 0x2524, 0x252C,
+    0x2534, 0x253C, 0x2580, 0x2584, 0x2588, 0x2591, 0x2592, 0x2593,
+};
+
+uint32_t cr_glyph_console(uint32_t ch) {
+    for (size_t i = 0; i < sizeof CONSOLE / sizeof CONSOLE[0]; i++) {
+        if (CONSOLE[i] == ch) {
+            return ch;
+        }
+    }
+    if (ch > 0x2800 && ch <= 0x28FF) { /* braille: dots in the upper half, the lower, or both */
+        bool above = (ch & 0x1B) != 0, below = (ch & 0xE4) != 0;
+        return above && below ? ':' : above ? '\'' : '.';
+    }
+    if (ch >= 0x2581 && ch <= 0x2587) { /* columns of a pulse */
+        return ch < 0x2583 ? '_' : ch < 0x2586 ? 0x2584u : 0x2588u;
+    }
+    return (uint8_t)cr_glyph_ascii(ch);
+}
+
 uint32_t cr_glyph_shade(double level, bool ascii) {
     static const uint32_t shades[] = {0x2591, 0x2592, 0x2593, 0x2588};
     /* the ramp without its blank, so that material is never invisible */

@@ -26,6 +26,9 @@ uint32_t cr_glyph_next(const char **utf8);
 int cr_glyph_columns(uint32_t ch);
 /* Nearest character of 32..126. */
 char cr_glyph_ascii(uint32_t ch);
+/* The same for the Linux console, whose fonts have frames and blocks, but no braille and few
+ * letters beyond Latin: the glyph itself or the nearest one it has. */
+uint32_t cr_glyph_console(uint32_t ch);
 
 /* Glyph of a field level 0..1: shades, or the ASCII ramp. */
 uint32_t cr_glyph_shade(double level, bool ascii);

@@ -70,11 +70,16 @@ static int column_end(const struct spot *p, int k) {
 
 enum { FOOT = 4 };
 
+/* the values to show are the final ones, not those of an instant */
+static bool at_end(const struct cr_result *result, double time) {
+    return cr_render_final(result->solution) &&
+           (isnan(time) || time >= cr_render_t_after(result->solution));
+}
+
 static void write_rows(struct spot *p, const struct cr_result *result, double time) {
     /* the last rows are the least important: they give way to the foot */
     int end = p->at.y + p->at.h - (p->at.h >= 14 ? FOOT : 0);
-    bool final = cr_render_final(result->solution) &&
-                 (isnan(time) || time >= cr_render_t_after(result->solution));
+    bool final = at_end(result, time);
     for (size_t i = 0; i < sizeof ROWS / sizeof ROWS[0] && p->y < end; i++) {
         if (ROWS[i].when != ALWAYS && (ROWS[i].when == AT_END) != final) {
             continue;
@@ -94,7 +99,19 @@ static void write_rows(struct spot *p, const struct cr_result *result, double ti
     }
 }
 
-static void write_foot(struct spot *p, const struct cr_result *result) {
+/* plastic energy of all bodies until a time, J */
+static double plastic_until(const struct cr_result *result, double time) {
+    double sum = 0;
+    if (at_end(result, time)) {
+        return result->solution->balance.plastic;
+    }
+    for (int b = 0; b < result->solution->bodies; b++) {
+        sum += cr_render_state(&result->compiled, result, b, time).energy;
+    }
+    return sum;
+}
+
+static void write_foot(struct spot *p, const struct cr_result *result, double time) {
     const struct cr_solution *sol = result->solution;
     char text[80];
     if (p->at.h >= 14 && sol->interrupted) {
@@ -106,7 +123,7 @@ static void write_foot(struct spot *p, const struct cr_result *result) {
         return;
     }
     int y = p->at.y + p->at.h - FOOT;
-    snprintf(text, sizeof text, "sum E deform %8.1f kJ", sol->balance.plastic * 1e-3);
+    snprintf(text, sizeof text, "sum E deform %8.1f kJ", plastic_until(result, time) * 1e-3);
     cr_cells_print(p->cells, p->at.x, y++, p->at.w, CR_ROLE_TEXT, text);
     snprintf(text, sizeof text, "energy error  %.1e", sol->balance.energy_residual);
     cr_cells_print(p->cells, p->at.x, y++, p->at.w, CR_ROLE_DIM, text);
@@ -143,7 +160,7 @@ void cr_render_results(struct cr_cells *cells, struct cr_rect at, const struct c
     }
     p.y++;
     write_rows(&p, result, time);
-    write_foot(&p, result);
+    write_foot(&p, result, time);
     for (int y = at.y; stale && y < at.y + at.h; y++) {
         cr_cells_flag(cells, at.x, y, at.w, CR_CELL_DIM);
     }

@@ -58,6 +58,8 @@ static void paint_row(const struct cr_cells *cells, const struct cr_look *look, 
         }
         if (look->ascii) {
             text[0] = (wchar_t)cr_glyph_ascii(row[x].ch);
+        } else if (cr_term_console()) {
+            text[0] = (wchar_t)cr_glyph_console(row[x].ch);
         }
         if (last == NULL || last->role != row[x].role || last->fg != row[x].fg ||
             last->bg != row[x].bg || last->flags != row[x].flags) {

@@ -44,6 +44,7 @@ static struct {
     volatile sig_atomic_t restore_len;
     int stderr_before, stderr_file;
     off_t stderr_read;
+    bool console; /* Linux, without a window system */
     int escape_ms;
     enum cr_ground ground;
     struct cr_ground_reader answer; /* to the question for it, being read */
@@ -340,6 +341,7 @@ enum cr_err cr_term_open(struct cr_error *err) {
         fcntl(term.wake[i], F_SETFL, O_NONBLOCK);
         fcntl(term.wake[i], F_SETFD, FD_CLOEXEC);
     }
+    term.console = name != NULL && (strcmp(name, "linux") == 0 || strncmp(name, "linux-", 6) == 0);
     catch_signals(); /* before curses, which then leaves them alone */
     if (getenv("ESCDELAY") == NULL) {
         set_escdelay(ESCAPE_MS);
@@ -366,6 +368,17 @@ enum cr_err cr_term_open(struct cr_error *err) {
     return CR_ERR_OK;
 }
 
+/* Without a second screen to leave, the shell goes on in the last line. */
+static void leave_screen(void) {
+    const char *rmcup = tigetstr("rmcup");
+    if (rmcup == NULL || rmcup == (char *)-1) {
+        move(LINES - 1, 0);
+        clrtoeol();
+        refresh();
+    }
+    endwin();
+}
+
 void cr_term_close(void) {
     if (!term.open) {
         return;
@@ -373,7 +386,7 @@ void cr_term_close(void) {
     term.open = false;
     mouse(false);
     await_answers();
-    endwin();
+    leave_screen();
     term.restore_len = 0;
     release_stderr();
     if (term.input != NULL) {
@@ -391,7 +404,7 @@ void cr_term_suspend(void) {
     sigemptyset(&stop.sa_mask);
     mouse(false);
     await_answers();
-    endwin();
+    leave_screen();
     sigaction(SIGTSTP, &stop, &ours);
     sigemptyset(&only);
     sigaddset(&only, SIGTSTP);
@@ -435,10 +448,12 @@ enum cr_color cr_term_color(void) {
 }
 
 bool cr_term_ascii(void) {
-    const char *name = getenv("TERM");
-    /* the fonts of the Linux console have no braille */
     return strcmp(nl_langinfo(CODESET), "UTF-8") != 0 || wcwidth(L'\u2588') != 1 ||
-           wcwidth(L'\u28FF') != 1 || strcmp(name != NULL ? name : "", "linux") == 0;
+           wcwidth(L'\u28FF') != 1;
+}
+
+bool cr_term_console(void) {
+    return term.console;
 }
 
 /* ---- input ---- */

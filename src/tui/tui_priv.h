@@ -31,6 +31,8 @@ enum cr_color cr_term_color(void);   /* colours of the terminal, NO_COLOR consid
 enum cr_ground cr_term_ground(void); /* of the terminal, as far as it has told */
 bool cr_term_ascii(void);            /* no UTF-8, or block characters of a doubtful width */
 
+bool cr_term_console(void); /* the Linux console: few glyphs */
+
 /* Waits for a key or a signal, at most so many ms (-1: any time). False: the terminal is gone. */
 bool cr_term_wait(int ms);
 

@@ -83,6 +83,16 @@ static void test_ascii_has_no_other(void **state) {
         assert_true(a >= 32 && a < 127);
     }
     assert_int_equal(cr_glyph_ascii(0xD7), 'x');
+    /* the console keeps frames and blocks */
+    assert_int_equal(cr_glyph_console('x'), 'x');
+    assert_int_equal(cr_glyph_console(0x2592), 0x2592);
+    assert_int_equal(cr_glyph_console(0x250C), 0x250C);
+    assert_int_equal(cr_glyph_console(0x2581), '_');
+    assert_int_equal(cr_glyph_console(0x2587), 0x2588);
+    assert_int_equal(cr_glyph_console(0x2809), '\''); /* two dots in the top row */
+    assert_int_equal(cr_glyph_console(0x28C0), '.');  /* in the bottom row */
+    assert_int_equal(cr_glyph_console(0x28FF), ':');
+    assert_int_equal(cr_glyph_console(0x2501), '=');
     assert_int_equal(cr_glyph_ascii(0x2500), '-');
 }
 
