@@ -255,7 +255,7 @@ static void loop(struct cr_tui *t) {
     }
 }
 
-static void greet(struct cr_tui *t, const char *state_dir) {
+void cr_tui_greet(struct cr_tui *t, const char *state_dir) {
     cr_dialogue_add(&t->log, CR_ROLE_TEXT,
                     "Crumple: crash simulation by voxels. F1 shows the keys, help the commands.");
     cr_dialogue_add(&t->log, CR_ROLE_TEXT,
@@ -269,7 +269,31 @@ static void say(const struct cr_error *err) {
     fprintf(stderr, "crumple: %s\n", cr_err_format(err, line, sizeof line));
 }
 
-static void fini(struct cr_tui *t) {
+enum cr_err cr_tui_new(const char *data_dir, const char *state_dir, struct cr_tui **out,
+                       struct cr_error *err) {
+    struct cr_tui *t = calloc(1, sizeof *t);
+    *out = NULL;
+    if (t == NULL) {
+        return cr_err_set(err, CR_ERR_MEMORY, "out of memory");
+    }
+    t->focus = CR_AREAS;
+    t->sheet_from = t->taken = t->dragged = -1;
+    t->tabbed_at = -1;
+    struct cr_session_opts opts = {.data_dir = data_dir,
+                                   .state_dir = state_dir[0] != '\0' ? state_dir : NULL,
+                                   .ask = true,
+                                   .out = out_of(t)};
+    enum cr_err code = cr_session_new(&opts, &t->session, err);
+    if (code != CR_ERR_OK) {
+        free(t);
+        return code;
+    }
+    *out = t;
+    return CR_ERR_OK;
+}
+
+void cr_tui_free(struct cr_tui *t) {
+    cr_session_free(t->session);
     cr_preview_forget(t);
     cr_completion_fini(&t->candidates);
     cr_dialogue_fini(&t->log);
@@ -288,7 +312,7 @@ static int run_screen(struct cr_tui *t, const char *state_dir) {
     cr_session_set_look(t->session, &look);
     cr_prompt_open(t, state_dir);
     cr_term_resize(&t->w, &t->h);
-    greet(t, state_dir);
+    cr_tui_greet(t, state_dir);
     t->dirty = true;
     loop(t);
     cr_prompt_close();
@@ -302,24 +326,12 @@ static int run_screen(struct cr_tui *t, const char *state_dir) {
 
 int cr_tui_main(const char *data_dir, const char *state_dir) {
     struct cr_error err;
-    struct cr_tui *t = calloc(1, sizeof *t);
-    if (t == NULL) {
-        return cr_err_status(CR_ERR_MEMORY);
-    }
-    t->focus = CR_AREAS;
-    t->sheet_from = t->taken = t->dragged = -1;
-    t->tabbed_at = -1;
-    struct cr_session_opts opts = {.data_dir = data_dir,
-                                   .state_dir = state_dir[0] != '\0' ? state_dir : NULL,
-                                   .ask = true,
-                                   .out = out_of(t)};
-    if (cr_session_new(&opts, &t->session, &err) != CR_ERR_OK) {
+    struct cr_tui *t;
+    if (cr_tui_new(data_dir, state_dir, &t, &err) != CR_ERR_OK) {
         say(&err);
-        free(t);
         return cr_err_status(err.code);
     }
     int status = run_screen(t, state_dir);
-    cr_session_free(t->session);
-    fini(t);
+    cr_tui_free(t);
     return status;
 }

@@ -269,18 +269,27 @@ static enum cr_err compose(struct cr_tui *t, const struct cr_look *look, struct 
     return code;
 }
 
+enum cr_err cr_tui_compose(struct cr_tui *t, int *cursor_x, struct cr_error *err) {
+    struct cr_look look = cr_tui_look(t);
+    enum cr_err code = make_cells(t, err);
+    code = code == CR_ERR_OK ? compose(t, &look, err) : code;
+    if (code == CR_ERR_OK) {
+        draw_prompt(t, cursor_x);
+        cr_sheet_draw(t);
+        cr_overlay_draw(t);
+    }
+    return code;
+}
+
 void cr_tui_draw(struct cr_tui *t) {
     struct cr_error err;
     struct cr_look look = cr_tui_look(t);
     int x;
     t->dirty = false;
-    if (make_cells(t, &err) != CR_ERR_OK || compose(t, &look, &err) != CR_ERR_OK) {
+    if (cr_tui_compose(t, &x, &err) != CR_ERR_OK) {
         t->broken = true;
         return;
     }
-    draw_prompt(t, &x);
-    cr_sheet_draw(t);
-    cr_overlay_draw(t);
     cr_paint(&t->cells, &look, x, t->layout.prompt.y);
     t->drawn_at = cr_tui_clock();
 }

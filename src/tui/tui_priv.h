@@ -133,6 +133,13 @@ struct cr_tui {
 
 double cr_tui_clock(void); /* s, monotonic */
 
+/* A session with this screen as its output; nothing touches the terminal yet. */
+CR_MUST_CHECK enum cr_err cr_tui_new(const char *data_dir, const char *state_dir,
+                                     struct cr_tui **out, struct cr_error *err);
+void cr_tui_free(struct cr_tui *t);
+/* The first lines of the dialogue. */
+void cr_tui_greet(struct cr_tui *t, const char *state_dir);
+
 /* Runs a line that was typed; or one that a key stands for, which is shown and kept in the
  * history; or one step of many, which is not (play and drag end with one that is). */
 void cr_tui_run(struct cr_tui *t, const char *line);
@@ -142,6 +149,8 @@ void cr_tui_run_quiet(struct cr_tui *t, const char *line);
 /* ---- screen.c ---- */
 /* Colours, glyphs and theme as the session has them now. */
 struct cr_look cr_tui_look(const struct cr_tui *t);
+/* The screen as it is now into t->cells, of t->w x t->h; *cursor_x < 0: no cursor. */
+CR_MUST_CHECK enum cr_err cr_tui_compose(struct cr_tui *t, int *cursor_x, struct cr_error *err);
 void cr_tui_draw(struct cr_tui *t);
 /* Draws if something changed and the last frame is old enough; else returns the ms until then, -1:
  * nothing to draw. */

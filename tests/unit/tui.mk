@@ -13,3 +13,43 @@ TESTS += test_tui_frame
 test_tui_frame_SOURCES = tests/unit/test_tui_frame.c
 test_tui_frame_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 test_tui_frame_LDADD = libtui.a $(CMOCKA_LIBS)
+tui_test_libs = libtui.a libcmd.a librender.a libresult.a libscene.a libsolver.a libmodel.a \
+	libbase.a $(CMOCKA_LIBS) $(NCURSES_LIBS) $(READLINE_LIBS) $(CJSON_LIBS) $(NETTLE_LIBS)
+tui_double = tests/unit/tui_double.c tests/unit/tui_double.h tests/unit/render_double.c \
+	tests/unit/render_double.h
+check_PROGRAMS += test_tui_golden
+TESTS += test_tui_golden
+test_tui_golden_SOURCES = tests/unit/test_tui_golden.c $(tui_double)
+test_tui_golden_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS) $(NCURSES_CFLAGS)
+test_tui_golden_LDADD = $(tui_test_libs)
+check_PROGRAMS += test_tui_keys
+TESTS += test_tui_keys
+test_tui_keys_SOURCES = tests/unit/test_tui_keys.c $(tui_double)
+test_tui_keys_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS) $(NCURSES_CFLAGS)
+test_tui_keys_LDADD = $(tui_test_libs)
+tui_golden = tests/golden/tui/complete-100x30.txt \
+	tests/golden/tui/end-200x50.txt \
+	tests/golden/tui/end-80x24.txt \
+	tests/golden/tui/energy-100x30.txt \
+	tests/golden/tui/error-80x24.txt \
+	tests/golden/tui/frame-100x30.txt \
+	tests/golden/tui/frame-120x36.txt \
+	tests/golden/tui/frame-200x50.txt \
+	tests/golden/tui/frame-80x24-ascii.txt \
+	tests/golden/tui/frame-80x24.txt \
+	tests/golden/tui/help-200x50.txt \
+	tests/golden/tui/help-80x24.txt \
+	tests/golden/tui/interrupted-80x24.txt \
+	tests/golden/tui/log-80x24.txt \
+	tests/golden/tui/narrow-60x20.txt \
+	tests/golden/tui/palette-100x30.txt \
+	tests/golden/tui/prompt-30x8.txt \
+	tests/golden/tui/pulse-100x30.txt \
+	tests/golden/tui/question-80x24.txt \
+	tests/golden/tui/sheet-80x24.txt \
+	tests/golden/tui/solving-80x24.txt \
+	tests/golden/tui/start-80x24.txt \
+	tests/golden/tui/sweep-80x24.txt \
+	tests/golden/tui/table-100x30.txt \
+	tests/golden/tui/zoom-100x30.txt
+EXTRA_DIST += $(tui_golden)

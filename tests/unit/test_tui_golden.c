@@ -1,0 +1,111 @@
+/* Whole screens as the full screen composes them, against texts that were looked at. The crash is
+ * made by hand, so they change only when the screen does. CRUMPLE_GOLDEN=update writes them. */
+#include "test.h"
+#include "tui_double.h"
+
+#include "base/file.h"
+
+#include <locale.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct shot {
+    const char *name;
+    int w, h;
+    const char *keys;
+    enum { EMPTY, SOLVED, PART } crash;
+    bool ascii;
+    const char *question;
+    double working; /* share of a solve under way, 0: none */
+};
+
+static const struct shot shots[] = {
+    {"start-80x24", 80, 24, "", EMPTY, false, NULL, 0},
+    {"frame-80x24", 80, 24, "show frame=80<Enter>", SOLVED, false, NULL, 0},
+    {"frame-80x24-ascii", 80, 24, "show frame=80<Enter>", SOLVED, true, NULL, 0},
+    {"frame-100x30", 100, 30, "show frame=80<Enter>", SOLVED, false, NULL, 0},
+    {"frame-120x36", 120, 36, "show frame=80<Enter>", SOLVED, false, NULL, 0},
+    {"frame-200x50", 200, 50, "show frame=80<Enter>show color", SOLVED, false, NULL, 0},
+    {"end-80x24", 80, 24, "", SOLVED, false, NULL, 0},
+    {"end-200x50", 200, 50, "", SOLVED, false, NULL, 0},
+    {"narrow-60x20", 60, 20, "show frame=80<Enter>", SOLVED, false, NULL, 0},
+    {"prompt-30x8", 30, 8, "show frame=80<Enter>", SOLVED, false, NULL, 0},
+    {"pulse-100x30", 100, 30, "show frame=80<Enter><M-2>", SOLVED, false, NULL, 0},
+    {"energy-100x30", 100, 30, "show frame=80<Enter><M-3>", SOLVED, false, NULL, 0},
+    {"table-100x30", 100, 30, "<M-4>", SOLVED, false, NULL, 0},
+    {"sweep-80x24", 80, 24, "<M-5>", SOLVED, false, NULL, 0},
+    {"log-80x24", 80, 24, "<M-6>list<Enter>", SOLVED, false, NULL, 0},
+    {"zoom-100x30", 100, 30, "<F6>z", SOLVED, false, NULL, 0},
+    {"help-80x24", 80, 24, "<F6><F1>", SOLVED, false, NULL, 0},
+    {"help-200x50", 200, 50, "<F1>", SOLVED, false, NULL, 0},
+    {"palette-100x30", 100, 30, "<Tab><Tab>sw", SOLVED, false, NULL, 0},
+    {"sheet-80x24", 80, 24, "help undo<Enter>", SOLVED, false, NULL, 0},
+    {"complete-100x30", 100, 30, "place B facing A <Tab>", SOLVED, false, NULL, 0},
+    {"error-80x24", 80, 24, "plaze A<Enter>", SOLVED, false, NULL, 0},
+    {"question-80x24", 80, 24, "", SOLVED, false,
+     "crash.json has 3 unsaved changes: (s)ave (q)uit (c)ancel", 0},
+    {"solving-80x24", 80, 24, "", SOLVED, false, NULL, 0.43},
+    {"interrupted-80x24", 80, 24, "", PART, false, NULL, 0},
+};
+enum { SHOTS = sizeof shots / sizeof shots[0] };
+
+static void compare(const char *name, const char *got) {
+    const char *src = getenv("SRC"), *update = getenv("CRUMPLE_GOLDEN");
+    char path[600], *want;
+    size_t len;
+    struct cr_error err;
+    assert_non_null(src);
+    snprintf(path, sizeof path, "%s/tests/golden/tui/%s.txt", src, name);
+    if (update != NULL && strcmp(update, "update") == 0) {
+        assert_int_equal(cr_file_write(path, got, strlen(got), &err), CR_ERR_OK);
+        return;
+    }
+    if (cr_file_read(path, &want, &len, &err) != CR_ERR_OK) {
+        fail_msg("%s: %s", path, err.text);
+    }
+    int line = 1;
+    for (size_t i = 0; want[i] == got[i] && want[i] != '\0'; i++) {
+        line += want[i] == '\n';
+    }
+    if (strcmp(want, got) != 0) {
+        print_message("%s\n", got);
+        fail_msg("%s differs at line %d (CRUMPLE_GOLDEN=update writes it anew)", name, line);
+    }
+    free(want);
+}
+
+static void test_shot(void **state) {
+    const struct shot *s = *state;
+    struct tui_double d;
+    struct cr_progress work = {
+        .what = "SOLVING", .share = s->working, .elapsed = 1, .left = NAN, .time = 0.0385};
+    tui_double_init(&d, s->w, s->h, s->crash != EMPTY, s->crash == PART);
+    const struct cr_look look = {.ascii = s->ascii};
+    cr_session_set_look(d.t->session, &look);
+    tui_double_type(&d, s->keys);
+    d.t->question = s->question;
+    d.t->progress = s->working > 0 ? &work : NULL;
+    char *text = tui_double_text(&d);
+    int rows = 0;
+    for (const char *p = text; *p != '\0'; p++) {
+        rows += *p == '\n';
+    }
+    assert_int_equal(rows, s->h);
+    compare(s->name, text);
+    free(text);
+    tui_double_fini(&d);
+}
+
+int main(void) {
+    struct CMUnitTest tests[SHOTS];
+    struct shot room[SHOTS];
+    if (setlocale(LC_ALL, "C.UTF-8") == NULL) {
+        return 77;
+    }
+    for (int i = 0; i < SHOTS; i++) {
+        room[i] = shots[i];
+        tests[i] = (struct CMUnitTest){shots[i].name, test_shot, NULL, NULL, &room[i]};
+    }
+    return cmocka_run_group_tests_name("screens", tests, NULL, NULL);
+}

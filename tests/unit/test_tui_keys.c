@@ -1,0 +1,158 @@
+/* Every key and every click stands for a command line, which is shown and kept. */
+#include "test.h"
+#include "tui_double.h"
+
+#include <curses.h>
+#include <locale.h>
+#include <stdio.h>
+#include <string.h>
+
+/* typed into 80x24 with the solved crash at its last slice, 200; <Tab> goes into the scene */
+static const struct {
+    const char *keys, *command;
+} commands[] = {
+    {"<F7>", "show frame=-1"},
+    {"show frame=9<Enter><F8>", "show frame=+1"},
+    {"<Left>", "show frame=-1"},
+    {"<M-2>", "view pulse"},
+    {"<M-6>", "view log"},
+    {"<Tab>b", "show select=B"},
+    {"<Tab>a", "show select=A"},
+    {"<Tab>n", "show select=A"},
+    {"<Tab>nn", "show select=B"},
+    {"<Tab>b<Up>", "move B dy=0.1m"},
+    {"<Tab>b<Left>", "move B dx=-0.1m"},
+    {"<Tab>b<S-Right>", "move B dx=0.01m"},
+    {"<Tab>br", "move B turn=1deg"},
+    {"<Tab>bR", "move B turn=-1deg"},
+    {"<Tab>b>", "move B speed=1km/h"},
+    {"<Tab>b<Esc>", "show select=none"},
+    {"<Tab>u", "undo"},
+    {"<Tab>uU", "redo"},
+    {"<Tab>c", "show field=energy"},
+    {"<Tab>m", "show colormap=magma"},
+    {"<Tab>f", "show vectors=off"},
+    {"<Tab>0", "show scale=auto follow=cog"},
+    {"<Tab>z", "view scene zoom=on"},
+    {"<Tab>zz", "view scene zoom=off"},
+    {"<Tab>t", "view theme=dark"},
+    {"<Tab>3", "view energy"},
+    {"<Tab>g", "show time=start"},
+    {"<Tab>G", "show time=end"},
+    {"<Tab>{", "show frame=-10"},
+    {"<Tab>[", "show frame=-1"},
+    {"<Tab>e", "explain"},
+    {"<Tab><Left>", "show frame=-1"},
+    {"<M-2><F6><Down>", "pulse all ax"},
+    {"<Tab><Tab>swee<Enter>A.speed 30:50:10<Enter>", "sweep A.speed 30:50:10"},
+    {"li<Tab><Enter>", "list "},
+    {"<M-2><F6>list<Enter>", "list"}, /* a letter without a meaning begins a command */
+};
+
+static void test_keys_are_commands(void **state) {
+    (void)state;
+    for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
+        struct tui_double d;
+        tui_double_init(&d, 80, 24, true, false);
+        tui_double_type(&d, commands[i].keys);
+        if (strcmp(tui_double_command(&d), commands[i].command) != 0) {
+            fail_msg("%s: '%s' in place of '%s'", commands[i].keys, tui_double_command(&d),
+                     commands[i].command);
+        }
+        tui_double_fini(&d);
+    }
+}
+
+/* what asks for more ends in the prompt, with the command begun */
+static void test_keys_that_begin_a_line(void **state) {
+    (void)state;
+    static const struct {
+        const char *keys, *line;
+    } rows[] = {
+        {"<F2>", "save "},
+        {"<Tab>bv", "vehicle B speed="},
+        {"<F9>und<Enter>", "undo "},
+        {"<Tab>:und<Enter>", "undo "},
+        {"<Tab><Tab>apro<Enter>", "apropos "},
+        {"half a line<C-c>", ""},
+        {"show x<BS>f", "show f"},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct tui_double d;
+        int point;
+        tui_double_init(&d, 80, 24, true, false);
+        tui_double_type(&d, rows[i].keys);
+        assert_int_equal(d.t->focus, CR_AREAS);
+        assert_string_equal(cr_prompt_line(&point), rows[i].line);
+        assert_int_equal(point, (int)strlen(rows[i].line));
+        tui_double_fini(&d);
+    }
+}
+
+static void test_clicks_are_commands(void **state) {
+    (void)state;
+    struct tui_double d;
+    tui_double_init(&d, 80, 24, true, false);
+    tui_double_mouse(&d, BUTTON1_PRESSED, 14, 1); /* the tab 2 Pulse */
+    tui_double_mouse(&d, BUTTON1_RELEASED, 14, 1);
+    assert_string_equal(tui_double_command(&d), "view pulse");
+    tui_double_mouse(&d, BUTTON1_PRESSED, 25, 8); /* into the curve: that moment */
+    tui_double_mouse(&d, REPORT_MOUSE_POSITION, 30, 8);
+    tui_double_mouse(&d, BUTTON1_RELEASED, 30, 8);
+    int frame = cr_session_view(d.t->session)->frame;
+    assert_in_range(frame, 60, 160);
+    char shown[40];
+    snprintf(shown, sizeof shown, "show frame=%d", frame);
+    assert_string_equal(tui_double_command(&d), shown);
+    tui_double_mouse(&d, BUTTON5_PRESSED, 30, 8); /* the wheel steps */
+    assert_string_equal(tui_double_command(&d), "show frame=+1");
+    tui_double_type(&d, "<M-1>");
+    tui_double_mouse(&d, BUTTON4_PRESSED, 30, 8); /* and zooms */
+    assert_non_null(strstr(tui_double_command(&d), "show scale="));
+    tui_double_fini(&d);
+}
+
+/* the participant under the pointer is chosen, and dragged by as far as the pointer goes */
+static void test_a_drag_is_a_move(void **state) {
+    (void)state;
+    struct tui_double d;
+    struct cr_error err;
+    int cursor;
+    tui_double_init(&d, 80, 24, true, false);
+    tui_double_type(&d, "show scale=0.2m<Enter>show frame=0<Enter>");
+    assert_int_equal(cr_tui_compose(d.t, &cursor, &err), CR_ERR_OK);
+    int x = -1, y = -1;
+    struct cr_rect at = d.t->layout.pane[CR_AREA_SCENE];
+    for (int i = at.y + 1; i < at.y + at.h - 2 && x < 0; i++) {
+        for (int k = at.x + 1; k < at.x + at.w - 2 && x < 0; k++) {
+            const struct cr_cell *cell = &d.t->cells.cell[i * d.t->w + k];
+            bool letter = cell[0].ch == 'A' && cell[1].ch != ' ' && cell[-1].ch == ' ';
+            x = letter ? k : -1;
+            y = letter ? i : -1;
+        }
+    }
+    assert_true(x > 0);
+    tui_double_mouse(&d, BUTTON1_PRESSED, x, y);
+    assert_string_equal(tui_double_command(&d), "show select=A");
+    tui_double_mouse(&d, REPORT_MOUSE_POSITION, x - 2, y);
+    tui_double_mouse(&d, REPORT_MOUSE_POSITION, x - 5, y);
+    tui_double_mouse(&d, BUTTON1_RELEASED, x - 5, y);
+    assert_string_equal(tui_double_command(&d), "move A dx=-1.00m dy=0.00m"); /* 5 x 0.2 m */
+    assert_int_equal(cr_session_state(d.t->session), CR_STATE_STALE);
+    tui_double_type(&d, "u");
+    assert_int_equal(cr_session_state(d.t->session), CR_STATE_SOLVED);
+    tui_double_fini(&d);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_keys_are_commands),
+        cmocka_unit_test(test_keys_that_begin_a_line),
+        cmocka_unit_test(test_clicks_are_commands),
+        cmocka_unit_test(test_a_drag_is_a_move),
+    };
+    if (setlocale(LC_ALL, "C.UTF-8") == NULL) {
+        return 77;
+    }
+    return cmocka_run_group_tests_name("keys", tests, NULL, NULL);
+}
