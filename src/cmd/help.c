@@ -93,7 +93,9 @@ void cr_arg_help(const struct cr_arg *arg, struct cr_str *out) {
     const char *unit = key != NULL ? key->unit : arg->unit;
     unit = unit != NULL ? unit : "";
     cr_str_add(out, key != NULL ? key->help : arg->help != NULL ? arg->help : "");
-    if (lo < hi && isfinite(hi) && hi < 1e5) {
+    if (key != NULL && key->type == CR_KEY_LOCKED) {
+        cr_str_add(out, "; true or false");
+    } else if (lo < hi && isfinite(hi) && hi < 1e5) {
         cr_str_addf(out, "; %.10g to %.10g%s%s", lo, hi, unit_gap(unit), unit);
     } else if (unit[0] != '\0') {
         cr_str_addf(out, "; in %s", unit);

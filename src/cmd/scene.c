@@ -422,6 +422,7 @@ enum cr_err cr_cmd_new(struct cr_call *call, struct cr_error *err) {
     if (code != CR_ERR_OK) {
         return code;
     }
+    bool old = draft->scene.n > 0;
     cr_scene_fini(&draft->scene);
     memset(draft->placed, 0, sizeof draft->placed);
     draft->file[0] = '\0';
@@ -432,6 +433,6 @@ enum cr_err cr_cmd_new(struct cr_call *call, struct cr_error *err) {
         }
     }
     call->fresh = true;
-    cr_say(call->s, "an empty scene; undo brings the old one back");
+    cr_say(call->s, "an empty scene%s", old ? "; undo brings the old one back" : "");
     return CR_ERR_OK;
 }

@@ -14,4 +14,8 @@ for file in share/tutorial/*.crumple; do
     ascii=$("$CRUMPLE" --ascii "$file" 2>&1 | LC_ALL=C grep -c '[^ -~]')
     same "$file: --ascii prints nothing else" "$ascii" 0
 done
+# one after the other in a session that is at work: each begins with an empty scene
+all=$("$CRUMPLE" -e 'vehicle B type=suv; object wall kind=pole' share/tutorial/*.crumple 2>&1)
+same "all lessons in one session: status" "$?" 0
+has "the last one to its end" "$all" 'Lesson 5'
 finish
