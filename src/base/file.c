@@ -80,7 +80,11 @@ static int write_all(int fd, const char *text, size_t n) {
     return 0;
 }
 
-/* a pipe or device such as /dev/stdout is written in place: there is nothing to rename */
+bool cr_file_in_place(const char *path) {
+    struct stat st;
+    return stat(path, &st) == 0 && !S_ISREG(st.st_mode) && !S_ISDIR(st.st_mode);
+}
+
 static enum cr_err write_in_place(const char *path, const char *text, size_t n,
                                   struct cr_error *err) {
     int fd = open(path, O_WRONLY | O_CLOEXEC);
@@ -112,8 +116,7 @@ static void keep_mode(int fd, const char *path) {
 }
 
 enum cr_err cr_file_write(const char *path, const char *text, size_t n, struct cr_error *err) {
-    struct stat st;
-    if (stat(path, &st) == 0 && !S_ISREG(st.st_mode) && !S_ISDIR(st.st_mode)) {
+    if (cr_file_in_place(path)) {
         return write_in_place(path, text, n, err);
     }
     char tmp[4096];

@@ -4,6 +4,7 @@
 
 #include "base/err.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 
 enum { CR_FILE_MAX_MB = 1024 };
@@ -17,6 +18,10 @@ CR_MUST_CHECK enum cr_err cr_file_read(const char *path, char **text, size_t *le
  * the old file is as it was. Errors: IO. */
 CR_MUST_CHECK enum cr_err cr_file_write(const char *path, const char *text, size_t n,
                                         struct cr_error *err);
+
+/* Whether a path is a pipe or device such as /dev/stdout: it is written in place, a rename would
+ * put a file where it was. */
+bool cr_file_in_place(const char *path);
 
 /* Folder part of a path, "." if there is none, into buf. */
 void cr_file_dir(const char *path, char *buf, size_t size);

@@ -12,6 +12,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -289,38 +290,57 @@ static enum cr_err run_stack(struct stack *s, struct cr_error *err) {
     return rc;
 }
 
+static enum cr_err cannot(const char *what, const char *name, struct cr_error *err) {
+    cr_err_set(err, CR_ERR_IO, "cannot %s: %s", what, strerror(errno));
+    cr_err_place(err, name, 0, 0);
+    return CR_ERR_IO;
+}
+
+/* write the stack into a file that is there when it is through */
+static enum cr_err fill_file(struct stack *s, const char *path, struct cr_error *err) {
+    s->name = path;
+    s->out = fopen(path, "w");
+    if (!s->out) {
+        return cannot("write", path, err);
+    }
+    enum cr_err rc = run_stack(s, err);
+    bool device = cr_file_in_place(path);
+    bool bad = fflush(s->out) != 0 || (!device && fsync(fileno(s->out)) != 0);
+    bad = fclose(s->out) != 0 || bad;
+    return bad && !rc ? cannot("write", path, err) : rc;
+}
+
 /* write into FILE.part, which becomes FILE only when the stack is complete */
 static enum cr_err to_file(struct stack *s, struct cr_error *err) {
     struct cr_str part = {0};
+    struct stat st;
+    if (stat(s->opt->out, &st) == 0 && S_ISDIR(st.st_mode)) {
+        errno = EISDIR;
+        return cannot("write", s->opt->out, err);
+    }
+    if (cr_file_in_place(s->opt->out)) {
+        return fill_file(s, s->opt->out, err);
+    }
     cr_str_addf(&part, "%s.part", s->opt->out);
     enum cr_err rc =
         part.failed ? cr_err_set(err, CR_ERR_MEMORY, "no memory for a name") : CR_ERR_OK;
-    s->name = cr_str_get(&part);
+    const char *name = cr_str_get(&part);
     for (int i = 0; i < s->opt->resume.n && !rc; i++) {
         // the results of the first attempt are kept open, but must not be lost in a second
-        if (!strcmp(s->opt->resume.value[i], s->name)) {
+        if (!strcmp(s->opt->resume.value[i], name)) {
             rc = cr_err_set(err, CR_ERR_USAGE, "--resume and the unfinished output are one file");
-            cr_err_place(err, s->name, 0, 0);
+            cr_err_place(err, name, 0, 0);
             cr_err_hint(err, "rename it first, or give -o another name");
         }
     }
-    if (!rc && !(s->out = fopen(s->name, "w"))) {
-        rc = cr_err_set(err, CR_ERR_IO, "cannot write: %s", strerror(errno));
-        cr_err_place(err, s->name, 0, 0);
-    }
-    rc = rc ? rc : run_stack(s, err);
-    if (s->out) {
-        bool bad = fflush(s->out) != 0 || fsync(fileno(s->out)) != 0;
-        bad = fclose(s->out) != 0 || bad;
-        if (bad && !rc) {
-            rc = cr_err_set(err, CR_ERR_IO, "cannot write: %s", strerror(errno));
-        }
-    }
-    if (!rc && rename(s->name, s->opt->out) != 0) {
-        rc = cr_err_set(err, CR_ERR_IO, "cannot rename to %s: %s", s->opt->out, strerror(errno));
+    rc = rc ? rc : fill_file(s, name, err);
+    if (!rc && rename(name, s->opt->out) != 0) {
+        char what[300];
+        snprintf(what, sizeof what, "rename to %.250s", s->opt->out);
+        rc = cannot(what, name, err);
     }
     if (rc && s->out) {
-        cr_err_place(err, s->name, 0, 0);
+        cr_err_place(err, name, 0, 0);
         cr_err_hint(err, "rename it and go on with --resume and the new name");
     }
     cr_str_fini(&part);

@@ -91,6 +91,19 @@ same "a shard has every third scene" "$(names)" "s2 s5 s8 s11 "
 # output file, resuming
 run stack -o "$tmp/result.jsonl" "$tmp/twelve.jsonl"
 same "-o writes the same" "$(cksum <"$tmp/result.jsonl")" "$(cksum <"$tmp/one")"
+mkfifo "$tmp/pipe"
+cat "$tmp/pipe" >"$tmp/through" &
+run stack "$tmp/twelve.jsonl" -o "$tmp/pipe"
+wait $!
+same "-o into a pipe" "$status:$errs:$(cksum <"$tmp/through")" "0::$(cksum <"$tmp/one")"
+[ -p "$tmp/pipe" ]
+report $? "which is a pipe still"
+refused "-o onto a folder, before any work" 2 'folder: error: cannot write: Is a directory' \
+    stack "$tmp/twelve.jsonl" -o "$tmp/folder"
+refused "-o onto a full disk" 2 'full: error: cannot write: No space' \
+    stack "$tmp/twelve.jsonl" -o /dev/full
+[ -c /dev/full ]
+report $? "which is a device still"
 same "and leaves nothing beside it" "$(ls "$tmp" | grep -c part)" 0
 { sed -n 1,7p "$tmp/one"; sed -n 8p "$tmp/one" | cut -c 1-500 | tr -d '\n'; } >"$tmp/cut"
 # a mark that only a line taken over can carry
