@@ -98,10 +98,18 @@ static enum cr_err index_file(struct cr_resume *r, const char *path, const struc
     char *line = NULL;
     size_t size = 0;
     enum cr_err rc = CR_ERR_OK;
+    int number = 0;
     for (ssize_t n; !rc && (n = getline(&line, &size, f)) > 0; e.at += n) {
-        // the last line of an interrupted stack may be cut
-        cJSON *json = line[n - 1] == '\n' ? cJSON_Parse(line) : NULL;
-        if (json && is_usable(json, lib, trace, resolved)) {
+        number++;
+        if (line[n - 1] != '\n') {
+            break; // the last line of an interrupted stack may be cut
+        }
+        cJSON *json = cJSON_Parse(line);
+        if (!cJSON_HasObjectItem(json, "crumple_result")) {
+            rc = cr_err_set(err, CR_ERR_SYNTAX, "this is no result");
+            cr_err_hint(err, "--resume takes what crumple stack has written");
+            cr_err_place(err, path, number, 1);
+        } else if (json && is_usable(json, lib, trace, resolved)) {
             const cJSON *input = cJSON_GetObjectItemCaseSensitive(json, "input");
             memcpy(e.hash, text_of(input, "scene_sha256"), CR_HASH_SIZE);
             e.len = (size_t)n;

@@ -89,6 +89,8 @@ run stack --shard 2/3 "$tmp/twelve.jsonl"
 same "a shard has every third scene" "$(names)" "s2 s5 s8 s11 "
 
 # output file, resuming
+refused "what is no result cannot be resumed" 3 'array.json:1:1: error: .*what crumple stack' \
+    stack "$tmp/twelve.jsonl" --resume "$tmp/array.json"
 run stack -o "$tmp/result.jsonl" "$tmp/twelve.jsonl"
 same "-o writes the same" "$(cksum <"$tmp/result.jsonl")" "$(cksum <"$tmp/one")"
 mkfifo "$tmp/pipe"
