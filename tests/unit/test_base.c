@@ -32,6 +32,28 @@ static void test_arena_gives_zeroed_memory(void **state) {
     assert_int_equal(arena.total, 0);
 }
 
+/* memory that was written to before comes back zeroed all the same, also behind some that is not */
+static void test_arena_zeroes_used_memory(void **state) {
+    (void)state;
+    struct cr_arena arena = {0};
+    for (int turn = 0; turn < 3; turn++) {
+        unsigned char *raw = cr_arena_take_raw(&arena, 5000, 1);
+        assert_non_null(raw);
+        memset(raw, 0xff, 5000);
+        for (int k = 0; k < 20; k++) {
+            unsigned char *p = cr_arena_take(&arena, 5000, 1);
+            assert_non_null(p);
+            for (int i = 0; i < 5000; i++) {
+                assert_int_equal(p[i], 0);
+            }
+            memset(p, 0xff, 5000);
+        }
+        assert_int_equal(raw[4999], 0xff);
+        cr_arena_free(&arena);
+    }
+    assert_null(cr_arena_take_raw(&arena, SIZE_MAX / 2, 8));
+}
+
 static void test_error_text_names_place_and_way_out(void **state) {
     (void)state;
     struct cr_error err;
@@ -194,6 +216,7 @@ static void test_tree_as_text(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_arena_gives_zeroed_memory),
+        cmocka_unit_test(test_arena_zeroes_used_memory),
         cmocka_unit_test(test_error_text_names_place_and_way_out),
         cmocka_unit_test(test_nearest_word),
         cmocka_unit_test(test_text_grows),
