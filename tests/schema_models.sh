@@ -2,10 +2,7 @@
 # The schemas of recipes and voxel models are valid, accept what the tree and the program write,
 # and refuse what is wrong in one place.
 . "$SRC/tests/tap.sh"
-if ! python3 -c 'import jsonschema; jsonschema.Draft202012Validator' 2>/dev/null; then
-    echo "1..0 # SKIP no python3 with jsonschema for drafts of 2020-12"
-    exit 0
-fi
+need_jsonschema
 tmp=$(mktemp -d) || exit 99
 trap 'rm -rf "$tmp"' EXIT
 cat >"$tmp/check.py" <<'PY'

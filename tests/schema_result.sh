@@ -2,10 +2,7 @@
 # share/schema/result.schema.json is a valid schema, accepts every result of the tree's scenes and
 # refuses results that are wrong in one place each.
 . "$SRC/tests/tap.sh"
-if ! python3 -c 'import jsonschema; jsonschema.Draft202012Validator' 2>/dev/null; then
-    echo "1..0 # SKIP no python3 with jsonschema for drafts of 2020-12"
-    exit 0
-fi
+need_jsonschema
 tmp=$(mktemp -d) || exit 99
 trap 'rm -rf "$tmp"' EXIT
 cat >"$tmp/check.py" <<'PY'

@@ -2,10 +2,7 @@
 # share/schema/scene.schema.json is a valid schema, accepts every scene of the tree and refuses the
 # bad ones that a schema can see; those that only the program can see are listed by name.
 . "$SRC/tests/tap.sh"
-if ! python3 -c 'import jsonschema; jsonschema.Draft202012Validator' 2>/dev/null; then
-    echo "1..0 # SKIP no python3 with jsonschema for drafts of 2020-12"
-    exit 0
-fi
+need_jsonschema
 check() {
     python3 - "$SRC/share/schema/scene.schema.json" "$@" <<'PY'
 import json, sys

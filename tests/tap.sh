@@ -61,6 +61,14 @@ need_terminals() {
     tmux -L "cr-probe-$$" kill-server
 }
 
+# need_jsonschema: the test is left out where schemas cannot be tested
+need_jsonschema() {
+    python3 -c 'import jsonschema; jsonschema.Draft202012Validator' 2>/dev/null || {
+        echo "1..0 # SKIP no python3 with jsonschema for drafts of 2020-12"
+        exit 0
+    }
+}
+
 # finish: the plan; last line of each test
 finish() {
     echo "1..$tap_n"

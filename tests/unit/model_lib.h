@@ -2,8 +2,10 @@
 #ifndef CR_MODEL_LIB_H
 #define CR_MODEL_LIB_H
 
+#include "base/vec.h"
 #include "model/model.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -26,6 +28,14 @@ static int close_lib(void **state) {
     (void)state;
     cr_model_lib_free(lib);
     return 0;
+}
+
+/* a whole model as its type has it */
+static inline struct cr_model_query query_of(enum cr_type type, int clock, double voxel) {
+    struct cr_model_query q = {
+        .type = type, .pdof = clock * CR_PI / 6, .voxel = voxel, .z_hi = INFINITY};
+    q.dims = *cr_model_dims(lib, type, &q.mass_kg);
+    return q;
 }
 
 #endif

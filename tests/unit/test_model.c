@@ -14,13 +14,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-static struct cr_model_query query_of(enum cr_type type, int clock, double voxel) {
-    struct cr_model_query q = {
-        .type = type, .pdof = clock * CR_PI / 6, .voxel = voxel, .z_hi = INFINITY};
-    q.dims = *cr_model_dims(lib, type, &q.mass_kg);
-    return q;
-}
-
 static void test_types(void **state) {
     (void)state;
     assert_string_equal(cr_type_word(CR_TYPE_STATION_WAGON), "station-wagon");

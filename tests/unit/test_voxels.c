@@ -12,13 +12,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static struct cr_model_query query_of(enum cr_type type, int clock, double voxel) {
-    struct cr_model_query q = {
-        .type = type, .pdof = clock * CR_PI / 6, .voxel = voxel, .z_hi = INFINITY};
-    q.dims = *cr_model_dims(lib, type, &q.mass_kg);
-    return q;
-}
-
 static double sum(const double *v, size_t n) {
     double s = 0;
     for (size_t i = 0; i < n; i++) {
