@@ -67,6 +67,22 @@ bool cr_cmd_guess_key(const struct cr_session *s, const struct cr_token *tok,
     return true;
 }
 
+const char *cr_cmd_elsewhere(const char *word) {
+    static const char *const pair[][2] = {
+        {"?", "help"},         {"bye", "quit"},      {"car", "vehicle"}, {"clear", "new"},
+        {"delete", "remove"},  {"exit", "quit"},     {"ls", "list"},     {"man", "help"},
+        {"open", "load"},      {"plot", "pulse"},    {"pole", "object"}, {"report", "table"},
+        {"reset", "new"},      {"results", "table"}, {"rm", "remove"},   {"run", "solve"},
+        {"simulate", "solve"}, {"start", "solve"},   {"wall", "object"}, {"write", "save"},
+    };
+    for (size_t i = 0; i < sizeof pair / sizeof *pair; i++) {
+        if (strcmp(pair[i][0], word) == 0) {
+            return pair[i][1];
+        }
+    }
+    return NULL;
+}
+
 void cr_cmd_guess_file(const char *path, const char *suffix, struct cr_error *err) {
     char whole[2 * CR_PATH_MAX];
     if (err != NULL && err->code == CR_ERR_IO && err->hint[0] == '\0' &&

@@ -51,7 +51,8 @@ static enum cr_err no_command(const char *word, bool many, struct cr_error *err)
         return CR_ERR_NAME;
     }
     cr_err_set(err, CR_ERR_NAME, "there is no command '%.60s'", word);
-    const char *near = cr_str_nearest(word, names, n < MAX ? n : MAX);
+    const char *near = cr_cmd_elsewhere(word);
+    near = near != NULL ? near : cr_str_nearest(word, names, n < MAX ? n : MAX);
     if (near != NULL) {
         cr_err_hint(err, "did you mean '%s'?", near);
     } else {

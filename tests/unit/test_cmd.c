@@ -494,6 +494,18 @@ static void test_sweep_is_the_same_for_any_number_of_threads(void **state) {
     }
 }
 
+/* what is hinted at is a command, and what is not is none */
+static void names_of_elsewhere(void **state) {
+    (void)state;
+    static const char *const words[] = {"?", "run", "exit", "ls", "plot", "wall", "write", "clear"};
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+        bool many = false;
+        assert_null(cr_command_find(words[i], &many));
+        assert_non_null(cr_command_find(cr_cmd_elsewhere(words[i]), &many));
+    }
+    assert_null(cr_cmd_elsewhere("solve"));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_words_pairs_flags_and_quotes),
@@ -513,6 +525,7 @@ int main(void) {
         cmocka_unit_test(test_quit_asks_when_changes_are_unsaved),
         cmocka_unit_test(test_autosave_outlives_a_crash),
         cmocka_unit_test(test_sweep_is_the_same_for_any_number_of_threads),
+        cmocka_unit_test(names_of_elsewhere),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
