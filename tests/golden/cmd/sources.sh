@@ -83,6 +83,12 @@ read -r answer <&4
 same "an answer comes before the end of input" "  $answer" "$empty"
 exec 3>&-
 wait $!
+wall_scene "" '"width_m": 1.8000000000000003, "x_note": [0.30000000000000004, 1e-7]' >exact.json
+run -e 'load exact.json; save exact2.json; load exact2.json; save exact3.json'
+same "numbers are saved to the last bit" "$(grep -cE \
+    '"width_m":.1.8000000000000003,|"x_note":.\[0.30000000000000004, 1e-07\]' exact2.json)" 2
+same "and saving is the inverse of loading" "$(cksum <exact3.json)" "$(cksum <exact2.json)"
+
 printf '\357\273\277vehicle A type=suv\n' >"$tmp/bom.crumple"
 "$CRUMPLE" "$tmp/bom.crumple" >"$tmp/out" 2>&1
 same "a byte order mark is an error of the text" "$?" 3
