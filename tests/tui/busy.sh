@@ -1,0 +1,93 @@
+#!/bin/sh
+# The full screen while it works: resize, ^Z, typing ahead, signals, a terminal that goes away.
+. "$SRC/tests/tui/tui.sh"
+
+rows() {
+    text | grep -c ''
+}
+has_rows() {
+    [ "$(rows)" -eq "$1" ] && text | tail -n 1 | grep -q "F1 help"
+}
+gone_pid() {
+    ! kill -0 "$1" 2>/dev/null
+}
+
+# a shell with job control, and the program in it
+cat >shell.sh <<END
+cd $tmp
+export TERM=screen-256color XDG_STATE_HOME=$tmp/state HOME=$tmp INPUTRC=/dev/null LC_ALL=C.UTF-8 \\
+    CRUMPLE_DATA=$SRC PS1='shell> ' ENV= ASAN_OPTIONS=abort_on_error=1
+unset NO_COLOR
+exec sh -i
+END
+screen kill-server 2>/dev/null
+sessions=$((sessions + 1))
+screen new-session -d -x 80 -y 24 "sh $tmp/shell.sh"
+until_ok on_screen "^shell>"
+keys "$CRUMPLE" Enter
+until_ok on_screen "F1 help"
+keys "load crash.json" Enter "set dt=0.001ms voxel=6mm" Enter F5
+shows "a long solve" "SOLVING [0-9]+ %.*t [0-9.]+ ms"
+screen resize-window -x 100 -y 30
+until_ok has_rows 30
+report $? "is drawn in a new size while it solves"
+keys C-z
+shows "^Z stops it" "^shell>"
+keys "stty -a" Enter
+shows "with the line as a shell needs it" " icanon .* echo "
+keys "fg" Enter
+shows "fg goes on solving" "SOLVING [0-9]+ %"
+keys "list"
+keys C-c
+shows "^C ends the solve" "INTERRUPTED"
+shows "what was typed meanwhile is on the line" "^crumple> list$"
+keys C-c "set dt=0.5ms voxel=25mm" Enter F5
+shows "the crash is solved and played" "SOLVED .* frame [1-9][0-9]?/"
+for size in "60 20" "200 50" "30 8" "80 24"; do
+    # shellcheck disable=SC2086
+    set -- $size
+    screen resize-window -x "$1" -y "$2"
+done
+until_ok has_rows 24
+report $? "resized four times while it plays"
+shows "it plays on" "frame [1-9][0-9]+/"
+keys C-c C-c "quit!" Enter
+shows "and ends" "^shell>"
+same "with the terminal given back" \
+    "$(screen display -p '#{alternate_on} #{mouse_any_flag} #{cursor_flag}')" "0 0 1"
+screen kill-server
+
+start 80 24
+until_ok on_screen "F1 help"
+keys "load crash.json" Enter "set dt=0.001ms voxel=6mm" Enter F5
+shows "a long solve again" "SOLVING [0-9]+ %.*t [0-9.]+ ms"
+kill -TERM "$(cat pid)"
+shows "SIGTERM ends it while it solves" "^status 143"
+given_back "SIGTERM while solving"
+
+start 80 24
+until_ok on_screen "F1 help"
+keys "half a line"
+until_ok on_screen "^crumple> half a line"
+kill -INT "$(cat pid)"
+shows "SIGINT is ^C: the line is given up" "^crumple>$"
+if [ -w "/proc/$(cat pid)/fd/2" ]; then
+    echo "a library complains" >"/proc/$(cat pid)/fd/2"
+    keys "list" Enter
+    shows "standard error is a line of the dialogue" "^a library complains|list"
+    keys "view log" Enter
+    shows "and not on the screen" "│ a library complains +│"
+fi
+keys "vehicle A type=suv mass=2002kg" Enter
+until_ok on_screen "A: suv"
+pid=$(cat pid)
+screen kill-server
+until_ok gone_pid "$pid"
+report $? "it ends when the terminal goes away"
+start 80 24
+shows "and the next start has the scene" "load --recover"
+keys "load --recover" Enter
+shows "as it was" "2002 kg"
+keys "quit!" Enter
+shows "done" "^status 0"
+finish
