@@ -285,6 +285,10 @@ double cr_solver_time(const struct cr_solver *s) {
     return s->t;
 }
 
+bool cr_solver_touched(const struct cr_solver *s) {
+    return s->touched;
+}
+
 /* steps 1 to 3 for a pair whose materials meet; false when memory is out */
 static bool crush(struct cr_solver *s, int pair, int a, int b, struct cr_force *f) {
     struct cr_moving *ma = &s->m[a], *mb = &s->m[b];

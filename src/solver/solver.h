@@ -151,6 +151,8 @@ const struct cr_solution *cr_solver_solution(struct cr_solver *s);
 /* Present state of a body, also before the first contact. */
 struct cr_sample cr_solver_state(const struct cr_solver *s, int body);
 double cr_solver_time(const struct cr_solver *s);
+/* Has any contact begun? Unlike cr_solver_solution this costs nothing. */
+bool cr_solver_touched(const struct cr_solver *s);
 
 void cr_solver_free(struct cr_solver *s);
 

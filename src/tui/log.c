@@ -101,10 +101,17 @@ static size_t fitting(const char *text, int width) {
     return (size_t)(p - text);
 }
 
-/* A row of a table is cut rather than folded: its columns would be lost. */
+/* A row of a table, also of its head, is cut rather than folded: its columns would be lost. A word
+ * and its explanation have one wide gap between them, a row has several. */
 static bool is_row(const char *text) {
+    int gaps = 0;
     text += strspn(text, " ");
-    return *text >= '0' && *text <= '9' && strstr(text, "   ") != NULL;
+    bool number = *text >= '0' && *text <= '9';
+    while ((text = strstr(text, "   ")) != NULL) {
+        text += strspn(text, " ");
+        gaps++;
+    }
+    return gaps >= (number ? 1 : 2);
 }
 
 static void fold(const struct cr_render_line *line, int width, struct cr_dialogue *out) {

@@ -244,7 +244,8 @@ static void loop(struct cr_tui *t) {
         cr_play_tick(t);
         int ms = t->pendings > 0 ? 0 : cr_tui_draw_due(t);
         if (t->play.on && (ms < 0 || ms > 1000 / FRAMES_PER_S)) {
-            ms = 1000 / FRAMES_PER_S;
+            int due = cr_tui_frame_due(t);
+            ms = due > 0 ? due : 1000 / FRAMES_PER_S;
         }
         there = cr_term_wait(ms);
         take_keys(t);

@@ -65,14 +65,14 @@ static void describe_contact(struct cr_preview *p, const struct cr_case *cs,
 static void look_ahead(struct cr_preview *p, const struct cr_compiled *compiled) {
     struct cr_error err = {.text = ""};
     struct cr_solver *solver = NULL;
-    const struct cr_solution *sol = NULL;
+    const struct cr_solution *sol;
     p->time = (double)NAN;
     p->code = cr_solver_new(&compiled->cs, &solver, &err);
     for (int i = 0; p->code == CR_ERR_OK && i < STEPS_MAX; i++) {
         enum cr_status status = cr_solver_step(solver, &err);
         p->code = status == CR_STATUS_FAILED ? err.code : CR_ERR_OK;
-        sol = status == CR_STATUS_FAILED ? NULL : cr_solver_solution(solver);
-        if (sol != NULL && sol->contacts > 0) {
+        if (status != CR_STATUS_FAILED && cr_solver_touched(solver)) {
+            sol = cr_solver_solution(solver);
             p->time = sol->t_contact;
             describe_contact(p, &compiled->cs, solver, &sol->contact[0]);
             break;

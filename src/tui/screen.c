@@ -286,21 +286,26 @@ void cr_tui_draw(struct cr_tui *t) {
     struct cr_look look = cr_tui_look(t);
     int x;
     t->dirty = false;
+    t->drawn_at = cr_tui_clock();
     if (cr_tui_compose(t, &x, &err) != CR_ERR_OK) {
         t->broken = true;
         return;
     }
     cr_paint(&t->cells, &look, x, t->layout.prompt.y);
-    t->drawn_at = cr_tui_clock();
+}
+
+int cr_tui_frame_due(const struct cr_tui *t) {
+    double wait = t->drawn_at + FRAME_S - cr_tui_clock();
+    return wait > 0 ? (int)ceil(1e3 * wait) : 0;
 }
 
 int cr_tui_draw_due(struct cr_tui *t) {
     if (!t->dirty) {
         return -1;
     }
-    double wait = t->drawn_at + FRAME_S - cr_tui_clock();
+    int wait = cr_tui_frame_due(t);
     if (wait > 0) {
-        return (int)ceil(1e3 * wait);
+        return wait;
     }
     int drawing = cr_frame_wait(cr_tui_clock());
     if (drawing > 0) {

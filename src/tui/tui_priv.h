@@ -106,7 +106,7 @@ struct cr_tui {
     bool dirty, broken; /* broken: no memory for a screen */
     bool mute;          /* answers are not shown */
     bool failed;        /* the last line that was run */
-    double drawn_at;    /* s of the clock */
+    double drawn_at;    /* s of the clock at which the last frame was begun */
     enum cr_area focus; /* CR_AREAS: the prompt */
     double tabbed_at;   /* s of the clock: Tab on the empty prompt, -1: something else since */
     int log_back, table_down, sweep_row;
@@ -155,6 +155,7 @@ void cr_tui_draw(struct cr_tui *t);
 /* Draws if something changed and the last frame is old enough; else returns the ms until then, -1:
  * nothing to draw. */
 int cr_tui_draw_due(struct cr_tui *t);
+int cr_tui_frame_due(const struct cr_tui *t); /* ms until a next frame may be begun */
 
 /* ---- keys.c, overlay.c, mouse.c, play.c ---- */
 void cr_tui_input(struct cr_tui *t, const struct cr_input *in);

@@ -199,7 +199,9 @@ static void cancelled_in_contact(void **state) {
     struct cr_solver *s = NULL, *whole = solved(&cs);
     const struct cr_solution *all = cr_solver_solution(whole);
     assert_false(all->interrupted);
+    assert_true(cr_solver_touched(whole));
     assert_int_equal(cr_solver_new(&cs, &s, NULL), CR_ERR_OK);
+    assert_false(cr_solver_touched(s));
     assert_int_equal(cr_solver_run(s, after_twenty, s, NULL), CR_ERR_INTERRUPTED);
     const struct cr_solution *part = cr_solver_solution(s);
     assert_true(part->interrupted);

@@ -144,12 +144,39 @@ static void test_a_drag_is_a_move(void **state) {
     tui_double_fini(&d);
 }
 
+/* sentences are folded with a hanging indent, rows of tables and their heads are cut */
+static void test_the_dialogue_folds_what_is_no_table(void **state) {
+    (void)state;
+    static const struct {
+        const char *text;
+        int lines;
+    } rows[] = {
+        {"  a sentence that is longer than forty columns by some words", 2},
+        {"  COUNT           how many of them there are, which is explained at length", 3},
+        {"   run      A.speed        A EES delta-v   depth        B EES", 1},
+        {"               km/h         km/h    km/h       m         km/h", 1},
+        {"     1           40         30.0    28.3    0.48         57.5", 1},
+        {"", 1},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct cr_dialogue d = {0}, folded;
+        cr_dialogue_add(&d, CR_ROLE_TEXT, rows[i].text);
+        cr_dialogue_fold(&d, 0, 40, &folded);
+        if (folded.n != rows[i].lines) {
+            fail_msg("%d lines: %s", folded.n, rows[i].text);
+        }
+        cr_dialogue_fini(&folded);
+        cr_dialogue_fini(&d);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_keys_are_commands),
         cmocka_unit_test(test_keys_that_begin_a_line),
         cmocka_unit_test(test_clicks_are_commands),
         cmocka_unit_test(test_a_drag_is_a_move),
+        cmocka_unit_test(test_the_dialogue_folds_what_is_no_table),
     };
     if (setlocale(LC_ALL, "C.UTF-8") == NULL) {
         return 77;
