@@ -368,14 +368,12 @@ enum cr_err cr_term_open(struct cr_error *err) {
     return CR_ERR_OK;
 }
 
-/* Without a second screen to leave, the shell goes on in the last line. */
+/* Where there is no second screen to leave (the console, GNU screen as it comes), the shell goes on
+ * in the last line. */
 static void leave_screen(void) {
-    const char *rmcup = tigetstr("rmcup");
-    if (rmcup == NULL || rmcup == (char *)-1) {
-        move(LINES - 1, 0);
-        clrtoeol();
-        refresh();
-    }
+    move(LINES - 1, 0);
+    clrtoeol();
+    refresh();
     endwin();
 }
 

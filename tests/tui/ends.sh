@@ -38,7 +38,7 @@ ended() {
 }
 ended TERM 143
 ended HUP 129
-ended SEGV 139
+ended SEGV "(139|134)" # AddressSanitizer ends its report with SIGABRT
 shows "a fault says where the scene is" "load --recover"
 ended ABRT 134
 
