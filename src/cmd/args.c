@@ -285,7 +285,9 @@ static enum cr_err no_such_key(struct cr_call *call, const struct cr_token *tok,
         cr_err_hint(err, "one of:%s", fitting);
     } else if (near != NULL) {
         cr_err_hint(err, "did you mean '%s%s'?", dashes, near);
-    } else if (place == CR_ARG_FLAG || !cr_cmd_guess_key(call->s, tok, err)) {
+    } else if (place == CR_ARG_FLAG ||
+               !cr_cmd_guess_key(call->s, name,
+                                 tok->kind == CR_TOKEN_PAIR ? tok->text : tok[1].text, err)) {
         cr_err_hint(err, "help %s lists what it takes", call->cmd->name);
     }
     return CR_ERR_KEY;

@@ -208,7 +208,8 @@ enum cr_err cr_cmd_picture(struct cr_session *s, int width, int height,
 /* Hint for a word that fits nowhere: a unit apart from its number, a value without its key. */
 bool cr_cmd_guess(const struct cr_call *call, const struct cr_token *tok, struct cr_error *err);
 /* The same for ID.KEY=VALUE where it is no key. */
-bool cr_cmd_guess_key(const struct cr_session *s, const struct cr_token *tok, struct cr_error *err);
+bool cr_cmd_guess_key(const struct cr_session *s, const char *key, const char *value,
+                      struct cr_error *err);
 /* The command that other programs call so; NULL for none. */
 const char *cr_cmd_elsewhere(const char *word);
 /* Hint of a file that could not be opened: the name with its suffix where there is such a file. */

@@ -9,7 +9,7 @@
 static bool torn_unit(const struct cr_call *call, const struct cr_token *tok,
                       struct cr_error *err) {
     const struct cr_token *before = tok - 1;
-    if (tok == call->tokens->tok || before->kind != CR_TOKEN_PAIR) {
+    if (tok == call->tokens->tok || before->kind != CR_TOKEN_PAIR || tok->text[0] == '\0') {
         return false;
     }
     for (int i = 0; call->cmd->arg[i].name != NULL; i++) {
@@ -48,22 +48,22 @@ bool cr_cmd_guess(const struct cr_call *call, const struct cr_token *tok, struct
     return torn_unit(call, tok, err) || bare_value(call, tok, err);
 }
 
-bool cr_cmd_guess_key(const struct cr_session *s, const struct cr_token *tok,
+bool cr_cmd_guess_key(const struct cr_session *s, const char *key, const char *value,
                       struct cr_error *err) {
-    const char *dot = strchr(tok->key, '.');
-    if (dot == NULL) {
+    size_t n = strcspn(key, ".");
+    if (key[n] == '\0' || n > 60) {
         return false;
     }
     const struct cr_scene *scene = cr_session_scene(s);
     bool object = false;
     for (int i = 0; i < scene->n; i++) {
         const char *id = scene->part[i].id;
-        if (strlen(id) == (size_t)(dot - tok->key) && strncmp(id, tok->key, strlen(id)) == 0) {
+        if (strlen(id) == n && strncmp(id, key, n) == 0) {
             object = scene->part[i].kind == CR_KIND_OBJECT;
         }
     }
-    cr_err_hint(err, "try: %s %.*s %.60s=%.60s", object ? "object" : "vehicle",
-                (int)(dot - tok->key < 60 ? dot - tok->key : 60), tok->key, dot + 1, tok->text);
+    cr_err_hint(err, "try: %s %.*s %.60s=%.40s", object ? "object" : "vehicle", (int)n, key,
+                key + n + 1, value);
     return true;
 }
 

@@ -226,9 +226,10 @@ static enum cr_err run_statement(struct cr_session *s, const struct source *src,
         name[len - 1] = '\0';
     }
     call.cmd = tokens->tok[0].kind == CR_TOKEN_WORD ? cr_command_find(name, &many) : NULL;
-    if (tokens->tok[0].kind == CR_TOKEN_PAIR) {
+    const struct cr_token *first = &tokens->tok[0];
+    if (first->kind == CR_TOKEN_PAIR) {
         code = cr_err_set(&err, CR_ERR_KEY, "a line begins with a command");
-        if (!cr_cmd_guess_key(s, &tokens->tok[0], &err)) {
+        if (!cr_cmd_guess_key(s, first->key, first->text, &err)) {
             cr_err_hint(&err, "for example: vehicle A speed=50km/h; set dt=0.25ms");
         }
     } else if (call.cmd == NULL) {
