@@ -44,6 +44,7 @@ struct cr_progress {
     double time;                    /* s since the first contact; NaN: not in contact yet */
     const struct cr_solution *live; /* the trace so far, NULL if there is none */
     const struct cr_case *cs;       /* the case it belongs to, NULL if there is none */
+    const struct cr_sweep *sweep;   /* the runs so far, NULL if it is no sweep */
 };
 
 /* Where output goes. Each function may be NULL. */
@@ -237,7 +238,7 @@ struct cr_sweep_axis {
     double *value; /* [n], SI */
 };
 struct cr_sweep_run {
-    bool done, failed;
+    bool running, done, failed;
     double at[2]; /* SI */
     char message[160];
     struct cr_severity *of; /* [participants], without outlines */

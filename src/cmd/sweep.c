@@ -222,7 +222,10 @@ struct job {
     const struct variable *var;
     atomic_int next, finished;
     atomic_bool stop;
+    atomic_int *phase;          /* [runs] enum phase */
+    struct cr_sweep_run *shown; /* [runs] copies of what is ready, for who watches */
 };
+enum phase { QUEUED, RUNNING, READY };
 
 static int stopped(void *user) {
     struct job *job = user;
@@ -271,10 +274,27 @@ static void *worker(void *user) {
         if (i >= job->sweep->n) {
             break;
         }
+        atomic_store(&job->phase[i], RUNNING);
         solve_run(job, &job->sweep->run[i]);
+        atomic_store(&job->phase[i], READY);
         atomic_fetch_add(&job->finished, 1);
     }
     return NULL;
+}
+
+/* the table as it is now; a run that is under way is not touched */
+static struct cr_sweep so_far(struct job *job) {
+    struct cr_sweep sweep = *job->sweep;
+    for (int i = 0; i < sweep.n; i++) {
+        int phase = atomic_load(&job->phase[i]);
+        if (phase == READY) {
+            job->shown[i] = job->sweep->run[i];
+        } else {
+            job->shown[i].running = phase == RUNNING;
+        }
+    }
+    sweep.run = job->shown;
+    return sweep;
 }
 
 static void watch(struct cr_session *s, struct job *job) {
@@ -284,7 +304,9 @@ static void watch(struct cr_session *s, struct job *job) {
         int done = atomic_load(&job->finished);
         nanosleep(&nap, NULL);
         if (cr_work_due(s, &elapsed)) {
+            const struct cr_sweep now = so_far(job);
             struct cr_progress p = {.what = "SWEEP",
+                                    .sweep = &now,
                                     .share = (double)done / job->sweep->n,
                                     .done = done,
                                     .total = job->sweep->n,
@@ -304,6 +326,16 @@ static enum cr_err run_all(struct cr_session *s, struct job *job, int jobs, stru
     enum { JOBS_MAX = 256 };
     pthread_t thread[JOBS_MAX];
     int started = 0;
+    job->phase = calloc((size_t)job->sweep->n, sizeof *job->phase);
+    job->shown = calloc((size_t)job->sweep->n, sizeof *job->shown);
+    if (job->phase == NULL || job->shown == NULL) {
+        free(job->phase);
+        free(job->shown);
+        return cr_err_set(err, CR_ERR_MEMORY, "out of memory");
+    }
+    for (int i = 0; i < job->sweep->n; i++) {
+        memcpy(job->shown[i].at, job->sweep->run[i].at, sizeof job->shown[i].at);
+    }
     jobs = jobs < job->sweep->n ? jobs : job->sweep->n;
     s->solving = true;
     cr_work_begin(s);
@@ -320,6 +352,8 @@ static enum cr_err run_all(struct cr_session *s, struct job *job, int jobs, stru
     }
     cr_work_end(s);
     s->solving = false;
+    free(job->phase);
+    free(job->shown);
     if (started == 0) {
         return cr_err_set(err, CR_ERR_MEMORY, "no thread could be started");
     }
@@ -479,9 +513,9 @@ enum cr_err cr_cmd_sweep(struct cr_call *call, struct cr_error *err) {
     }
     struct job job = {
         .base = cr_session_now(s), .models = s->models, .irf = s->irf, .sweep = sweep, .var = var};
+    s->view.pane = CR_PANE_SWEEP; /* a screen shows the runs as they come */
     code = run_all(s, &job, (int)cr_cmd_number(call, "jobs", 1), err);
     cr_session_take_sweep(s, sweep);
-    s->view.pane = CR_PANE_SWEEP;
     if (code == CR_ERR_OK) {
         code = cr_sweep_say(s, err);
     }

@@ -14,6 +14,8 @@ struct cr_sweep_sheet {
     const char *heads[COLUMNS_MAX];
     const char **cell;
     char (*text)[TEXT];
+    char note[64];
+    bool under_way; /* runs are still coming in */
 };
 
 static bool deforms(const struct cr_sweep *sweep, int part) {
@@ -46,9 +48,38 @@ static void write_run(struct cr_sweep_sheet *s, const struct cr_sweep *sweep, in
         }
     }
     snprintf(text[c], TEXT, "%s",
-             !run->done    ? "not run"
+             run->running  ? "running"
+             : !run->done  ? s->under_way ? "queued" : "not run"
              : run->failed ? "failed"
                            : cr_stop_word(run->stop));
+}
+
+/* below the runs: how far they are, or what can be done with them */
+static void write_note(struct cr_sweep_sheet *s, const struct cr_progress *p,
+                       const struct cr_sweep *sweep) {
+    int running = 0;
+    s->sheet.progress = (double)NAN;
+    s->sheet.note = "EES, dv km/h, depth m   Up Down choose, Enter takes it into the scene";
+    if (!s->under_way) {
+        return;
+    }
+    for (int i = 0; i < sweep->n; i++) {
+        running += sweep->run[i].running;
+    }
+    snprintf(s->note, sizeof s->note, "%d of %d done, %d running; ^C stops", p->done, p->total,
+             running);
+    s->sheet.note = s->note;
+    s->sheet.progress = p->share;
+}
+
+/* While runs come in, the row to see is the last that is running. */
+static int row_of(const struct cr_tui *t, const struct cr_sweep_sheet *s,
+                  const struct cr_sweep *sweep) {
+    int row = s->under_way ? 0 : t->sweep_row;
+    for (int i = 0; s->under_way && i < sweep->n; i++) {
+        row = sweep->run[i].running ? i : row;
+    }
+    return row < sweep->n ? row : sweep->n - 1;
 }
 
 static void write_head(struct cr_sweep_sheet *s, const struct cr_sweep *sweep) {
@@ -69,7 +100,8 @@ static void write_head(struct cr_sweep_sheet *s, const struct cr_sweep *sweep) {
 
 enum cr_err cr_sweep_sheet_new(const struct cr_tui *t, struct cr_sweep_sheet **out,
                                struct cr_error *err) {
-    const struct cr_sweep *sweep = cr_session_sweep(t->session);
+    const struct cr_sweep *live = t->progress != NULL ? t->progress->sweep : NULL;
+    const struct cr_sweep *sweep = live != NULL ? live : cr_session_sweep(t->session);
     *out = NULL;
     if (sweep == NULL || sweep->n == 0) {
         return CR_ERR_OK;
@@ -78,6 +110,7 @@ enum cr_err cr_sweep_sheet_new(const struct cr_tui *t, struct cr_sweep_sheet **o
     if (s == NULL) {
         return cr_err_set(err, CR_ERR_MEMORY, "out of memory");
     }
+    s->under_way = live != NULL;
     write_head(s, sweep);
     size_t cells = (size_t)s->sheet.columns * (size_t)sweep->n;
     s->cell = calloc(cells, sizeof *s->cell);
@@ -98,9 +131,8 @@ enum cr_err cr_sweep_sheet_new(const struct cr_tui *t, struct cr_sweep_sheet **o
     s->sheet.rows = sweep->n;
     s->sheet.head = s->heads;
     s->sheet.cell = s->cell;
-    s->sheet.chosen = t->sweep_row < sweep->n ? t->sweep_row : sweep->n - 1;
-    s->sheet.note = "EES, dv km/h, depth m   Up Down choose, Enter takes it into the scene";
-    s->sheet.progress = (double)NAN;
+    s->sheet.chosen = row_of(t, s, sweep);
+    write_note(s, t->progress, sweep);
     *out = s;
     return CR_ERR_OK;
 }

@@ -82,6 +82,7 @@ shows "F5 solves and plays" "frame ([1-9][0-9])/"
 keys C-c
 keys "set voxel=5mm dt=0.01ms" Enter "sweep A.speed 20:80:0.1" Enter
 shows "long work shows its progress" "SWEEP [0-9]+ %  [0-9]+ of 601 runs"
+shows "and the runs as they come" "[0-9]+ of 601 done, [1-9][0-9]* running"
 keys C-c
 shows "^C stops it" "interrupted"
 keys "view scene" Enter "set dt=0.001ms" Enter F5

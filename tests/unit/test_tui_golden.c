@@ -7,6 +7,7 @@
 
 #include <locale.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -17,7 +18,7 @@ struct shot {
     enum { EMPTY, SOLVED, PART } crash;
     bool ascii;
     const char *question;
-    double working; /* share of a solve under way, 0: none */
+    double working; /* share of a solve under way, 0: none; 1: a sweep */
 };
 
 static const struct shot shots[] = {
@@ -46,6 +47,8 @@ static const struct shot shots[] = {
     {"question-80x24", 80, 24, "", SOLVED, false,
      "crash.json has 3 unsaved changes: (s)ave (q)uit (c)ancel", 0},
     {"solving-80x24", 80, 24, "", SOLVED, false, NULL, 0.43},
+    {"sweeping-80x24", 80, 24, "<M-5>", SOLVED, false, NULL, 1},
+    {"sweeping-200x50", 200, 50, "", SOLVED, false, NULL, 1},
     {"interrupted-80x24", 80, 24, "", PART, false, NULL, 0},
 };
 enum { SHOTS = sizeof shots / sizeof shots[0] };
@@ -75,11 +78,49 @@ static void compare(const char *name, const char *got) {
     free(want);
 }
 
+/* a sweep of which four runs are done and two under way */
+struct half_swept {
+    struct cr_sweep sweep;
+    struct cr_sweep_run run[9];
+    struct cr_severity of[9][2];
+};
+
+static void sweep_half(struct half_swept *h, struct cr_progress *work) {
+    memset(h, 0, sizeof *h);
+    h->sweep = (struct cr_sweep){.axes = 1, .n = 9, .participants = 2, .run = h->run};
+    snprintf(h->sweep.axis[0].key, sizeof h->sweep.axis[0].key, "B.overlap");
+    h->sweep.axis[0].unit = cr_unit_find("%", CR_DIM_NUMBER);
+    snprintf(h->sweep.id[0], sizeof h->sweep.id[0], "A");
+    snprintf(h->sweep.id[1], sizeof h->sweep.id[1], "B");
+    for (int i = 0; i < 9; i++) {
+        h->run[i].of = h->of[i];
+        h->run[i].at[0] = 0.2 + 0.1 * i;
+        h->run[i].done = i < 4;
+        h->run[i].running = i == 4 || i == 5;
+        h->run[i].stop = CR_STOP_MOMENTUM;
+        for (int k = 0; k < 2; k++) {
+            h->of[i][k] = (struct cr_severity){
+                .ees = 10 + i, .delta_v = 12 + i, .deformation_max = 0.3 + 0.05 * i};
+        }
+    }
+    *work = (struct cr_progress){.what = "SWEEP",
+                                 .share = 4.0 / 9,
+                                 .done = 4,
+                                 .total = 9,
+                                 .left = 2,
+                                 .time = NAN,
+                                 .sweep = &h->sweep};
+}
+
 static void test_shot(void **state) {
     const struct shot *s = *state;
     struct tui_double d;
     struct cr_progress work = {
         .what = "SOLVING", .share = s->working, .elapsed = 1, .left = NAN, .time = 0.0385};
+    struct half_swept half;
+    if (s->working >= 1) {
+        sweep_half(&half, &work);
+    }
     tui_double_init(&d, s->w, s->h, s->crash != EMPTY, s->crash == PART);
     const struct cr_look look = {.ascii = s->ascii};
     cr_session_set_look(d.t->session, &look);

@@ -50,6 +50,8 @@ tui_golden = tests/golden/tui/complete-100x30.txt \
 	tests/golden/tui/solving-80x24.txt \
 	tests/golden/tui/start-80x24.txt \
 	tests/golden/tui/sweep-80x24.txt \
+	tests/golden/tui/sweeping-80x24.txt \
+	tests/golden/tui/sweeping-200x50.txt \
 	tests/golden/tui/table-100x30.txt \
 	tests/golden/tui/zoom-100x30.txt
 EXTRA_DIST += $(tui_golden)
