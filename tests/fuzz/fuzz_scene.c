@@ -1,20 +1,18 @@
 /* Any bytes as a scene: refused with an error, or read, written and read again as the same. */
 #include "fuzz.h"
 
+#include "base/json.h"
 #include "scene/scene.h"
 
-#include <cjson/cJSON.h>
 #include <stdlib.h>
 #include <string.h>
 
 static char *written(const struct cr_scene *scene) {
-    cJSON *json = cr_scene_to_json(scene, false);
-    char *text = json != NULL ? cJSON_PrintUnformatted(json) : NULL;
-    cJSON_Delete(json);
-    if (text == NULL) {
+    struct cr_str text = {0};
+    if (!cr_json_add(cr_scene_to_json(scene, false), false, &text)) {
         abort();
     }
-    return text;
+    return text.s;
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {

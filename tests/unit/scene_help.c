@@ -1,6 +1,7 @@
 #include "scene_help.h"
 
-#include <cjson/cJSON.h>
+#include "base/json.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,12 +22,9 @@ void scene_of(const char *first, const char *second, struct cr_scene *scene) {
 }
 
 char *scene_text(const struct cr_scene *scene, bool all) {
-    cJSON *json = cr_scene_to_json(scene, all);
-    assert_non_null(json);
-    char *text = cJSON_Print(json);
-    assert_non_null(text);
-    cJSON_Delete(json);
-    return text;
+    struct cr_str text = {0};
+    assert_true(cr_json_add(cr_scene_to_json(scene, all), true, &text));
+    return text.s;
 }
 
 const char *scene_path(const char *name) {
