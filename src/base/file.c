@@ -1,3 +1,4 @@
+#define _XOPEN_SOURCE 700 /* realpath */
 #include "base/file.h"
 
 #include <errno.h>
@@ -115,10 +116,7 @@ static void keep_mode(int fd, const char *path) {
     }
 }
 
-enum cr_err cr_file_write(const char *path, const char *text, size_t n, struct cr_error *err) {
-    if (cr_file_in_place(path)) {
-        return write_in_place(path, text, n, err);
-    }
+static enum cr_err write_whole(const char *path, const char *text, size_t n, struct cr_error *err) {
     char tmp[4096];
     if (snprintf(tmp, sizeof tmp, "%s.XXXXXX", path) >= (int)sizeof tmp) {
         errno = ENAMETOOLONG;
@@ -142,6 +140,18 @@ enum cr_err cr_file_write(const char *path, const char *text, size_t n, struct c
     unlink(tmp);
     errno = code;
     return io_error(err, path, "write");
+}
+
+enum cr_err cr_file_write(const char *path, const char *text, size_t n, struct cr_error *err) {
+    if (cr_file_in_place(path)) {
+        return write_in_place(path, text, n, err);
+    }
+    /* a link stays one: what it leads to is replaced */
+    struct stat st;
+    char *target = lstat(path, &st) == 0 && S_ISLNK(st.st_mode) ? realpath(path, NULL) : NULL;
+    enum cr_err code = write_whole(target != NULL ? target : path, text, n, err);
+    free(target);
+    return code;
 }
 
 void cr_file_dir(const char *path, char *buf, size_t size) {

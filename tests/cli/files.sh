@@ -53,6 +53,12 @@ same "a failed run leaves the old file" "$(cat kept.json)" old
 )
 same "an output that does not fit" "$(cat status)" 2
 same "leaves the old file whole" "$(cat kept.json)" old
-rm -f kept.json
+ln -s kept.json link.json
+run run wall.json -o link.json
+same "a link leads to what is written" "$status:$(cksum <kept.json)" \
+    "0:$("$crumple" run wall.json | cksum)"
+[ -L link.json ]
+report $? "and stays a link"
+rm -f kept.json link.json
 same "no temporary files stay behind" "$(ls)" "$before"
 finish
