@@ -25,6 +25,20 @@ static int basic(int color, attr_t *attr, bool ink) {
     return color;
 }
 
+/* A colour of the palette where the terminal takes red, green and blue instead (xterm-direct):
+ * the 6 x 6 x 6 cube and the greys of xterm. */
+static int direct(int color) {
+    static const int level[] = {0, 95, 135, 175, 215, 255};
+    if (COLORS <= 256 || color < 16) {
+        return color;
+    }
+    if (color >= 232) {
+        return (8 + 10 * (color - 232)) * 0x10101;
+    }
+    int i = color - 16;
+    return level[i / 36] << 16 | level[i / 6 % 6] << 8 | level[i % 6];
+}
+
 static void style(const struct cr_look *look, const struct cr_cell *cell, attr_t *attr, int *pair) {
     struct cr_style s = cr_theme_style(look, cell);
     int fg = -1, bg = -1;
@@ -34,8 +48,8 @@ static void style(const struct cr_look *look, const struct cr_cell *cell, attr_t
     *attr |= (s.flags & CR_CELL_REVERSE) != 0 ? A_REVERSE : 0;
     *attr |= (s.flags & CR_CELL_DIM) != 0 ? A_DIM : 0;
     if (look->color == CR_COLOR_256) {
-        fg = s.fg256;
-        bg = s.bg256;
+        fg = direct(s.fg256);
+        bg = direct(s.bg256);
     } else if (look->color == CR_COLOR_16) {
         fg = basic(s.fg16, attr, true);
         bg = basic(s.bg16, attr, false);

@@ -129,4 +129,13 @@ keys "load crash.json" Enter "solve" Enter
 shows "the scene in ASCII" "SOLVED"
 same "no colours" "$(screen capture-pane -pe | grep -c '\[3[0-7]m\|38;5')" 0
 same "no character above 126" "$(text | LC_ALL=C grep -c '[^ -~]')" 0
+
+# a terminal that takes red, green and blue has the palette's colours all the same
+if infocmp xterm-direct >/dev/null 2>&1; then
+    start 80 24 TERM=xterm-direct
+    keys "load crash.json" Enter
+    until_ok on_screen "A  suv 2550 kg"
+    screen capture-pane -pe | grep -q '38;2;215;95;0mB  super-compact'
+    report $? "colour 166 in red, green and blue"
+fi
 finish
