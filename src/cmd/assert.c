@@ -232,11 +232,38 @@ static int find_id(const struct cr_scene *scene, const cJSON *id) {
     return -1;
 }
 
+/* measured values, none of them known yet */
+static void clear_reference(const struct cr_scene *scene, struct cr_reference *ref) {
+    const double none = NAN;
+    int n;
+    const struct cr_measure *table = cr_measures(&n);
+    *ref = (struct cr_reference){.n = scene->n};
+    for (int i = 0; i < scene->n; i++) {
+        struct cr_severity *of = &ref->of[i];
+        snprintf(ref->id[i], sizeof ref->id[i], "%s", scene->part[i].id);
+        of->t_max = of->area_induced = of->vpi = of->phd = none; /* no measures of a file */
+        for (int k = 0; k < n; k++) {
+            memcpy((char *)of + table[k].at, &none, sizeof none);
+        }
+    }
+}
+
+static void remember_value(struct cr_reference *ref, int part, const struct cr_measure *m,
+                           double shown) {
+    double si = cr_unit_to_si(cr_measure_unit(m), shown);
+    memcpy((char *)&ref->of[part] + m->at, &si, sizeof si);
+}
+
 /* all numbers of the file that this program has too */
 static enum cr_err compare_all(struct cr_session *s, const cJSON *list, double *worst,
                                struct cr_error *err) {
     int n, compared = 0;
     const struct cr_measure *table = cr_measures(&n);
+    struct cr_reference *ref = malloc(sizeof *ref);
+    if (ref == NULL) {
+        return cr_err_set(err, CR_ERR_MEMORY, "out of memory");
+    }
+    clear_reference(&s->result->resolved, ref);
     cr_say(s, "%-4s %-24s %9s %9s %-5s %8s", "", "", "test", "result", "", "error");
     for (int i = 0; i < n; i++) {
         struct column c = {0};
@@ -246,12 +273,17 @@ static enum cr_err compare_all(struct cr_session *s, const cJSON *list, double *
             int part = find_id(&s->result->resolved, id);
             if (cJSON_IsNumber(x) && isfinite(x->valuedouble) && part >= 0) {
                 compare_one(s, &table[i], part, x->valuedouble, &c, worst);
+                remember_value(ref, part, &table[i], x->valuedouble);
                 compared++;
             }
         }
         say_summary(s, &table[i], &c);
     }
-    if (compared == 0) {
+    if (compared > 0) {
+        free(s->reference);
+        s->reference = ref;
+    } else {
+        free(ref);
         cr_err_set(err, CR_ERR_MISSING, "the file has no value of a participant of this scene");
         cr_err_hint(err, "{\"participants\": [{\"id\": \"A\", \"ees_kmh\": 40.5}]}");
         return CR_ERR_MISSING;

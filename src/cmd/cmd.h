@@ -185,6 +185,8 @@ enum cr_solve_state {
 
 const struct cr_scene *cr_session_scene(const struct cr_session *s);
 const struct cr_result *cr_session_result(const struct cr_session *s); /* NULL: none */
+/* What the last `compare` with a file of values has read, NULL: none for this scene. */
+const struct cr_reference *cr_session_reference(const struct cr_session *s);
 enum cr_solve_state cr_session_state(const struct cr_session *s);
 const char *cr_session_file(const struct cr_session *s); /* "" while it has none */
 int cr_session_unsaved(const struct cr_session *s);      /* changes since the last save */

@@ -111,6 +111,7 @@ struct cr_session {
     struct cr_model_lib *models;
     struct cr_irf_set *irf;
     struct cr_result *result;
+    struct cr_reference *reference; /* NULL: nothing was compared */
     bool solving, over, echo;
     struct cr_compiled *compiled; /* of compiled_rev, NULL: none */
     struct cr_view view;

@@ -80,6 +80,7 @@ void cr_session_free(struct cr_session *s) {
     cr_sweep_free(s->sweep);
     cr_pulse_shown_free(s->pulse);
     cr_result_free(s->result);
+    free(s->reference);
     cr_model_lib_free(s->models);
     cr_irf_free(s->irf);
     for (int i = 0; i < s->logs; i++) {
@@ -260,6 +261,8 @@ void cr_session_take_result(struct cr_session *s, struct cr_result *result) {
 void cr_session_drop_result(struct cr_session *s) {
     cr_result_free(s->result);
     s->result = NULL;
+    free(s->reference);
+    s->reference = NULL;
     s->result_rev = s->failed_rev = 0;
     cr_session_reset_view(s);
 }
@@ -318,6 +321,10 @@ const struct cr_result *cr_session_result(const struct cr_session *s) {
 
 const char *cr_session_file(const struct cr_session *s) {
     return cr_session_now(s)->file;
+}
+
+const struct cr_reference *cr_session_reference(const struct cr_session *s) {
+    return s->reference;
 }
 
 enum cr_solve_state cr_session_state(const struct cr_session *s) {

@@ -144,6 +144,22 @@ CR_MUST_CHECK enum cr_err cr_render_table(struct cr_cells *cells, struct cr_rect
 /* Rows the table needs for this result, for sizing. */
 int cr_render_table_rows(const struct cr_result *result);
 
+/* Measured values of participants, to stand beside a result; NaN: not measured. */
+struct cr_reference {
+    int n;
+    char id[CR_BODY_MAX][CR_NAME_MAX];
+    struct cr_severity of[CR_BODY_MAX];
+};
+/* The same table and its rows with the measured values, and a row with the errors below each;
+ * where there is no room for them, or reference is NULL, without. */
+CR_MUST_CHECK enum cr_err cr_render_table_beside(struct cr_cells *cells, struct cr_rect at,
+                                                 const struct cr_look *look,
+                                                 const struct cr_result *result,
+                                                 const struct cr_reference *reference, double time,
+                                                 struct cr_error *err);
+int cr_render_table_rows_beside(const struct cr_result *result,
+                                const struct cr_reference *reference);
+
 /* The whole report of `crumple run --format text`: before, after, pulses, table, balance,
  * assumptions, warnings; width in columns. */
 CR_MUST_CHECK enum cr_err cr_render_report(const struct cr_result *result,

@@ -55,13 +55,13 @@ static enum cr_err draw_table(const struct stage *st, struct cr_rect in) {
         return CR_ERR_OK;
     }
     struct cr_cells whole;
-    int rows = cr_render_table_rows(s->result);
+    int rows = cr_render_table_rows_beside(s->result, s->reference);
     enum cr_err code = cr_cells_new(in.w - 1, rows > in.h ? rows : in.h, &whole, st->err);
     if (code != CR_ERR_OK) {
         return code;
     }
-    code = cr_render_table(&whole, (struct cr_rect){0, 0, whole.w, whole.h}, st->look, s->result,
-                           s->scene_view.time, st->err);
+    code = cr_render_table_beside(&whole, (struct cr_rect){0, 0, whole.w, whole.h}, st->look,
+                                  s->result, s->reference, s->scene_view.time, st->err);
     int down = s->table_down > rows - in.h ? rows - in.h : s->table_down;
     down = down < 0 ? 0 : down;
     for (int y = 0; y < in.h && code == CR_ERR_OK; y++) {

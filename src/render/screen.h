@@ -8,15 +8,16 @@ struct cr_screen {
     struct cr_title title;
     enum cr_area view, active; /* active: the pane with the focus; CR_AREAS: the prompt has it */
     bool zoomed;
-    const struct cr_scene *scene;       /* resolved as far as possible; NULL: none */
-    const struct cr_compiled *compiled; /* NULL: not compiled yet */
-    const struct cr_result *result;     /* NULL: not solved yet */
-    const struct cr_solution *live;     /* a solve under way, NULL: none; takes the place of */
-    const struct cr_case *live_case;    /* compiled and result, with the case it belongs to */
-    bool stale;                         /* the scene has changed since */
-    struct cr_scene_view scene_view;    /* its time is that of all panes */
-    enum cr_quantity quantity;          /* of the pulse pane, CR_QUANTITIES: |a| */
-    const struct cr_sheet *sweep;       /* NULL: none yet */
+    const struct cr_scene *scene;         /* resolved as far as possible; NULL: none */
+    const struct cr_compiled *compiled;   /* NULL: not compiled yet */
+    const struct cr_result *result;       /* NULL: not solved yet */
+    const struct cr_solution *live;       /* a solve under way, NULL: none; takes the place of */
+    const struct cr_case *live_case;      /* compiled and result, with the case it belongs to */
+    bool stale;                           /* the scene has changed since */
+    struct cr_scene_view scene_view;      /* its time is that of all panes */
+    const struct cr_reference *reference; /* measured values for the table, NULL: none */
+    enum cr_quantity quantity;            /* of the pulse pane, CR_QUANTITIES: |a| */
+    const struct cr_sheet *sweep;         /* NULL: none yet */
     const struct cr_render_line *log;
     int log_n, log_back; /* lines, and how many of them further up */
     int table_down;      /* rows the table is scrolled down */

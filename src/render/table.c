@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { LABEL = 27, UNIT = 7, COLUMN = 11, COLUMN_MOST = 18 };
+enum { LABEL = 27, UNIT = 7, COLUMN = 11, COLUMN_MOST = 18, TEST = 8 };
 
 struct source {
     const struct cr_result *result;
@@ -237,6 +237,7 @@ struct layout {
     int y, label, column;
     const int *body;
     int n;
+    const struct cr_reference *reference; /* measured values beside them, NULL: none */
 };
 
 static int column_end(const struct layout *l, int k) {
@@ -250,6 +251,72 @@ void cr_render_number(double x, int decimals, char *buf, int size) {
     }
     x = fabs(x) < 0.5 * pow(10, -decimals) ? 0 : x; /* no "-0.0" */
     snprintf(buf, (size_t)size, "%.*f", decimals, x);
+}
+
+/* ---- measured values beside the results ---- */
+
+/* what was measured of a participant for a row; NaN: nothing */
+static double measured(const struct cr_reference *ref, const struct cr_result *result, int body,
+                       const struct row *row) {
+    for (int i = 0; ref != NULL && row->number != NULL && i < ref->n; i++) {
+        if (strcmp(ref->id[i], result->resolved.part[body].id) == 0) {
+            const struct source s = {.result = result,
+                                     .body = body,
+                                     .of = &ref->of[i],
+                                     .outcome = &result->solution->body[body]};
+            return row->number(&s);
+        }
+    }
+    return (double)NAN;
+}
+
+/* Rows of severity and below: the others say what went in. */
+static bool has_measures(const struct row *row) {
+    return row >= FINAL && row < FINAL + FINALS && row->number != NULL && row->number != get_mass &&
+           row->number != get_before;
+}
+
+static bool any_measured(const struct cr_reference *ref, const struct cr_result *result,
+                         const struct row *row) {
+    bool any = false;
+    for (int b = 0; has_measures(row) && b < result->solution->bodies; b++) {
+        any = any || isfinite(measured(ref, result, b, row));
+    }
+    return any;
+}
+
+static int test_end(const struct layout *l, int k) {
+    return column_end(l, l->n - 1) + UNIT + (k + 1) * TEST;
+}
+
+/* beside a row what was measured, and below it how far off the result is */
+static void write_measured(struct layout *l, const struct cr_result *result,
+                           const struct row *row) {
+    bool angle = strcmp(row->unit, "deg") == 0, off = false; /* a share of an angle means nothing */
+    if (l->reference == NULL || !any_measured(l->reference, result, row)) {
+        return;
+    }
+    for (int k = 0; k < l->n; k++) {
+        int b = l->body[k];
+        const struct source s = {.result = result, .body = b, .of = &result->of[b]};
+        double test = measured(l->reference, result, b, row), got = row->number(&s);
+        char text[32] = "";
+        if (isfinite(test)) {
+            cr_render_number(test, row->decimals, text, sizeof text);
+        }
+        cr_cells_print_right(l->cells, test_end(l, k), l->y - 1, TEST - 1, CR_ROLE_TEXT, text);
+        if (isfinite(test) && test != 0 && !angle && l->y < l->at.y + l->at.h) {
+            snprintf(text, sizeof text, "%+.1f", 100 * (got - test) / fabs(test));
+            cr_cells_print_right(l->cells, column_end(l, k), l->y, l->column - 1, CR_ROLE_DIM,
+                                 text);
+            off = true;
+        }
+    }
+    if (off && l->y < l->at.y + l->at.h) {
+        cr_cells_print(l->cells, l->at.x, l->y, l->label, CR_ROLE_DIM, "      error");
+        cr_cells_print(l->cells, column_end(l, l->n - 1) + 1, l->y, UNIT - 1, CR_ROLE_DIM, "%");
+        l->y++;
+    }
 }
 
 static void write_row(struct layout *l, const struct cr_result *result, const struct row *row,
@@ -286,6 +353,7 @@ static void write_row(struct layout *l, const struct cr_result *result, const st
     }
     cr_cells_print(l->cells, column_end(l, l->n - 1) + 1, l->y, UNIT - 1, CR_ROLE_DIM, unit);
     l->y++;
+    write_measured(l, result, row);
 }
 
 static void write_head(struct layout *l, const struct cr_result *result) {
@@ -294,6 +362,11 @@ static void write_head(struct layout *l, const struct cr_result *result) {
                              cr_render_role_of(l->body[k]), result->resolved.part[l->body[k]].id);
     }
     cr_cells_print(l->cells, column_end(l, l->n - 1) + 1, l->y, UNIT - 1, CR_ROLE_DIM, "unit");
+    for (int k = 0; l->reference != NULL && k < l->n; k++) {
+        char text[CR_NAME_MAX + 8];
+        snprintf(text, sizeof text, "test %s", result->resolved.part[l->body[k]].id);
+        cr_cells_print_right(l->cells, test_end(l, k), l->y, TEST - 1, CR_ROLE_DIM, text);
+    }
     l->y++;
 }
 
@@ -321,45 +394,80 @@ static void write_injuries(struct layout *l, const struct cr_result *result) {
     }
 }
 
-void cr_table_draw(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
-                   const struct cr_result *result, double time, const int *body, int n) {
-    struct layout l = {cells, look, at, at.y, LABEL, COLUMN, body, n};
-    if (n < 1) {
-        return;
+/* widths of the columns; what was measured stands beside them if there is room */
+static struct layout set_out(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
+                             const struct cr_reference *reference, const int *body, int n) {
+    struct layout l = {cells, look, at, at.y, LABEL, COLUMN, body, n, NULL};
+    int w = at.w;
+    if (reference != NULL && LABEL + UNIT + n * (COLUMN + TEST) <= at.w) {
+        l.reference = reference;
+        w -= n * TEST;
     }
-    l.label = LABEL + UNIT + n * COLUMN > at.w ? at.w - UNIT - n * COLUMN : LABEL;
+    l.label = LABEL + UNIT + n * COLUMN > w ? w - UNIT - n * COLUMN : LABEL;
     l.label = l.label < 8 ? 8 : l.label;
-    l.column = (at.w - l.label - UNIT) / n;
+    l.column = (w - l.label - UNIT) / n;
     l.column = l.column > COLUMN_MOST ? COLUMN_MOST : l.column < 6 ? 6 : l.column;
-    write_head(&l, result);
+    return l;
+}
+
+static void draw(struct layout *l, const struct cr_result *result, double time) {
     if (isnan(time) && !cr_render_final(result->solution)) {
         time = cr_render_t_after(result->solution); /* a solve under way has no measures yet */
     }
+    l->reference = isfinite(time) ? NULL : l->reference;
+    write_head(l, result);
     if (isfinite(time)) {
         for (int i = 0; i < INSTANTS; i++) {
-            write_row(&l, result, &INSTANT[i], time);
+            write_row(l, result, &INSTANT[i], time);
         }
         return;
     }
     for (int i = 0; i < FINALS; i++) {
-        write_row(&l, result, &FINAL[i], time);
+        write_row(l, result, &FINAL[i], time);
     }
     for (int i = 0; i < RESTS && at_rest(result); i++) {
-        write_row(&l, result, &REST[i], time);
+        write_row(l, result, &REST[i], time);
     }
-    write_injuries(&l, result);
+    write_injuries(l, result);
 }
 
-enum cr_err cr_render_table(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
-                            const struct cr_result *result, double time, struct cr_error *err) {
+void cr_table_draw(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
+                   const struct cr_result *result, double time, const int *body, int n) {
+    if (n > 0) {
+        struct layout l = set_out(cells, at, look, NULL, body, n);
+        draw(&l, result, time);
+    }
+}
+
+int cr_render_table_rows_beside(const struct cr_result *result,
+                                const struct cr_reference *reference) {
+    int rows = cr_render_table_rows(result);
+    for (int i = 0; i < FINALS && reference != NULL; i++) {
+        rows += any_measured(reference, result, &FINAL[i]);
+    }
+    return rows;
+}
+
+enum cr_err cr_render_table_beside(struct cr_cells *cells, struct cr_rect at,
+                                   const struct cr_look *look, const struct cr_result *result,
+                                   const struct cr_reference *reference, double time,
+                                   struct cr_error *err) {
     (void)err;
     int body[CR_BODY_MAX] = {0};
     int n = cr_table_bodies(result, body), most = cr_table_columns(at.w);
-    cr_table_draw(cells, at, look, result, time, body, n < most ? n : most);
+    if (n > 0) {
+        struct layout l = set_out(cells, at, look, reference, body, n < most ? n : most);
+        draw(&l, result, time);
+    }
     if (n > most && at.h > 1) {
         char more[48];
         snprintf(more, sizeof more, "+%d more", n - most);
         cr_cells_print(cells, at.x, at.y, LABEL, CR_ROLE_DIM, more);
     }
     return CR_ERR_OK;
+}
+
+enum cr_err cr_render_table(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
+                            const struct cr_result *result, double time, struct cr_error *err) {
+    return cr_render_table_beside(cells, at, look, result, NULL, time, err);
 }

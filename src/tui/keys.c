@@ -244,7 +244,9 @@ static void scroll_pane(struct cr_tui *t, int rows) {
     *at += t->focus == CR_AREA_TABLE ? rows : -rows;
     *at = *at < 0 ? 0 : *at;
     const struct cr_result *r = cr_session_result(t->session);
-    int most = t->focus == CR_AREA_TABLE ? (r != NULL ? cr_render_table_rows(r) : 0) : t->log.n;
+    const struct cr_reference *ref = cr_session_reference(t->session);
+    int of_table = r != NULL ? cr_render_table_rows_beside(r, ref) : 0;
+    int most = t->focus == CR_AREA_TABLE ? of_table : t->log.n;
     *at = *at > most ? most : *at;
     t->dirty = true;
 }

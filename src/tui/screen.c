@@ -182,6 +182,7 @@ static void describe(struct cr_tui *t, struct cr_screen *s, const struct cr_comp
     s->result = cr_session_result(t->session);
     bool fits = state == CR_STATE_SOLVED || state == CR_STATE_INTERRUPTED;
     s->stale = s->result != NULL && (!fits || moved != NULL);
+    s->reference = cr_session_reference(t->session);
     s->scene_view = cr_session_scene_view(t->session);
     if (view->frame >= cr_session_frames(t->session)) {
         s->scene_view.time = (double)NAN; /* the end: final values */

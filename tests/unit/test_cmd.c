@@ -315,6 +315,29 @@ static void test_result_follows_the_scene(void **state) {
     end(s, &h);
 }
 
+/* what compare has read stays, to stand beside the results of further solves */
+static void test_compared_values_are_kept(void **state) {
+    (void)state;
+    struct heard h;
+    struct cr_session *s = session(&h, NULL);
+    run(s, "vehicle A type=compact mass=1400kg speed=30km/h; object wall kind=wall; place wall "
+           "facing A gap=0.1m; set voxel=50mm dt=1ms; solve");
+    assert_null(cr_session_reference(s));
+    run(s, "compare share/tutorial/reference.json"); /* A: 56.3 km/h and 28.7 g, no EES */
+    const struct cr_reference *ref = cr_session_reference(s);
+    assert_non_null(ref);
+    assert_int_equal(ref->n, 2);
+    assert_string_equal(ref->id[0], "A");
+    check_near(ref->of[0].delta_v, 56.3 / 3.6, 1e-12);
+    check_near(ref->of[0].acceleration_max, 28.7 * 9.80665, 1e-12);
+    assert_true(isnan(ref->of[0].ees));
+    run(s, "vehicle A speed=40km/h; solve");
+    assert_non_null(cr_session_reference(s));
+    run(s, "new"); /* another crash */
+    assert_null(cr_session_reference(s));
+    end(s, &h);
+}
+
 /* ---- completion ---- */
 
 /* the words that complete a line at its end, separated by blanks */
@@ -519,6 +542,7 @@ int main(void) {
         cmocka_unit_test(test_save_and_load_are_inverses),
         cmocka_unit_test(test_an_error_changes_nothing),
         cmocka_unit_test(test_result_follows_the_scene),
+        cmocka_unit_test(test_compared_values_are_kept),
         cmocka_unit_test(test_completion_by_type_of_argument),
         cmocka_unit_test(test_completion_of_files_by_suffix),
         cmocka_unit_test(test_hint_of_the_command_being_typed),

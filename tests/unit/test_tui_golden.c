@@ -15,7 +15,7 @@ struct shot {
     const char *name;
     int w, h;
     const char *keys;
-    enum { EMPTY, SOLVED, PART } crash;
+    enum { EMPTY, SOLVED, COMPARED, PART } crash;
     bool ascii;
     const char *question;
     double working; /* share of a solve under way, 0: none; 1: a sweep */
@@ -35,6 +35,8 @@ static const struct shot shots[] = {
     {"pulse-100x30", 100, 30, "show frame=80<Enter><M-2>", SOLVED, false, NULL, 0},
     {"energy-100x30", 100, 30, "show frame=80<Enter><M-3>", SOLVED, false, NULL, 0},
     {"table-100x30", 100, 30, "<M-4>", SOLVED, false, NULL, 0},
+    {"compared-100x30", 100, 30, "<M-4>", COMPARED, false, NULL, 0},
+    {"compared-200x50", 200, 50, "", COMPARED, false, NULL, 0},
     {"sweep-80x24", 80, 24, "<M-5>", SOLVED, false, NULL, 0},
     {"log-80x24", 80, 24, "<M-6>list<Enter>", SOLVED, false, NULL, 0},
     {"zoom-100x30", 100, 30, "<F6>z", SOLVED, false, NULL, 0},
@@ -122,6 +124,9 @@ static void test_shot(void **state) {
         sweep_half(&half, &work);
     }
     tui_double_init(&d, s->w, s->h, s->crash != EMPTY, s->crash == PART);
+    if (s->crash == COMPARED) {
+        tui_double_compare(&d);
+    }
     const struct cr_look look = {.ascii = s->ascii};
     cr_session_set_look(d.t->session, &look);
     tui_double_type(&d, s->keys);

@@ -27,7 +27,9 @@ TESTS += test_tui_keys
 test_tui_keys_SOURCES = tests/unit/test_tui_keys.c $(tui_double)
 test_tui_keys_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS) $(NCURSES_CFLAGS)
 test_tui_keys_LDADD = $(tui_test_libs)
-tui_golden = tests/golden/tui/complete-100x30.txt \
+tui_golden = tests/golden/tui/compared-100x30.txt \
+	tests/golden/tui/compared-200x50.txt \
+	tests/golden/tui/complete-100x30.txt \
 	tests/golden/tui/end-200x50.txt \
 	tests/golden/tui/end-80x24.txt \
 	tests/golden/tui/energy-100x30.txt \
@@ -50,8 +52,8 @@ tui_golden = tests/golden/tui/complete-100x30.txt \
 	tests/golden/tui/solving-80x24.txt \
 	tests/golden/tui/start-80x24.txt \
 	tests/golden/tui/sweep-80x24.txt \
-	tests/golden/tui/sweeping-80x24.txt \
 	tests/golden/tui/sweeping-200x50.txt \
+	tests/golden/tui/sweeping-80x24.txt \
 	tests/golden/tui/table-100x30.txt \
 	tests/golden/tui/zoom-100x30.txt
 EXTRA_DIST += $(tui_golden)

@@ -2,9 +2,11 @@
 #include "test.h"
 
 #include "cmd/cmd_priv.h"
+#include "cmd/measure.h"
 #include "render/picture.h"
 
 #include <curses.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -42,6 +44,26 @@ void tui_double_init(struct tui_double *d, int w, int h, bool solved, bool inter
     if (solved) {
         solve(d, interrupted);
     }
+}
+
+void tui_double_compare(struct tui_double *d) {
+    struct cr_reference *ref = malloc(sizeof *ref);
+    assert_non_null(ref);
+    *ref = (struct cr_reference){.n = 2, .id = {"A", "B"}};
+    for (int i = 0; i < 2; i++) {
+        const double none = NAN;
+        int n;
+        const struct cr_measure *table = cr_measures(&n);
+        for (int k = 0; k < n; k++) {
+            memcpy((char *)&ref->of[i] + table[k].at, &none, sizeof none);
+        }
+        ref->of[i].t_max = ref->of[i].area_induced = ref->of[i].vpi = ref->of[i].phd = none;
+    }
+    ref->of[0].ees = 40 / 3.6;
+    ref->of[0].delta_v = 35 / 3.6;
+    ref->of[0].pdof = cr_rad(5);
+    ref->of[1].delta_v = 80 / 3.6;
+    d->t->session->reference = ref;
 }
 
 void tui_double_fini(struct tui_double *d) {

@@ -14,6 +14,8 @@ struct tui_double {
 /* solved: with the crash of render_double_init as its result; interrupted: as a part of it. */
 void tui_double_init(struct tui_double *d, int w, int h, bool solved, bool interrupted);
 void tui_double_fini(struct tui_double *d);
+/* As after `compare`: EES, delta-v and PDOF of A, delta-v of B were measured. */
+void tui_double_compare(struct tui_double *d);
 /* Types text; keys by name in angle brackets: <Enter> <Tab> <Esc> <Space> <Up> <Left> <F1> <C-c>
  * <M-3> ... */
 void tui_double_type(struct tui_double *d, const char *keys);
