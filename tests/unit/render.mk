@@ -19,7 +19,8 @@ test_render_project_SOURCES = tests/unit/test_render_project.c tests/unit/render
 	tests/unit/render_double.h
 test_render_project_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 test_render_project_LDADD = $(render_test_libs)
-test_render_golden_SOURCES = tests/unit/test_render_golden.c tests/unit/render_double.c \
+test_render_golden_SOURCES = tests/unit/test_render_golden.c tests/unit/golden.h \
+	tests/unit/render_double.c \
 	tests/unit/render_double.h
 test_render_golden_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 test_render_golden_LDADD = $(render_test_libs)
@@ -48,5 +49,8 @@ EXTRA_DIST += tests/golden/render/report-80.txt \
 	tests/golden/render/screen-live-80x24.txt \
 	tests/golden/render/screen-live-160x44.txt
 golden_pictures = update-pictures
-update-pictures: test_render_golden$(EXEEXT)
-	SRC='$(abs_srcdir)' LC_ALL=C.UTF-8 CRUMPLE_GOLDEN=update ./test_render_golden$(EXEEXT)
+update-pictures: test_render_golden$(EXEEXT) test_tui_golden$(EXEEXT)
+	for program in test_render_golden$(EXEEXT) test_tui_golden$(EXEEXT); do \
+	    SRC='$(abs_srcdir)' LC_ALL=C.UTF-8 TERM=xterm-256color CRUMPLE_GOLDEN=update \
+	        ./$$program || exit 1; \
+	done

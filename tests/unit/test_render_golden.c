@@ -1,8 +1,7 @@
 /* Pictures of a crash made by hand against the texts in tests/golden/render, which were reviewed
- * by eye. With CRUMPLE_GOLDEN=update in the environment the texts are written anew. */
-#include "test.h"
+ * by eye; make update-golden writes them anew. */
+#include "golden.h"
 
-#include "base/file.h"
 #include "base/vec.h"
 #include "render/screen.h"
 #include "render_double.h"
@@ -161,31 +160,6 @@ static const struct golden CASES[] = {
     {"screen-live-160x44", 160, 44, UTF8, false, draw_live, 0.14, CR_FIELD_EES},
 };
 
-static void compare(const struct golden *g, const char *got) {
-    const char *src = getenv("SRC"), *update = getenv("CRUMPLE_GOLDEN");
-    char path[600], *want;
-    size_t len;
-    struct cr_error err;
-    assert_non_null(src);
-    snprintf(path, sizeof path, "%s/tests/golden/render/%s.txt", src, g->name);
-    if (update != NULL && strcmp(update, "update") == 0) {
-        assert_int_equal(cr_file_write(path, got, strlen(got), &err), CR_ERR_OK);
-        return;
-    }
-    if (cr_file_read(path, &want, &len, &err) != CR_ERR_OK) {
-        fail_msg("%s: %s", path, err.text);
-    }
-    int line = 1;
-    for (size_t i = 0; want[i] == got[i] && want[i] != '\0'; i++) {
-        line += want[i] == '\n';
-    }
-    if (strcmp(want, got) != 0) {
-        print_message("%s", got);
-        fail_msg("%s differs at line %d (CRUMPLE_GOLDEN=update writes it anew)", g->name, line);
-    }
-    free(want);
-}
-
 static void test_golden(void **state) {
     const struct golden *g = *state;
     struct render_double d;
@@ -200,7 +174,7 @@ static void test_golden(void **state) {
         cr_cells_text(&cells, &g->look, &text);
         cr_cells_fini(&cells);
     }
-    compare(g, cr_str_get(&text));
+    against_golden("render", g->name, cr_str_get(&text));
     cr_str_fini(&text);
     render_double_fini(&d);
 }

@@ -1,9 +1,7 @@
 /* Whole screens as the full screen composes them, against texts that were looked at. The crash is
- * made by hand, so they change only when the screen does. CRUMPLE_GOLDEN=update writes them. */
-#include "test.h"
+ * made by hand, so they change only when the screen does; make update-golden writes them anew. */
+#include "golden.h"
 #include "tui_double.h"
-
-#include "base/file.h"
 
 #include <locale.h>
 #include <math.h>
@@ -54,31 +52,6 @@ static const struct shot shots[] = {
     {"interrupted-80x24", 80, 24, "", PART, false, NULL, 0},
 };
 enum { SHOTS = sizeof shots / sizeof shots[0] };
-
-static void compare(const char *name, const char *got) {
-    const char *src = getenv("SRC"), *update = getenv("CRUMPLE_GOLDEN");
-    char path[600], *want;
-    size_t len;
-    struct cr_error err;
-    assert_non_null(src);
-    snprintf(path, sizeof path, "%s/tests/golden/tui/%s.txt", src, name);
-    if (update != NULL && strcmp(update, "update") == 0) {
-        assert_int_equal(cr_file_write(path, got, strlen(got), &err), CR_ERR_OK);
-        return;
-    }
-    if (cr_file_read(path, &want, &len, &err) != CR_ERR_OK) {
-        fail_msg("%s: %s", path, err.text);
-    }
-    int line = 1;
-    for (size_t i = 0; want[i] == got[i] && want[i] != '\0'; i++) {
-        line += want[i] == '\n';
-    }
-    if (strcmp(want, got) != 0) {
-        print_message("%s\n", got);
-        fail_msg("%s differs at line %d (CRUMPLE_GOLDEN=update writes it anew)", name, line);
-    }
-    free(want);
-}
 
 /* a sweep of which four runs are done and two under way */
 struct half_swept {
@@ -138,7 +111,7 @@ static void test_shot(void **state) {
         rows += *p == '\n';
     }
     assert_int_equal(rows, s->h);
-    compare(s->name, text);
+    against_golden("tui", s->name, text);
     free(text);
     tui_double_fini(&d);
 }

@@ -19,7 +19,7 @@ tui_double = tests/unit/tui_double.c tests/unit/tui_double.h tests/unit/render_d
 	tests/unit/render_double.h
 check_PROGRAMS += test_tui_golden
 TESTS += test_tui_golden
-test_tui_golden_SOURCES = tests/unit/test_tui_golden.c $(tui_double)
+test_tui_golden_SOURCES = tests/unit/test_tui_golden.c tests/unit/golden.h $(tui_double)
 test_tui_golden_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS) $(NCURSES_CFLAGS)
 test_tui_golden_LDADD = $(tui_test_libs)
 check_PROGRAMS += test_tui_keys
