@@ -80,17 +80,17 @@ void cr_scene_pan(struct cr_tui *t, int key) {
     cr_tui_run_key(t, line);
 }
 
-/* participant at a cell, -1: none; *world receives the point */
-static int body_at(struct cr_tui *t, int x, int y, struct cr_vec2 *world) {
+/* participant at a cell, -1: none */
+static int body_at(struct cr_tui *t, int x, int y) {
     struct cr_pic pic;
     int found = -1;
     if (!picture(t, &pic)) {
         return -1;
     }
-    *world = cr_pic_to_world(&pic, x + 0.5, y + 0.5);
+    struct cr_vec2 world = cr_pic_to_world(&pic, x + 0.5, y + 0.5);
     for (int i = 0; i < pic.n && found < 0; i++) {
         struct cr_pic_hit hit;
-        found = cr_pic_look(&pic, &pic.body[i], *world, &hit) ? i : -1;
+        found = cr_pic_look(&pic, &pic.body[i], world, &hit) ? i : -1;
     }
     cr_pic_fini(&pic);
     return found;
@@ -244,13 +244,34 @@ static void press(struct cr_tui *t, int x, int y) {
         click_sweep(t, y);
     }
     if (inside(inner(t->layout.pane[CR_AREA_SCENE]), x, y)) {
-        int body = body_at(t, x, y, &t->drag_from);
+        int body = body_at(t, x, y);
         if (body >= 0) {
             choose(t, body);
             cr_tui_focus(t, CR_AREA_SCENE);
             t->taken = body;
+            t->taken_x = x;
+            t->taken_y = y;
         }
     }
+}
+
+/* What is dragged is where the scene begins, so that is what is shown from now on. */
+static bool begin_drag(struct cr_tui *t) {
+    struct cr_error err;
+    struct cr_pic pic;
+    struct cr_scene_view view = cr_session_scene_view(t->session);
+    const struct cr_compiled *compiled = cr_session_compiled(t->session, &err);
+    view.time = (double)NAN;
+    if (compiled == NULL ||
+        cr_pic_init(&pic, compiled, cr_session_scene(t->session), NULL, &view, &err) != CR_ERR_OK) {
+        return false;
+    }
+    cr_pic_fit(&pic, NULL, &view, inner(t->layout.pane[CR_AREA_SCENE]));
+    t->drag_scale = pic.m_per_col;
+    t->drag_centre = pic.centre;
+    t->dragged = t->taken;
+    cr_pic_fini(&pic);
+    return true;
 }
 
 static void drag(struct cr_tui *t, int x, int y) {
@@ -258,11 +279,9 @@ static void drag(struct cr_tui *t, int x, int y) {
         scrub(t, x, y);
         return;
     }
-    struct cr_vec2 world;
-    if (t->taken >= 0) {
-        body_at(t, x, y, &world);
-        t->dragged = t->taken;
-        t->drag_by = cr_vec2_sub(world, t->drag_from);
+    if (t->taken >= 0 && (t->dragged >= 0 || begin_drag(t))) {
+        double m = t->drag_scale; /* a row is as high as two columns are wide */
+        t->drag_by = cr_vec2(m * (x - t->taken_x), 2 * m * (t->taken_y - y));
         t->dirty = true;
     }
 }

@@ -187,6 +187,10 @@ static void describe(struct cr_tui *t, struct cr_screen *s, const struct cr_comp
     if (view->frame >= cr_session_frames(t->session)) {
         s->scene_view.time = (double)NAN; /* the end: final values */
     }
+    if (moved != NULL) {
+        s->scene_view.m_per_col = t->drag_scale;
+        s->scene_view.centre = t->drag_centre;
+    }
     s->quantity = view->quantity;
     s->table_down = t->table_down;
     s->log_back = t->log_back;

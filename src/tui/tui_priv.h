@@ -126,7 +126,9 @@ struct cr_tui {
     /* dragging with the mouse */
     bool scrubbing;
     int taken, dragged;         /* participants, -1: none; dragged once the pointer has moved */
-    struct cr_vec2 drag_from;   /* world point at which it was taken */
+    int taken_x, taken_y;       /* cell at which it was taken */
+    double drag_scale;          /* m per column, and middle, of the picture while it is dragged: */
+    struct cr_vec2 drag_centre; /* fitting it anew would take it from under the pointer */
     struct cr_vec2 drag_by;     /* m, so far */
     struct cr_preview *preview; /* of the unsolved scene (preview.c) */
 };
