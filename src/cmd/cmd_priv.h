@@ -220,6 +220,12 @@ void cr_cmd_guess_file(const char *path, const char *suffix, struct cr_error *er
 enum cr_err cr_cmd_plot(struct cr_session *s, const struct cr_plot *plot, int lines,
                         struct cr_error *err);
 
+/* The same as lines of the answer: for a screen, which shows its own pictures but not this one. */
+enum cr_err cr_cmd_picture_text(struct cr_session *s, int width, int height,
+                                enum cr_err (*draw)(void *user, struct cr_cells *cells,
+                                                    struct cr_rect at, struct cr_error *err),
+                                void *user, struct cr_error *err);
+
 /* The selected vehicle's 3D model from `view` (enum cr_project). */
 enum cr_err cr_cmd_project(struct cr_session *s, int view, struct cr_error *err);
 

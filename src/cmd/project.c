@@ -22,6 +22,8 @@ static int find_vehicle(const struct cr_scene *scene, const char *id) {
     return first;
 }
 
+enum { TEXT_W = 72 /* columns of a picture as text, which fit the log of a large screen */ };
+
 /* PDOF of the model that was used: "suv/11" -> 330 deg */
 static double pdof_of(const struct cr_result *r, int part, const struct cr_participant *p) {
     const char *slash = r != NULL ? strrchr(r->of[part].model, '/') : NULL;
@@ -83,8 +85,10 @@ static enum cr_err draw_vehicle(struct cr_session *s, const struct cr_scene *sce
                                       .face = solved ? s->result->of[part].face : CR_FACE_FRONT}};
         cr_session_room(s, &w, &h);
         cr_say(s, "%s: %s", scene->part[part].id, voxels.name);
-        code = cr_cmd_picture(s, w, cr_render_projection_rows(&job.projection, w, h - 4), draw,
-                              &job, err);
+        bool screen = s->opts.out.cells == NULL;
+        w = screen && w > TEXT_W ? TEXT_W : w;
+        int rows = cr_render_projection_rows(&job.projection, w, h - 4);
+        code = (screen ? cr_cmd_picture_text : cr_cmd_picture)(s, w, rows, draw, &job, err);
     }
     cr_arena_free(&arena);
     return code;

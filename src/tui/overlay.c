@@ -134,7 +134,10 @@ bool cr_overlay_input(struct cr_tui *t, const struct cr_input *in) {
 }
 
 void cr_overlay_draw(struct cr_tui *t) {
-    if (t->overlay == CR_OVERLAY_HELP) {
+    if (t->overlay != CR_OVERLAY_NONE && t->layout.kind == CR_LAYOUT_PROMPT) {
+        cr_cells_run(&t->cells, 0, 0, t->w, CR_ROLE_TEXT, ' ');
+        cr_cells_print(&t->cells, 0, 0, t->w, CR_ROLE_WARN, "Esc; 40x12 shows this");
+    } else if (t->overlay == CR_OVERLAY_HELP) {
         draw_help(t);
     } else if (t->overlay == CR_OVERLAY_PALETTE) {
         draw_palette(t);

@@ -31,6 +31,9 @@ keys M-3
 shows "Alt-3 is the energy" "energy, kJ"
 keys M-4
 shows "Alt-4 the table over the whole width" "type +suv +super-compact"
+keys "show view=side" Enter
+shows "the 3D model is an answer" "[█▓▒░]{12}"
+shows "with its scale" " 1 m +EES 0"
 keys "help place" Enter
 shows "a long answer opens a sheet" "lines, PgUp PgDn; Esc closes"
 shows "that begins with the question" "^crumple> help place"
@@ -73,6 +76,10 @@ shows "200x50 has all panes" "┌ Pulse .*┌ Energy "
 shows "with the table" "delta-v"
 screen resize-window -x 30 -y 8
 shows "too small a window says what it needs" "80x24 shows the scene"
+keys F1
+shows "also for the keys" "40x12 shows this"
+keys Escape
+gone "Esc closes them" "40x12 shows this"
 keys "list" Enter
 shows "and still answers" "A: suv"
 screen resize-window -x 80 -y 24
