@@ -15,7 +15,8 @@ struct cr_sweep_sheet {
     const char **cell;
     char (*text)[TEXT];
     char note[64];
-    bool under_way; /* runs are still coming in */
+    bool under_way;            /* runs are still coming in */
+    bool deforms[CR_BODY_MAX]; /* participants with columns of their own */
 };
 
 static bool deforms(const struct cr_sweep *sweep, int part) {
@@ -38,7 +39,7 @@ static void write_run(struct cr_sweep_sheet *s, const struct cr_sweep *sweep, in
     }
     bool known = run->done && !run->failed;
     for (int p = 0; p < sweep->participants; p++) {
-        if (deforms(sweep, p)) {
+        if (s->deforms[p]) {
             if (known) {
                 snprintf(text[c], TEXT, "%.1f", cr_kmh(run->of[p].ees));
                 snprintf(text[c + 1], TEXT, "%.1f", cr_kmh(run->of[p].delta_v));
@@ -88,7 +89,8 @@ static void write_head(struct cr_sweep_sheet *s, const struct cr_sweep *sweep) {
         snprintf(s->head[c++], TEXT, "%.40s", sweep->axis[a].key);
     }
     for (int p = 0; p < sweep->participants; p++) {
-        if (deforms(sweep, p)) {
+        s->deforms[p] = deforms(sweep, p);
+        if (s->deforms[p]) {
             snprintf(s->head[c++], TEXT, "EES %.20s", sweep->id[p]);
             snprintf(s->head[c++], TEXT, "dv %.20s", sweep->id[p]);
             snprintf(s->head[c++], TEXT, "depth %.20s", sweep->id[p]);
