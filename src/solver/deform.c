@@ -1,19 +1,14 @@
-/* Step 1 of the paper: which voxels overlap, and which of them give way.
+/* Step 1 of the paper: which voxels overlap, and what of them gives way.
  *
  * Material of two bodies cannot be in one place: where a voxel holds the share `left` and its
  * opponent covers the share phi of it, what exceeds left + phi = 1 is lost, by the weaker of the
- * two (paper, assumption from Lin et al. 1975). phi is a fraction, so the force is smooth and does
+ * two (yield.c). phi is a fraction, so the force is smooth and does
  * not depend on where the grid happens to lie (method.md 3, step 1). */
 #include "solver/solver_priv.h"
 
 #include <stdlib.h>
 
-/* relative difference of strength at which the weaker takes the whole loss; below it both share,
- * so that equal cars deform equally and nothing jumps when strengths cross */
-static const double share_band = 0.05;
-
-/* room for n more losses */
-static bool reserve(struct cr_losses *losses, int n) {
+bool cr_losses_reserve(struct cr_losses *losses, int n) {
     if (losses->n + n > losses->size) {
         int size = losses->n + n < 256 ? 512 : 2 * (losses->n + n);
         struct cr_loss *loss = realloc(losses->loss, (size_t)size * sizeof *loss);
@@ -28,40 +23,40 @@ static bool reserve(struct cr_losses *losses, int n) {
 
 bool cr_deform_add(struct cr_losses *losses, const struct cr_grid *g, int ix, int iy, double amount,
                    double energy) {
-    if (!reserve(losses, 1)) {
+    if (!cr_losses_reserve(losses, 1)) {
         return false;
     }
-    losses->loss[losses->n++] = (struct cr_loss){iy * g->nx + ix, ix, iy, amount, energy};
+    losses->loss[losses->n++] = (struct cr_loss){
+        .voxel = iy * g->nx + ix, .ix = ix, .iy = iy, .amount = amount, .energy = energy};
     losses->energy += energy;
-    struct cr_vec2 at = {g->x0 + (ix + 0.5) * g->h, g->y0 + (iy + 0.5) * g->h};
-    losses->first = cr_vec2_axpy(losses->first, energy, at);
     return true;
 }
 
 /* material below this share of a voxel goes with the rest */
-static const double crumb = 1e-6;
+const double cr_crumb = 1e-6;
 
 /* what does not fit of a voxel's material beside the share phi */
 static inline double excess_of(double left, double phi) {
-    double excess = phi >= 1 - crumb ? left : left + phi - 1;
-    return excess <= crumb * left ? 0 : left - excess < crumb ? left : excess;
+    double excess = phi >= 1 - cr_crumb ? left : left + phi - 1;
+    return excess <= cr_crumb * left ? 0 : left - excess < cr_crumb ? left : excess;
 }
 
 /* One row of a body, worked against its opponent. */
 struct row {
     const struct cr_grid *g;
     int iy;
-    const double *left, *unit;          /* of its voxels */
-    double energy, energy_x, energy_xx; /* sums over its losses: J, J m, J m2 */
+    const double *left, *unit; /* of its voxels */
 };
 
-static inline void lose(struct cr_losses *losses, struct row *row, int ix, double amount) {
-    const struct cr_grid *g = row->g;
-    double energy = amount * row->unit[ix], x = g->x0 + (ix + 0.5) * g->h;
-    losses->loss[losses->n++] = (struct cr_loss){row->iy * g->nx + ix, ix, row->iy, amount, energy};
-    row->energy += energy;
-    row->energy_x += energy * x;
-    row->energy_xx += energy * x * x;
+static inline void lose(struct cr_losses *losses, const struct row *row, int ix, double amount,
+                        double beside, double across) {
+    losses->loss[losses->n++] = (struct cr_loss){.voxel = row->iy * row->g->nx + ix,
+                                                 .ix = ix,
+                                                 .iy = row->iy,
+                                                 .amount = amount,
+                                                 .energy = amount * row->unit[ix],
+                                                 .across = across,
+                                                 .beside = beside};
 }
 
 /* share of a voxel at p, the shape's frame, that a rigid shape fills; the voxel's edge along x is
@@ -74,7 +69,7 @@ static double cover_of_shape(const struct cr_shape *shape, struct cr_vec2 p, dou
 }
 
 /* the voxels span of a row against a rigid shape */
-static void meet_shape(const struct cr_reach *r, struct cr_span span, struct row *row,
+static void meet_shape(const struct cr_reach *r, struct cr_span span, const struct row *row,
                        struct cr_losses *losses) {
     const struct cr_map *map = &r->map;
     struct cr_vec2 base = {map->u - map->s * row->iy, map->v + map->c * row->iy};
@@ -87,7 +82,7 @@ static void meet_shape(const struct cr_reach *r, struct cr_span span, struct row
         double phi = cover_of_shape(&r->other->body->shape, p, map->c, map->s, &n);
         double amount = excess_of(left, phi);
         if (amount > 0) {
-            lose(losses, row, ix, amount);
+            lose(losses, row, ix, amount, 0, 0);
             losses->normal = cr_vec2_axpy(losses->normal, amount * row->unit[ix], n);
         }
     }
@@ -121,35 +116,40 @@ static inline double bilinear(struct four f, double u, double v) {
     return lerp(lerp(f.a, f.b, u), lerp(f.c, f.d, u), v);
 }
 
-/* What gives way of a voxel, of strength mine, beside the opponent's material in the four voxels
- * about it, of the strengths theirs: the weaker of the two takes the excess, both do where they are
- * nearly as strong. Material without strength against this body (no layer at its height) is not
- * there for it. */
-static inline double loss_beside(double left, double mine, struct four material, struct four theirs,
-                                 double u, double v) {
+/* What has no room of a voxel beside the opponent's material in the four voxels about it, of the
+ * strengths theirs, and how strong that is per unit. Material without strength against this body
+ * (no layer at its height) is not there for it. */
+static inline double excess_beside(double left, struct four material, struct four theirs,
+                                   struct four load, double u, double v, double *beside) {
     struct four there = {theirs.a > 0 ? material.a : 0, theirs.b > 0 ? material.b : 0,
                          theirs.c > 0 ? material.c : 0, theirs.d > 0 ? material.d : 0};
-    struct four energy = {there.a * theirs.a, there.b * theirs.b, there.c * theirs.c,
-                          there.d * theirs.d};
-    double phi = bilinear(there, u, v), strength = bilinear(energy, u, v);
-    double more = strength - mine * phi, band = share_band * (strength + mine * phi);
-    if (more <= -band) {
-        return 0;
-    }
-    double excess = excess_of(left, phi);
-    return more >= band ? excess : excess * 0.5 * (1 + more / band);
+    struct four energy = {there.a * (theirs.a + load.a), there.b * (theirs.b + load.b),
+                          there.c * (theirs.c + load.c), there.d * (theirs.d + load.d)};
+    double phi = bilinear(there, u, v);
+    *beside = phi > 0 ? bilinear(energy, u, v) / phi : 0;
+    return excess_of(left, phi);
+}
+
+static inline struct four loads_at(const struct cr_grid *g, const struct cr_loads *loads, int i,
+                                   int j) {
+    bool row = loads->row != NULL;
+    const double *line = row ? loads->row : loads->col;
+    int k = row ? j : i, n = row ? g->ny : g->nx;
+    double here = k >= 0 ? line[k] : 0, next = k + 1 < n ? line[k + 1] : 0;
+    return row ? (struct four){here, here, next, next} : (struct four){here, next, here, next};
 }
 
 /* the voxels span of a row against another body's voxels */
-static void meet_grid(const struct cr_reach *r, const double *their_unit, struct cr_span span,
-                      struct row *row, struct cr_losses *losses) {
+static void meet_grid(const struct cr_reach *r, const double *their_unit, enum cr_face their_face,
+                      struct cr_span span, const struct row *row, struct cr_losses *losses) {
     const struct cr_grid *og = &r->other->body->grid;
     const double *their_left = r->other->left;
+    struct cr_loads loads = cr_string_loads(r->other, their_face);
     double c = r->map.c, s = r->map.s;
     double u0 = r->map.u - s * row->iy, v0 = r->map.v + c * row->iy;
     for (int ix = span.lo; ix < span.hi; ix++) {
-        double left = row->left[ix], mine = row->unit[ix];
-        if (left <= 0 || mine <= 0) {
+        double left = row->left[ix];
+        if (left <= 0 || row->unit[ix] <= 0) {
             continue;
         }
         double u = u0 + c * ix, v = v0 + s * ix;
@@ -158,34 +158,51 @@ static void meet_grid(const struct cr_reach *r, const double *their_unit, struct
         struct four material =
             edge ? four_at_edge(og, their_left, i, j) : four_at(og, their_left, i, j);
         double fu = u - i, fv = v - j, phi = bilinear(material, fu, fv);
-        if (left + phi - 1 <= crumb * left && phi < 1 - crumb) {
+        if (left + phi - 1 <= cr_crumb * left && phi < 1 - cr_crumb) {
             continue; /* excess_of() in short: there is room */
         }
         struct four theirs =
             edge ? four_at_edge(og, their_unit, i, j) : four_at(og, their_unit, i, j);
-        double amount = loss_beside(left, mine, material, theirs, fu, fv);
-        if (amount > 0) {
-            lose(losses, row, ix, amount);
+        struct four load = loads_at(og, &loads, i, j);
+        double beside, excess = excess_beside(left, material, theirs, load, fu, fv, &beside);
+        if (excess > 0) {
+            lose(losses, row, ix, excess, beside, loads.row != NULL ? v : u);
         }
     }
 }
 
-static void add_row(struct cr_losses *losses, const struct row *row) {
-    double y = row->g->y0 + (row->iy + 0.5) * row->g->h;
-    losses->energy += row->energy;
-    losses->first = cr_vec2_add(losses->first, cr_vec2(row->energy_x, y * row->energy));
-    losses->xx += row->energy_xx;
-    losses->xy += y * row->energy_x;
-    losses->yy += y * y * row->energy;
+/* energy of the losses and its moments; a line on which the string pulls weighs in the place of the
+ * force with that pull too: what the string makes give way elsewhere is paid for where it is held
+ */
+static void sum_losses(const struct cr_moving *m, struct cr_losses *losses) {
+    const struct cr_grid *g = &m->body->grid;
+    struct cr_loads loads = cr_string_loads(m, losses->face);
+    losses->contact = losses->n;
+    losses->energy = losses->weight = losses->induced = losses->stretch = 0;
+    losses->first = losses->loaded = cr_vec2(0, 0);
+    losses->xx = losses->xy = losses->yy = 0;
+    for (int i = 0; i < losses->n; i++) {
+        const struct cr_loss *l = &losses->loss[i];
+        double e = l->energy, x = g->x0 + (l->ix + 0.5) * g->h, y = g->y0 + (l->iy + 0.5) * g->h;
+        double loaded = fmax(0, e + l->amount * cr_load_at(&loads, l));
+        losses->energy += e;
+        losses->first = cr_vec2_add(losses->first, cr_vec2(e * x, e * y));
+        losses->xx += e * x * x;
+        losses->xy += e * x * y;
+        losses->yy += e * y * y;
+        losses->weight += loaded;
+        losses->loaded = cr_vec2_add(losses->loaded, cr_vec2(loaded * x, loaded * y));
+    }
 }
 
-static bool collect_side(struct cr_solver *s, int me, int other, struct cr_losses *losses) {
+/* of one body: all that has no room beside the other's material */
+static bool collect_side(struct cr_solver *s, int me, int other, struct cr_losses *losses,
+                         enum cr_face their_face) {
     struct cr_moving *m = &s->m[me], *o = &s->m[other];
     const struct cr_grid *g = &m->body->grid;
-    losses->n = losses->contact = 0;
-    losses->energy = losses->induced = losses->stretch = 0;
-    losses->first = losses->normal = cr_vec2(0, 0);
-    losses->xx = losses->xy = losses->yy = 0;
+    losses->n = 0;
+    losses->unit = m->unit[other];
+    losses->normal = cr_vec2(0, 0);
     if (g->nx == 0) {
         return true;
     }
@@ -196,26 +213,53 @@ static bool collect_side(struct cr_solver *s, int me, int other, struct cr_losse
         if (span.lo >= span.hi) {
             continue;
         }
-        if (!reserve(losses, span.hi - span.lo)) {
+        if (!cr_losses_reserve(losses, span.hi - span.lo)) {
             return false;
         }
         s->visits += span.hi - span.lo;
         size_t first = (size_t)iy * (size_t)g->nx;
-        struct row row = {
-            .g = g, .iy = iy, .left = m->left + first, .unit = m->unit[other] + first};
+        struct row row = {g, iy, m->left + first, losses->unit + first};
         if (o->left == NULL) {
             meet_shape(&reach, span, &row, losses);
         } else {
-            meet_grid(&reach, o->unit[me], span, &row, losses);
+            meet_grid(&reach, o->unit[me], their_face, span, &row, losses);
         }
-        add_row(losses, &row);
     }
-    losses->contact = losses->n;
     return true;
 }
 
+/* the faces that the force acted on last; before there was one, those that approach each other */
+static void choose_faces(struct cr_solver *s, int a, int b) {
+    const struct cr_touch *t = &s->touch[cr_pair(s, a, b)];
+    struct cr_vec2 v = cr_vec2_sub(s->m[a].vel, s->m[b].vel);
+    bool touched = t->record >= 0;
+    s->losses[0].face = touched ? t->face[0] : cr_string_face(&s->m[a], cr_vec2_scale(v, -1));
+    s->losses[1].face = touched ? t->face[1] : cr_string_face(&s->m[b], v);
+}
+
 bool cr_deform_collect(struct cr_solver *s, int a, int b) {
-    return collect_side(s, a, b, &s->losses[0]) && collect_side(s, b, a, &s->losses[1]);
+    struct cr_losses *la = &s->losses[0], *lb = &s->losses[1];
+    choose_faces(s, a, b);
+    if (!collect_side(s, a, b, la, lb->face) || !collect_side(s, b, a, lb, la->face)) {
+        return false;
+    }
+    bool both = s->m[a].left != NULL && s->m[b].left != NULL;
+    if (s->probing && both) {
+        cr_yield_halve(la);
+        cr_yield_halve(lb);
+    } else if (!s->probing) {
+        cr_yield_range(s, &s->m[a], la);
+        cr_yield_range(s, &s->m[b], lb);
+    }
+    if (both && !s->probing) {
+        cr_yield_share(s, a, b);
+        if (!cr_yield_order(&s->m[a], la) || !cr_yield_order(&s->m[b], lb)) {
+            return false;
+        }
+    }
+    sum_losses(&s->m[a], la);
+    sum_losses(&s->m[b], lb);
+    return true;
 }
 
 static inline void dent(struct cr_moving *m, enum cr_face face, int line, double amount) {
@@ -225,13 +269,16 @@ static inline void dent(struct cr_moving *m, enum cr_face face, int line, double
     span->hi = line > span->hi ? line : span->hi;
 }
 
+/* what rounding leaves of a voxel that is gone */
+static const double dust = 1e-12;
+
 /* Only the face that the force acts on is dented: a crushed front corner is no dent of the flank,
  * or the flank's string would be pulled by it as soon as the normal turns past 45 degrees. */
 static inline void change(struct cr_moving *m, enum cr_face face, const struct cr_loss *loss,
                           double amount) {
     const struct cr_grid *g = &m->body->grid;
     double left = m->left[loss->voxel] - amount;
-    m->left[loss->voxel] = left > 0 ? left : 0;
+    m->left[loss->voxel] = left > dust ? left : 0;
     bool front = 2 * loss->ix >= g->nx, left_half = 2 * loss->iy >= g->ny;
     if (face == (front ? CR_FACE_FRONT : CR_FACE_REAR)) {
         dent(m, face, loss->iy, amount);

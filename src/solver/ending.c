@@ -87,6 +87,7 @@ static double touch_ahead(struct cr_solver *s) {
     remember(s, &now);
     long visits = s->visits;
     double ahead = INFINITY;
+    s->probing = true;
     for (int k = 1; k * probe_step <= horizon && isinf(ahead); k++) {
         fly(s, probe_step);
         for (int p = 0, a = 0; a < s->cs->n; a++) {
@@ -99,6 +100,7 @@ static double touch_ahead(struct cr_solver *s) {
         }
     }
     go_back(s, &now);
+    s->probing = false;
     s->visits = visits;
     return ahead;
 }
@@ -120,13 +122,16 @@ static void look_ahead(struct cr_solver *s) {
     }
 }
 
-void cr_ending_check(struct cr_solver *s, bool any_contact) {
+void cr_ending_check(struct cr_solver *s, bool any_contact, bool rubbing) {
     s->done = s->t - s->contact[0].t_begin > s->cs->opts.rest_time;
     if (any_contact) {
         s->t_free = NAN;
         return;
     }
     if (s->cs->opts.end == CR_END_SEPARATION) {
+        if (rubbing && !isnan(s->t_free)) {
+            remember(s, s->freed); /* what it took cannot be given back */
+        }
         look_ahead(s);
         return;
     }

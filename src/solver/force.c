@@ -6,32 +6,35 @@
  * sideswipe backwards: at 0.15 that tripled its crush energy. */
 static const double cosine_min = 0.02;
 
-/* Spread of the patch, in voxels, over which its axis takes over from the relative velocity. */
-static const double patch_from = 1.0, patch_to = 4.0;
+/* Spread (standard deviation) of the patch over which its axis takes over from the relative
+ * velocity, m, and no less than so many voxels of the default size. */
+static const double patch_from = 0.025, patch_to = 0.1, patch_voxel = 0.025;
 /* spread (standard deviation) from which a patch knows its own direction better than the slices
  * before it did, m: a flank rubbed along its length, as against a front corner */
 static const double patch_sure = 0.25;
 
-/* Time over which COE and the normal between two deforming bodies are averaged, s. */
+/* Time over which the COE is averaged, s, and that in which the normal between two deforming bodies
+ * follows the surface between them. */
 const double cr_force_memory = 8e-3;
+static const double normal_memory = 0.128;
 
 static double smoothstep(double x) {
     x = cr_clamp(x, 0, 1);
     return x * x * (3 - 2 * x);
 }
 
-/* Eq. (1) and Eq. (3) */
+/* Eq. (1) and Eq. (3), the string's pull weighing where it is held */
 static double energy_and_coe(const struct cr_solver *s, int a, int b, struct cr_vec2 *coe) {
     struct cr_vec2 sum = {0, 0};
     double energy = 0, weight = 0;
     for (int side = 0; side < 2; side++) {
         const struct cr_losses *losses = &s->losses[side];
         const struct cr_moving *m = &s->m[side == 0 ? a : b];
-        double mine = losses->energy - losses->stretch; /* the string has no place */
-        if (mine > 0) {
-            struct cr_vec2 at = cr_to_world(m, cr_vec2_scale(losses->first, 1 / mine));
-            sum = cr_vec2_axpy(sum, mine, at);
-            weight += mine;
+        if (losses->weight > 0) {
+            double per = 1 / losses->weight;
+            struct cr_vec2 at = cr_to_world(m, cr_vec2_scale(losses->loaded, per));
+            sum = cr_vec2_axpy(sum, losses->weight, at);
+            weight += losses->weight;
         }
         energy += losses->energy;
     }
@@ -39,14 +42,8 @@ static double energy_and_coe(const struct cr_solver *s, int a, int b, struct cr_
     return energy;
 }
 
-/* central second moments of the contact voxels of both bodies, each weighing its energy, world axes
- */
-struct moments {
-    double xx, xy, yy;
-};
-
-/* adds those of one body about a world point */
-static void add_moments(struct moments *mo, const struct cr_moving *m,
+/* adds the moments of one body's losses about a world point */
+static void add_moments(struct cr_moments *mo, const struct cr_moving *m,
                         const struct cr_losses *losses, struct cr_vec2 about) {
     double w = losses->energy, c = m->c, s = m->s;
     if (!(w > 0)) {
@@ -59,28 +56,38 @@ static void add_moments(struct moments *mo, const struct cr_moving *m,
     mo->xx += c * c * xx - 2 * c * s * xy + s * s * yy + w * d.x * d.x;
     mo->yy += s * s * xx + 2 * c * s * xy + c * c * yy + w * d.y * d.y;
     mo->xy += c * s * (xx - yy) + (c * c - s * s) * xy + w * d.x * d.y;
+    mo->weight += w;
 }
 
-/* about the COE of the contact, before the string adds to it */
-static struct moments moments_of(const struct cr_solver *s, int a, int b, struct cr_vec2 coe) {
-    struct moments mo = {0};
+/* The patch of the last slices: which voxels give way in one is chance, and in a short one they are
+ * few. */
+static struct cr_moments patch_of(const struct cr_solver *s, int pair, int a, int b,
+                                  struct cr_vec2 coe) {
+    struct cr_moments mo = {0};
+    const struct cr_touch *t = &s->touch[pair];
+    if (t->record >= 0) {
+        double keep = exp(-s->dt / cr_yield_memory);
+        mo = (struct cr_moments){keep * t->patch.xx, keep * t->patch.xy, keep * t->patch.yy,
+                                 keep * t->patch.weight};
+    }
     add_moments(&mo, &s->m[a], &s->losses[0], coe);
     add_moments(&mo, &s->m[b], &s->losses[1], coe);
-    double w = s->losses[0].energy + s->losses[1].energy;
-    return w > 0 ? (struct moments){mo.xx / w, mo.xy / w, mo.yy / w} : mo;
+    return mo;
 }
 
 /* How far the patch has an axis, 0..1, and the axis' normal on the side of `outward`. */
-static double axis_of_patch(const struct moments *mo, double h, struct cr_vec2 outward,
+static double axis_of_patch(const struct cr_moments *mo, double h, struct cr_vec2 outward,
                             struct cr_vec2 *normal, double *trust) {
-    double mean = 0.5 * (mo->xx + mo->yy), diff = 0.5 * (mo->xx - mo->yy);
-    double root = sqrt(diff * diff + mo->xy * mo->xy);
+    double per = mo->weight > 0 ? 0.5 / mo->weight : 0, xy = 2 * per * mo->xy;
+    double mean = per * (mo->xx + mo->yy), diff = per * (mo->xx - mo->yy);
+    double root = sqrt(diff * diff + xy * xy);
     double major = sqrt(fmax(mean + root, 0)), minor = sqrt(fmax(mean - root, 0));
-    double axis = 0.5 * atan2(mo->xy, diff); /* of the major axis */
-    *trust = fmax(1, major * major / (patch_sure * patch_sure));
+    double axis = 0.5 * atan2(xy, diff); /* of the major axis */
+    *trust = major * major / (patch_sure * patch_sure);
     struct cr_vec2 n = {-sin(axis), cos(axis)};
     *normal = cr_vec2_dot(n, outward) < 0 ? cr_vec2_scale(n, -1) : n;
-    double size = smoothstep((major / h - patch_from) / (patch_to - patch_from));
+    double scale = fmax(h / patch_voxel, 1);
+    double size = smoothstep((major / scale - patch_from) / (patch_to - patch_from));
     double shape = major > 0 ? smoothstep((1 - minor / major) / 0.5) : 0;
     return size * shape;
 }
@@ -92,16 +99,16 @@ static struct cr_vec2 mix(struct cr_vec2 a, double w, struct cr_vec2 b) {
 /* Normal to the line through the deformed voxels (their minor principal axis), faded to the
  * direction v of relative velocity while the patch is too small or too round to have an axis.
  * False where the bodies are leaving each other. */
-static bool normal_of_patch(const struct cr_solver *s, int a, int b, struct cr_vec2 coe,
-                            struct cr_vec2 v, struct cr_force *force) {
+static bool normal_of_patch(const struct cr_solver *s, int a, int b, struct cr_vec2 v,
+                            struct cr_force *force) {
     struct cr_vec2 *normal = &force->normal;
     const struct cr_moving *ma = &s->m[a], *mb = &s->m[b];
-    struct moments mo = moments_of(s, a, b, coe);
+    struct cr_vec2 coe = force->coe;
     struct cr_vec2 none = {0, 0};
     struct cr_vec2 out = cr_vec2_sub(cr_vec2_unit(cr_vec2_sub(coe, ma->pos), none),
                                      cr_vec2_unit(cr_vec2_sub(coe, mb->pos), none));
     out = cr_vec2_unit(out, v);
-    double w = axis_of_patch(&mo, ma->body->grid.h, out, normal, &force->trust);
+    double w = axis_of_patch(&force->patch, ma->body->grid.h, out, normal, &force->trust);
     if (cr_vec2_dot(mix(*normal, w, out), v) <= 0) {
         return false;
     }
@@ -167,14 +174,16 @@ void cr_force_update(struct cr_solver *s, int pair, int a, int b, struct cr_forc
     *force = whole;
 }
 
-/* Mean of the normals of the slices so far, weighted by energy: the deformed voxels of one slice
- * are too few to give a steady direction. */
-static struct cr_vec2 steady(const struct cr_solver *s, int pair, const struct cr_force *force) {
-    struct cr_vec2 sum = cr_vec2_scale(force->normal, force->energy * force->trust);
-    if (s->touch[pair].record >= 0) {
-        sum = cr_vec2_axpy(sum, exp(-s->dt / cr_force_memory), s->touch[pair].normal_recent);
+/* The normal so far, drawn towards that of this slice: structures that have hooked into each other
+ * do not glide off along every surface that the crush leaves behind. */
+static struct cr_vec2 steady(const struct cr_solver *s, int pair, const struct cr_force *force,
+                             struct cr_vec2 v) {
+    const struct cr_touch *t = &s->touch[pair];
+    if (t->record < 0) {
+        return t->spent > 0 ? force->normal : mix(force->normal, fmin(1, force->trust), v);
     }
-    return cr_vec2_unit(sum, force->normal);
+    double share = fmax(1, force->trust) * s->dt / normal_memory;
+    return cr_vec2_unit(cr_vec2_axpy(t->normal, share, force->normal), force->normal);
 }
 
 bool cr_force_find(struct cr_solver *s, int pair, int a, int b, struct cr_force *force) {
@@ -183,8 +192,7 @@ bool cr_force_find(struct cr_solver *s, int pair, int a, int b, struct cr_force 
     if (!(force->energy > 0)) {
         return false;
     }
-    struct cr_vec2 patch = force->coe;
-    force->coe = steady_coe(s, pair, force->energy, patch);
+    force->coe = steady_coe(s, pair, force->energy, force->coe);
     const struct cr_moving *ma = &s->m[a], *mb = &s->m[b];
     struct cr_vec2 rel = cr_relative_velocity(s, a, b, force->coe);
     struct cr_vec2 v = cr_vec2_unit(rel, cr_vec2(0, 0));
@@ -196,14 +204,17 @@ bool cr_force_find(struct cr_solver *s, int pair, int a, int b, struct cr_force 
         force->normal = cr_vec2_unit(cr_vec2_scale(n, -1), v);
     } else if (ma->body->grid.nx == 0) {
         force->normal = cr_vec2_unit(cr_vec2_rotate(s->losses[1].normal, ma->c, ma->s), v);
-    } else if (!normal_of_patch(s, a, b, patch, v, force)) {
-        return false;
+    } else {
+        force->patch = patch_of(s, pair, a, b, force->coe);
+        if (!normal_of_patch(s, a, b, v, force)) {
+            return false;
+        }
     }
     if (cr_vec2_dot(force->normal, v) <= 0) {
         return false; /* leaving */
     }
     if (ma->body->grid.nx > 0 && mb->body->grid.nx > 0) {
-        force->normal = tilt(steady(s, pair, force), v);
+        force->normal = tilt(steady(s, pair, force, v), v);
     }
     within_cone(force, v, cr_force_friction(s, a, b));
     return true;

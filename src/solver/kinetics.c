@@ -101,8 +101,8 @@ bool cr_kinetics_slice(struct cr_solver *s, int pair, int a, int b, const struct
     t->moment_coe = cr_vec2_axpy(t->moment_coe, j, f->coe);
     t->moment_weight += j;
     double fade = exp(-s->dt / cr_force_memory);
-    t->normal_recent = cr_vec2_axpy(cr_vec2_scale(t->normal_recent, fade), f->energy, f->normal);
     t->energy_recent = t->energy_recent * fade + f->energy;
+    t->patch = f->patch;
     t->normal_sum = cr_vec2_axpy(t->normal_sum, lambda * f->energy, f->normal);
     return cr_record_slice(
         s, &(struct cr_slice){.sample = s->samples,

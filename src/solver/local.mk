@@ -17,5 +17,6 @@ libsolver_a_SOURCES = \
 	src/solver/solver_priv.h \
 	src/solver/start.c \
 	src/solver/string.c \
-	src/solver/tyre.c
+	src/solver/tyre.c \
+	src/solver/yield.c
 libsolver_a_CFLAGS = $(CR_CFLAGS)

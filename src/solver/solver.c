@@ -37,7 +37,15 @@ static bool new_lines(struct cr_solver *s, struct cr_moving *m) {
         m->depth[f] = cr_arena_take(&s->arena, n, sizeof(double));
         m->outline[f] = cr_arena_take(&s->arena, n, sizeof(double));
         m->pitch[f] = cr_arena_take(&s->arena, n, sizeof(double));
-        if (m->depth[f] == NULL || m->outline[f] == NULL || m->pitch[f] == NULL) {
+        m->pull[f] = cr_arena_take(&s->arena, n, sizeof(double));
+        m->pressed[f] = cr_arena_take(&s->arena, n, sizeof(double));
+        m->more[f] = cr_arena_take(&s->arena, n + 1, sizeof(double));
+        m->all[f] = cr_arena_take(&s->arena, n + 1, sizeof(double));
+        m->lean[f] = cr_arena_take(&s->arena, n, sizeof(double));
+        m->share[f] = cr_arena_take(&s->arena, n + 1, sizeof(double));
+        if (m->depth[f] == NULL || m->outline[f] == NULL || m->pitch[f] == NULL ||
+            m->pull[f] == NULL || m->pressed[f] == NULL || m->more[f] == NULL ||
+            m->all[f] == NULL || m->lean[f] == NULL || m->share[f] == NULL) {
             return false;
         }
     }
@@ -207,12 +215,16 @@ static bool new_scratch(struct cr_solver *s) {
     size_t n = (size_t)longest;
     st->w = cr_arena_take(&s->arena, n, sizeof *st->w);
     st->bend = cr_arena_take(&s->arena, n, sizeof *st->bend);
+    st->more = cr_arena_take(&s->arena, n + 1, sizeof *st->more);
     st->surface = cr_arena_take(&s->arena, n, sizeof *st->surface);
-    st->held = cr_arena_take(&s->arena, n, sizeof *st->held);
+    st->held = cr_arena_take(&s->arena, n + 2, sizeof *st->held);
     st->taut = cr_arena_take(&s->arena, n, sizeof *st->taut);
+    s->yield.more = cr_arena_take(&s->arena, n + 1, sizeof(double));
+    s->yield.all = cr_arena_take(&s->arena, n + 1, sizeof(double));
     s->freed = cr_arena_take(&s->arena, 1, sizeof *s->freed);
-    return st->w != NULL && st->bend != NULL && st->surface != NULL && st->held != NULL &&
-           st->taut != NULL && s->freed != NULL;
+    return st->w != NULL && st->bend != NULL && st->more != NULL && st->surface != NULL &&
+           st->held != NULL && st->taut != NULL && s->yield.more != NULL && s->yield.all != NULL &&
+           s->freed != NULL;
 }
 
 /* the bodies of a checked case in their places; NULL when memory is out */
@@ -304,6 +316,8 @@ static bool crush(struct cr_solver *s, int pair, int a, int b, struct cr_force *
     }
     s->losses[0].face = cr_string_face(ma, cr_vec2_scale(f->normal, -1));
     s->losses[1].face = cr_string_face(mb, f->normal);
+    s->touch[pair].face[0] = s->losses[0].face;
+    s->touch[pair].face[1] = s->losses[1].face;
     cr_deform_apply(ma, &s->losses[0], 0);
     cr_deform_apply(mb, &s->losses[1], 0);
     if (s->cs->opts.induced) {
@@ -397,7 +411,7 @@ static bool finite_state(const struct cr_solver *s) {
 
 /* Work all pairs, in the order of the scene and backwards in turns: a body between two others feels
  * the first of its contacts before the second, and the lead changes from slice to slice. */
-static bool work_pairs(struct cr_solver *s, bool in_contact[], bool *any) {
+static bool work_pairs(struct cr_solver *s, bool in_contact[], bool *any, bool *rubbing) {
     int n = s->cs->n, pairs = n * (n - 1) / 2;
     s->backwards = !s->backwards;
     for (int k = 0; k < pairs; k++) {
@@ -412,8 +426,12 @@ static bool work_pairs(struct cr_solver *s, bool in_contact[], bool *any) {
             return false;
         }
         bool met = before || s->touch[p].record >= 0 || s->m[a].slice_weight > pushed;
-        *any = *any || met;
-        if (met && !s->touch[p].rubbing) {
+        const struct cr_touch *t = &s->touch[p];
+        /* what an elastic phase has taken it must give back, be it only rubbing */
+        bool elastic = t->record >= 0 && s->contact[t->record].phase != CR_PHASE_PLASTIC;
+        *any = *any || (met && (elastic || !t->rubbing));
+        *rubbing = *rubbing || (met && t->rubbing);
+        if (met && !t->rubbing) {
             in_contact[a] = in_contact[b] = true;
         }
     }
@@ -424,11 +442,11 @@ enum cr_status cr_solver_step(struct cr_solver *s, struct cr_error *err) {
     if (s->done) {
         return CR_STATUS_DONE;
     }
-    bool in_contact[CR_BODY_MAX] = {false}, any = false;
+    bool in_contact[CR_BODY_MAX] = {false}, any = false, rubbing = false;
     s->dt = cr_kinematics_slice_length(s);
     begin_slice(s);
     cr_kinematics_move(s);
-    if (!work_pairs(s, in_contact, &any)) {
+    if (!work_pairs(s, in_contact, &any, &rubbing)) {
         return failed(err, CR_ERR_MEMORY, "no memory for the solve");
     }
     for (int i = 0; i < s->cs->n; i++) {
@@ -453,7 +471,7 @@ enum cr_status cr_solver_step(struct cr_solver *s, struct cr_error *err) {
     if (!cr_record_sample(s)) {
         return failed(err, CR_ERR_MEMORY, "no memory for the trace");
     }
-    cr_ending_check(s, any);
+    cr_ending_check(s, any, rubbing);
     return s->done ? CR_STATUS_DONE : CR_STATUS_RUNNING;
 }
 

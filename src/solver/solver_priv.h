@@ -14,6 +14,11 @@ struct cr_span {
     int lo, hi;
 };
 
+/* A part of the lines of a face; line i fills [i - 0.5, i + 0.5]. */
+struct cr_range {
+    double lo, hi;
+};
+
 /* What changes of a body while the solve runs. */
 struct cr_moving {
     const struct cr_body *body;
@@ -40,6 +45,13 @@ struct cr_moving {
     double *pitch[CR_FACES];         /* depth of a line per unit of material, m: more than a voxel's
                                         edge at the sides, where voxels are filled in part */
     double membrane[CR_FACES];       /* string energy of a face, J */
+    double *pressed[CR_FACES];       /* memory of each line: material that had no room, */
+    double *more[CR_FACES];          /* strength pressing on it above its own, J, */
+    double *all[CR_FACES];           /* and both together, J */
+    double *lean[CR_FACES];          /* how far the lines' excess is this body's lately, -1..1 */
+    double *share[CR_FACES];         /* and in this slice, 0..1 */
+    double *pull[CR_FACES];          /* of the string on each line, J per unit of material: as it
+                                        was after its last slice */
     struct cr_span dented[CR_FACES]; /* lines that have lost material, both ends included */
     double energy, induced;          /* plastic so far, J */
     double crushed;                  /* plan area so far, m2 */
@@ -59,38 +71,57 @@ struct cr_loss {
     int voxel, ix, iy;
     double amount; /* material, 0..1 */
     double energy; /* J */
+    double across; /* place among the lines of the opponent's face */
+    double beside; /* strength of the opponent there, J per unit of material */
 };
 
 /* Losses of one body in one contact and slice. */
 struct cr_losses {
     int n, size;
     struct cr_loss *loss;
+    const double *unit;    /* energy per unit of material of the body's voxels, J */
     double energy;         /* of all, string included, J */
-    struct cr_vec2 first;  /* sum of energy x place of all, body frame, J m */
-    double xx, xy, yy;     /* second moments alike, of those in the contact, J m2 */
+    struct cr_vec2 first;  /* sum of energy x place of those in the contact, body frame, J m */
+    double xx, xy, yy;     /* second moments alike, J m2 */
+    double weight;         /* of those in the contact with the string's pull on them, J */
+    struct cr_vec2 loaded; /* sum of such weight x place, J m */
     struct cr_vec2 normal; /* sum of energy x surface normal of a rigid partner, its frame, J */
     double induced;        /* part outside the contact, string included, J */
     double area;           /* m2 */
     double stretch;        /* energy that stretched the string in this slice, J */
     enum cr_face face;     /* it acts on */
+    struct cr_range met;   /* of that face's lines that the opponent presses on */
     int contact;           /* the first losses are of contact, the rest induced */
 };
 
 /* A line that holds the string. */
 struct cr_hold {
-    int line;
+    double line;  /* half way to the next at the edge of a contact */
     double over;  /* its depth, less the bow of the string, m */
     double slope; /* of the hull between the hold before and this one, m a line */
+};
+
+/* Scratch of yield.c: running sums over the lines of a face. */
+struct cr_yield {
+    double *more, *all;
 };
 
 /* Scratch of string.c, one entry a line of the longest face. */
 struct cr_string {
     double *w;             /* depth, m */
     double *bend;          /* h^2 q / N0: second difference of the bow, m */
+    struct cr_range met;   /* lines that the opponent presses on */
+    double *more;          /* what a line's share of the resistance is more than the one before */
     int *surface;          /* place of the surface along the line, -1: the string is nailed there */
     bool *taut;            /* segment between lines i - 1 and i is stretched */
     struct cr_hold *held;  /* a stack */
     struct cr_span window; /* lines looked at, both ends included */
+};
+
+/* Second moments of deformed voxels about a COE, each weighing its energy, world axes. */
+struct cr_moments {
+    double xx, xy, yy; /* J m2 */
+    double weight;     /* J */
 };
 
 /* A contact being worked: the record that is reported and what only the solver needs. */
@@ -100,6 +131,7 @@ struct cr_touch {
     double quiet;       /* time since it last deformed something, s */
     struct cr_vec2 coe; /* carried along with the bodies between slices */
     struct cr_vec2 normal, direction;
+    enum cr_face face[2];      /* that the force acted on in the last slice, a's and b's */
     bool sliding;              /* force on the edge of the friction cone */
     double spent;              /* crush energy of the pair's contacts that are over, J */
     bool rubbing;              /* this touch is too slight to count as part of the crash */
@@ -112,9 +144,9 @@ struct cr_touch {
     double elastic_done;       /* impulse it has given so far, N s */
     struct cr_vec2 moment_coe; /* sum of impulse x COE */
     double moment_weight;
-    struct cr_vec2 normal_sum;    /* energy-weighted, J */
-    struct cr_vec2 normal_recent; /* the same with older slices fading, J */
-    double energy_recent;         /* the weight of that, J */
+    struct cr_vec2 normal_sum; /* energy-weighted, J */
+    double energy_recent;      /* of the last slices, older ones fading, J */
+    struct cr_moments patch;   /* of the last slices, older ones fading */
 };
 
 struct cr_solver {
@@ -123,8 +155,10 @@ struct cr_solver {
     struct cr_moving m[CR_BODY_MAX];
     struct cr_losses losses[2]; /* of the pair being worked */
     struct cr_string string;
+    struct cr_yield yield;
     struct cr_touch touch[CR_PAIR_MAX];
     double t, dt, dt_contact;
+    bool probing;    /* bodies are moved to see who would overlap: nothing is remembered */
     bool touched;    /* some contact has begun */
     bool backwards;  /* pairs are worked from the last in this slice */
     double t_free;   /* since when nothing is in contact, s; NaN while something is */
@@ -162,6 +196,10 @@ struct cr_snapshot {
     } m[CR_BODY_MAX];
 };
 
+/* index of the pair of bodies a < b */
+static inline int cr_pair(const struct cr_solver *s, int a, int b) {
+    return a * s->cs->n - a * (a + 1) / 2 + b - a - 1;
+}
 static inline struct cr_vec2 cr_to_world(const struct cr_moving *m, struct cr_vec2 p) {
     return cr_vec2_add(m->pos, cr_vec2_rotate(p, m->c, m->s));
 }
@@ -210,6 +248,9 @@ struct cr_span cr_reach_row(const struct cr_reach *reach, int iy);
 /* step 1, deform.c: losses of both bodies of a pair at their present places (nothing changes);
  * false when memory is out */
 bool cr_deform_collect(struct cr_solver *s, int a, int b);
+extern const double cr_crumb; /* material below this share of a voxel goes with the rest */
+/* room for n more losses */
+bool cr_losses_reserve(struct cr_losses *losses, int n);
 /* add a loss outside the contact */
 bool cr_deform_add(struct cr_losses *losses, const struct cr_grid *g, int ix, int iy, double amount,
                    double energy);
@@ -218,6 +259,33 @@ void cr_deform_apply(struct cr_moving *m, const struct cr_losses *losses, int fr
 /* give back the share 1 - lambda of the losses, and book the rest */
 void cr_deform_settle(struct cr_solver *s, struct cr_moving *m, struct cr_losses *losses,
                       double lambda);
+
+/* step 1, yield.c: half of the reach along the contact over which strength is a mean, m, and the
+ * time over which it is one, s */
+extern const double cr_yield_reach, cr_yield_memory;
+/* Which lines of its face the opponent presses on, into losses->met. The contact ends where the
+ * material pressed on lately amounts to less than half of a line's worth, and half a line further
+ * out: that is the edge of a box wherever it lies in a line, and no jump where a line is just
+ * touched. */
+void cr_yield_range(struct cr_solver *s, struct cr_moving *m, struct cr_losses *losses);
+/* of losses of both bodies that hold all that has no room, what each has to give */
+void cr_yield_share(struct cr_solver *s, int a, int b);
+void cr_yield_halve(struct cr_losses *losses); /* half, where it is only asked who overlaps */
+/* what is left of voxels that were hit before goes before the material behind them; false when
+ * memory is out */
+bool cr_yield_order(struct cr_moving *m, struct cr_losses *losses);
+
+/* string.c: pull of the string on the lines of a face, by row and by column */
+struct cr_loads {
+    const double *row, *col; /* one of them NULL */
+};
+struct cr_loads cr_string_loads(const struct cr_moving *m, enum cr_face face);
+static inline double cr_load_of(const struct cr_loads *l, int ix, int iy) {
+    return l->row != NULL ? l->row[iy] : l->col[ix];
+}
+static inline double cr_load_at(const struct cr_loads *l, const struct cr_loss *at) {
+    return cr_load_of(l, at->ix, at->iy);
+}
 
 /* string.c: the face that a force acts on; inward: its direction on the body, world */
 enum cr_face cr_string_face(const struct cr_moving *m, struct cr_vec2 inward);
@@ -231,6 +299,7 @@ extern const double cr_force_memory;
 struct cr_force {
     struct cr_vec2 coe;       /* Eq. (3) */
     struct cr_vec2 normal;    /* from a to b */
+    struct cr_moments patch;  /* the deformed voxels it comes from */
     double trust;             /* weight of this slice's normal against those before it, >= 1 */
     struct cr_vec2 direction; /* of the force on b */
     double cosine;            /* between the two */
@@ -277,7 +346,7 @@ bool cr_elastic_slice(struct cr_solver *s, int pair, int a, int b);
 
 /* ending.c */
 void cr_ending_rest(struct cr_solver *s, const bool in_contact[]);
-void cr_ending_check(struct cr_solver *s, bool any_contact);
+void cr_ending_check(struct cr_solver *s, bool any_contact, bool rubbing);
 
 /* record.c: contacts, trace, ledger, outcome; false when memory is out */
 bool cr_record_contact(struct cr_solver *s, int pair, int a, int b, const struct cr_force *force);

@@ -14,7 +14,10 @@ static const double worth = 3;
 
 /* plan area that a pair shares, m2; negative when memory is out */
 static double shared_area(struct cr_solver *s, int a, int b) {
-    if (!cr_deform_collect(s, a, b)) {
+    s->probing = true;
+    bool ok = cr_deform_collect(s, a, b);
+    s->probing = false;
+    if (!ok) {
         return -1;
     }
     double area = 0;

@@ -11,6 +11,14 @@
  * above depth - p, an upper hull, found exactly in one pass (monotone chain, Andrew 1979). */
 #include "solver/solver_priv.h"
 
+#include <string.h>
+
+/* Inside a contact the string leaves lines this far behind, in voxels: less is the ripple that the
+ * opponent's voxels press into them, and would be pulled to the deepest slice after slice. */
+static const double ripple = 0.5;
+/* distance of an edge from a line, in lines, below which they are one */
+static const double tie = 1e-6;
+
 /* Lines of one face: line i runs inward from the outline. */
 struct lines {
     const struct cr_moving *m;
@@ -104,26 +112,68 @@ static void prepare(struct cr_string *st, const struct lines *lines, struct cr_s
     }
 }
 
-/* The lines that hold a piece of the string, into st->held, each with the slope of the hull ahead
+/* Where a contact ends, and from where the string hangs: inside a line, not in its middle. */
+struct edge {
+    double at;        /* in lines */
+    int inner, outer; /* the lines at least half a line away on either side */
+};
+
+static struct edge lower_edge(const struct cr_string *st) {
+    double middle = 0.5 * (st->met.lo + st->met.hi), inner = ceil(st->met.lo + 0.5 - tie);
+    return (struct edge){st->met.lo, (int)(inner < middle ? inner : lround(middle)),
+                         (int)floor(st->met.lo - 0.5 + tie)};
+}
+
+static struct edge upper_edge(const struct cr_string *st) {
+    double middle = 0.5 * (st->met.lo + st->met.hi), inner = floor(st->met.hi - 0.5 + tie);
+    return (struct edge){st->met.hi, (int)(inner > middle ? inner : lround(middle)),
+                         (int)ceil(st->met.hi + 0.5 - tie)};
+}
+
+/* Depth at the edge of a contact: the surface goes on as it came from the lines inside, but not
+ * deeper, which is level for a box and sloping for a pole. */
+static double edge_depth(const struct lines *l, const double *depth, struct edge e) {
+    int i = e.inner, behind = e.outer > i ? i - 1 : i + 1, k = (int)floor(e.at);
+    double rise = behind >= 0 && behind < l->n ? fmin(0, depth[i] - depth[behind]) : 0;
+    double next = k + 1 < l->n ? depth[k + 1] : 0, here = k >= 0 ? depth[k] : next;
+    return fmax(depth[i] + fabs(e.at - i) * rise, here + (e.at - k) * (next - here));
+}
+
+/* put a point on the stack of those that hold, and take away those that it relieves */
+static int hold(struct cr_hold *held, int n, double line, double over, bool nailed) {
+    double ahead = 0;
+    for (; n > 0; n--) {
+        const struct cr_hold *last = &held[n - 1];
+        ahead = (over - last->over) / (line - last->line);
+        if (ahead < last->slope) {
+            break;
+        }
+    }
+    if (n == 0) { /* ahead of a line that hangs free the hull is level */
+        ahead = nailed ? (double)INFINITY : 0;
+    }
+    held[n] = (struct cr_hold){line, over, ahead};
+    return n + 1;
+}
+
+/* The places that hold a piece of the string, into st->held, each with the slope of the hull ahead
  * of it; returns how many. Puts the bow of the piece into st->w, and its slope behind the last line
  * into slope. */
-static int hull(struct cr_string *st, const double *depth, struct cr_span piece, double *slope) {
+static int hull(struct cr_string *st, const struct lines *l, struct cr_span piece, double *slope) {
     bool nailed = st->surface[piece.lo] < 0;
+    const double *depth = l->depth;
+    struct edge edge[2] = {lower_edge(st), upper_edge(st)};
     double bow = 0, bow_slope = 0;
     int n = 0;
     for (int i = piece.lo; i <= piece.hi; i++) {
-        double over = depth[i] - bow, ahead = 0;
-        for (; n > 0; n--) {
-            const struct cr_hold *last = &st->held[n - 1];
-            ahead = (over - last->over) / (i - last->line);
-            if (ahead < last->slope) {
-                break;
+        for (int k = 0; k < 2 && i > piece.lo; k++) {
+            double back = i - edge[k].at;
+            if (back > tie && back < 1 - tie) {
+                double over = edge_depth(l, depth, edge[k]) - (bow - back * bow_slope);
+                n = hold(st->held, n, edge[k].at, over, nailed);
             }
         }
-        if (n == 0) { /* ahead of a line that hangs free the hull is level */
-            ahead = nailed ? (double)INFINITY : 0;
-        }
-        st->held[n++] = (struct cr_hold){i, over, ahead};
+        n = hold(st->held, n, i, depth[i] - bow, nailed);
         st->w[i] = bow;
         bow_slope += st->bend[i];
         bow += bow_slope;
@@ -137,15 +187,18 @@ static int hull(struct cr_string *st, const double *depth, struct cr_span piece,
 }
 
 /* depths of a piece of the string whose segments are all taut, both end lines included */
-static void settle(struct cr_string *st, const double *depth, struct cr_span piece) {
+static void settle(struct cr_string *st, const struct lines *l, struct cr_span piece) {
     double slope;
-    int n = hull(st, depth, piece, &slope), i = piece.lo;
+    int n = hull(st, l, piece, &slope), i = piece.lo;
     for (int j = 0; j < n; j++) {
         struct cr_hold at = st->held[j];
         for (; i < at.line; i++) {
             st->w[i] += at.over - at.slope * (at.line - i);
         }
-        st->w[i++] = depth[at.line];
+        if (i == at.line) {
+            st->w[i] = l->depth[i];
+            i++;
+        }
     }
     struct cr_hold last = st->held[n - 1];
     for (; i <= piece.hi; i++) {
@@ -162,7 +215,7 @@ static void settle_window(struct cr_string *st, const struct lines *l) {
         while (to < last && st->taut[to + 1] && (to == from || st->surface[to] >= 0)) {
             to++;
         }
-        settle(st, l->depth, (struct cr_span){from, to});
+        settle(st, l, (struct cr_span){from, to});
         bool nail = to > from && st->surface[to] < 0; /* it begins the next piece too */
         from = nail ? to : to + 1;
     }
@@ -175,14 +228,15 @@ static bool moved(const struct cr_string *st, const struct lines *l, int i) {
     return st->w[i] > l->depth[i] + slight;
 }
 
-/* Depths w of the string in all lines that it may move: those with a dent and two on either side,
- * more while the outermost move. */
+/* Depths w of the string in all lines that it may move: those pressed on or dented and two on
+ * either side, more while the outermost move. */
 static void relax(struct cr_string *st, const struct lines *l, struct cr_span dented,
                   double tension) {
     int end = l->n - 1;
     struct cr_span *window = &st->window;
-    *window = (struct cr_span){dented.lo > 2 ? dented.lo - 2 : 0,
-                               dented.hi + 2 < end ? dented.hi + 2 : end};
+    int first = (int)fmin(floor(st->met.lo), dented.lo);
+    int last = (int)fmax(ceil(st->met.hi), dented.hi);
+    *window = (struct cr_span){first > 2 ? first - 2 : 0, last + 2 < end ? last + 2 : end};
     prepare(st, l, *window, tension);
     for (bool lo = true, hi = true; lo || hi;) {
         settle_window(st, l);
@@ -205,21 +259,83 @@ static bool take(struct cr_string *st, const struct lines *l, int line, struct c
     const struct cr_grid *g = &l->m->body->grid;
     int along = st->surface[line], k = voxel_at(l, line, along);
     double depth = l->depth[line], pitch = l->pitch[line];
-    double want = (st->w[line] - depth) / pitch, left = l->m->left[k];
-    double amount = want < left ? want : left;
+    double slack = line > st->met.lo && line < st->met.hi ? ripple * g->h : 0;
+    double want = fmax(0, st->w[line] - depth - slack) / pitch, left = l->m->left[k];
+    double amount = left - want < cr_crumb ? left : want;
     st->w[line] = depth + amount * pitch;
     return cr_deform_add(losses, g, l->row ? along : line, l->row ? line : along, amount,
                          amount * l->unit[k]);
 }
 
 /* of the segments in the window; those beyond are as they were made */
-static double membrane_energy(const struct cr_string *st, double tension, double h) {
+static double membrane_energy(const struct cr_string *st, const struct lines *l, double tension) {
+    struct edge edge[2] = {lower_edge(st), upper_edge(st)};
     double sum = 0;
     for (int i = st->window.lo + 1; i <= st->window.hi; i++) {
-        double d = st->w[i] - st->w[i - 1];
-        sum += st->taut[i] ? d * d : 0;
+        double d = st->taut[i] ? st->w[i] - st->w[i - 1] : 0;
+        sum += d * d;
     }
-    return 0.5 * tension * sum / h;
+    for (int k = 0; k < 2; k++) { /* around an edge the string bends there */
+        const struct edge *e = &edge[k];
+        int lo = e->inner < e->outer ? e->inner : e->outer, hi = e->inner + e->outer - lo;
+        if (lo < st->window.lo || hi > st->window.hi || !st->taut[lo + 1] || !st->taut[hi]) {
+            continue;
+        }
+        double at = edge_depth(l, st->w, *e), in = st->w[e->inner] - at, out = at - st->w[e->outer];
+        for (int i = lo + 1; i <= hi; i++) {
+            double d = st->w[i] - st->w[i - 1];
+            sum -= d * d;
+        }
+        sum += in * in / fabs(e->at - e->inner) + out * out / fabs(e->outer - e->at);
+    }
+    return 0.5 * tension * sum / l->m->body->grid.h;
+}
+
+/* Slope with which the string leaves the contact outwards at an edge, m a line: the mean over the
+ * next line and half of what it bends there. */
+static double slope_outside(const struct cr_string *st, const struct lines *l, struct edge e) {
+    double sign = e.outer > e.inner ? 1 : -1, far = e.at + sign;
+    int k = (int)floor(far);
+    if (k < 0 || k + 1 >= l->n || !st->taut[k + 1]) {
+        return 0;
+    }
+    double there = st->w[k] + (far - k) * (st->w[k + 1] - st->w[k]);
+    double mean = fmax(0, edge_depth(l, st->w, e) - there);
+    return mean + fmin(mean, 0.5 * st->bend[e.outer > e.inner ? k : k + 1]);
+}
+
+/* depth that the string gains from line i to line j beside it, 0 where slack */
+static double gain(const struct cr_string *st, int i, int j) {
+    return st->taut[i > j ? i : j] ? st->w[i] - st->w[j] : 0;
+}
+
+/* What the string resists with on each line that is met, per unit of material. The force of each
+ * line is spread over the reach of strength, because the kinks of single lines are chance. */
+static void note_pull(struct cr_string *st, const struct lines *l, double tension, double *pull) {
+    double h = l->m->body->grid.h, sum = 0;
+    int first = (int)ceil(st->met.lo), last = (int)floor(st->met.hi);
+    first = first > last ? (int)lround(0.5 * (st->met.lo + st->met.hi)) : first;
+    last = first > last ? first : last;
+    int wide = (int)lround(cr_yield_reach / h), lo = st->window.lo, hi = st->window.hi;
+    memset(st->more + lo, 0, (size_t)(hi + 2 - lo) * sizeof *st->more);
+    for (int i = first; i <= last; i++) {
+        double slopes = i == first ? slope_outside(st, l, lower_edge(st)) : gain(st, i, i - 1);
+        slopes += i == last ? slope_outside(st, l, upper_edge(st)) : gain(st, i, i + 1);
+        int from = i - wide > first ? i - wide : first, to = i + wide < last ? i + wide : last;
+        double length =
+            (to == last ? st->met.hi : to + 0.5) - (from == first ? st->met.lo : from - 0.5);
+        st->more[from] += slopes / length;
+        st->more[to + 1] -= slopes / length;
+    }
+    for (int i = lo; i <= hi; i++) {
+        sum += st->more[i];
+        pull[i] = tension / h * l->pitch[i] * sum;
+    }
+}
+
+struct cr_loads cr_string_loads(const struct cr_moving *m, enum cr_face face) {
+    bool row = face == CR_FACE_FRONT || face == CR_FACE_REAR;
+    return (struct cr_loads){row ? m->pull[face] : NULL, row ? NULL : m->pull[face]};
 }
 
 bool cr_string_pull(struct cr_solver *s, struct cr_moving *m, int partner,
@@ -232,6 +348,7 @@ bool cr_string_pull(struct cr_solver *s, struct cr_moving *m, int partner,
     }
     struct lines l = lines_of(m, m->unit[partner], face);
     struct cr_string *st = &s->string;
+    st->met = losses->met;
     relax(st, &l, m->dented[face], tension);
     double before = losses->energy;
     for (int i = st->window.lo; i <= st->window.hi; i++) {
@@ -239,7 +356,8 @@ bool cr_string_pull(struct cr_solver *s, struct cr_moving *m, int partner,
             return false;
         }
     }
-    double stretched = membrane_energy(st, tension, g->h);
+    double stretched = membrane_energy(st, &l, tension);
+    note_pull(st, &l, tension, m->pull[face]);
     losses->stretch = fmax(0, stretched - m->membrane[face]);
     losses->induced = losses->energy - before + losses->stretch;
     losses->energy += losses->stretch;

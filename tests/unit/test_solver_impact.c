@@ -29,8 +29,7 @@ static void check_series(const struct pair *p, double h, double shift) {
     double e1 = energy * k2 / (k1 + k2), e2 = energy * k1 / (k1 + k2);
     const struct cr_outcome *a = &o->body[0], *b = &o->body[1];
     check_near(a->energy + b->energy, energy, 3e-5 * energy);
-    /* the weaker of two voxels gives way whole where strengths differ by more than 5 %: the split
-     * jitters about that of equal forces */
+    /* the split settles within some ms at that of equal forces */
     check_near(a->energy, e1, 0.04 * e1);
     check_near(b->energy, e2, 0.04 * e2);
     double x = (a->rest.crushed + b->rest.crushed) / width;
@@ -38,7 +37,8 @@ static void check_series(const struct pair *p, double h, double shift) {
     check_near(a->delta_v.x, -(1 + p->e) * m * v / p->m1, 1e-4 * v);
     check_near(b->delta_v.x, (1 + p->e) * m * v / p->m2, 1e-4 * v);
     const struct cr_contact *c = &o->contact[0];
-    check_near(c->t_plastic_end - c->t_begin, acos(p->e) / w, 0.02 * acos(p->e) / w);
+    /* two grids overlap in steps of up to 4 mm, which are some ms where the bodies hardly move */
+    check_near(c->t_plastic_end - c->t_begin, acos(p->e) / w, 0.05 * acos(p->e) / w);
     check_near(a->yaw_change, 0, 1e-9);
     assert_int_equal(o->contacts, 1);
     cr_solver_free(s);

@@ -134,10 +134,10 @@ static void sideswipe_of_two_cars(void **state) {
             double plastic;
             sideswipe(vx, mu, &dv, &plastic);
             /* lateral approach ends: 2 m/s each, mu of it tangential; corners that ride up on each
-             * other at the end may push the cars apart by another 0.2 m/s */
-            check_near(dv.y, -2, 0.2);
-            check_near(dv.x, mu * dv.y, 0.02 * fmax(mu, 0.1) * 2);
-            check_near(plastic, energy, 0.12 * energy);
+             * other at the end may push the cars apart by another 0.25 m/s */
+            check_near(dv.y, -2, 0.25);
+            check_near(dv.x, mu * dv.y, 0.03 * fmax(mu, 0.1) * 2);
+            check_near(plastic, energy, 0.15 * energy);
         }
     }
 }

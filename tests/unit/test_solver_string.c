@@ -23,15 +23,16 @@ struct dent {
     double w0;
 };
 
-/* The car moves sideways with 54 kJ onto the fixed box, which covers whole voxels. */
-static void make_dent(struct dent *d, double h, double n0, bool induced) {
+/* The car moves sideways with 54 kJ onto the fixed box, which covers whole voxels but for a shift
+ * by the share `phase` of one. */
+static void make_dent_at(struct dent *d, double h, double n0, bool induced, double phase) {
     memset(d, 0, sizeof *d);
     struct cr_grid grid = block_grid(&d->arena, length, width, h, constant_strength, &q);
     grid.tension[CR_FACE_LEFT] = n0;
     struct cr_body car = block_body(grid, mass, length, width, 0, 0, 0, 0);
     car.inertia = 0;
     car.vel = cr_vec2(0, sqrt(2 * energy / mass));
-    double off = fmod(0.5 * b / h, 1) > 0.1 ? 0.5 * h : 0;
+    double off = (fmod(0.5 * b / h, 1) > 0.1 ? 0.5 * h : 0) + phase * h;
     d->cs = case_of(car, polygon_body(off, width / 2 + 0.5 + gap, 0, nose, 4));
     d->cs.opts.induced = induced;
     d->cs.opts.restitution = 0;
@@ -39,6 +40,10 @@ static void make_dent(struct dent *d, double h, double n0, bool induced) {
     d->s = solved(&d->cs);
     d->o = cr_solver_solution(d->s);
     d->w0 = d->o->body[0].rest.pos.y - gap;
+}
+
+static void make_dent(struct dent *d, double h, double n0, bool induced) {
+    make_dent_at(d, h, n0, induced, 0);
 }
 
 static void free_dent(struct dent *d) {
@@ -50,7 +55,6 @@ static double closed_energy(double w) {
     return q * b * w + 4.0 / 3 * sqrt(2 * tension * q) * pow(w, 1.5);
 }
 
-/* the string begins at the middle of the outermost line of the contact: first order in h */
 static void depth_energy_and_convergence(void **state) {
     (void)state;
     check_near(closed_energy(closed_depth), energy, 60);
@@ -66,40 +70,42 @@ static void depth_energy_and_convergence(void **state) {
     }
 }
 
-/* largest relative deviations of force (mean of 2 ms) and energy from 0.15 m on */
+/* largest relative deviations of force and energy from 0.15 m on; force: mean over the way of a
+ * voxel, because the voxels under the nose give way together */
 static void deviation(const struct dent *d, double *force, double *work) {
-    double sum = 0, from = 0;
-    int n = 0;
+    double from = 0, before = 0, h = d->cs.body[0].grid.h;
     *force = *work = 0;
-    for (int i = 0; i < d->o->slices; i++) {
+    for (int i = 0; i + 1 < d->o->slices; i++) {
         const struct cr_sample *x = &d->o->trace[2 * d->o->slice[i].sample];
         double w = x->pos.y - gap;
-        from = n == 0 ? w : from;
-        sum += d->o->slice[i].force;
-        if (++n < 8) {
-            continue;
-        }
-        double mid = 0.5 * (from + w), p = q * b + 2 * sqrt(2 * tension * q * mid);
-        if (mid > 0.15 && i + 1 < d->o->slices) {
-            *force = fmax(*force, fabs(sum / n / p - 1));
+        if (w < 0.15) {
+            from = w;
+            before = x->energy;
+        } else if (w - from > 0.999 * h) {
+            double closed = closed_energy(w) - closed_energy(from);
+            *force = fmax(*force, fabs((x->energy - before) / closed - 1));
             *work = fmax(*work, fabs(x->energy / closed_energy(w) - 1));
+            from = w;
+            before = x->energy;
         }
-        sum = n = 0;
     }
 }
 
+/* issue 4: within 4 % at 50 mm, wherever the edges of the nose lie in the voxels, and converging */
 static void force_over_depth(void **state) {
     (void)state;
-    struct dent coarse, fine;
-    double force[2], work[2];
-    make_dent(&coarse, 0.05, tension, true);
-    deviation(&coarse, &force[0], &work[0]);
-    make_dent(&fine, 0.0125, tension, true);
-    deviation(&fine, &force[1], &work[1]);
-    assert_true(force[0] < 0.06 && work[0] < 0.07);
-    assert_true(force[1] < 0.04 && work[1] < 0.02);
-    free_dent(&coarse);
-    free_dent(&fine);
+    for (double phase = 0; phase < 0.9; phase += 0.2) {
+        struct dent coarse, fine;
+        double force[2], work[2];
+        make_dent_at(&coarse, 0.05, tension, true, phase);
+        deviation(&coarse, &force[0], &work[0]);
+        make_dent_at(&fine, 0.0125, tension, true, phase);
+        deviation(&fine, &force[1], &work[1]);
+        assert_true(force[0] < 0.04 && work[0] < 0.02);
+        assert_true(force[1] < 0.04 && work[1] < 0.007);
+        free_dent(&coarse);
+        free_dent(&fine);
+    }
 }
 
 static void damaged_length_and_area(void **state) {

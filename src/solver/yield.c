@@ -1,0 +1,227 @@
+/* Step 1, continued: which of two crushing bodies gives way.
+ *
+ * The weaker of the two does (paper, assumption from Lin et al. 1975). Weak and strong are meant of
+ * structures, not of single voxels: strengths are means over a reach along the contact, of the
+ * voxels pressed together there and of the string on their lines. Were it decided voxel by voxel,
+ * the weakest line of a car would decide for all, because its string pulls the lines beside it to
+ * the depth of the deepest, and the energies would not settle however fine the grid. */
+#include "solver/solver_priv.h"
+
+const double cr_yield_reach = 0.075; /* a rail or a headlamp */
+
+/* time over which it is one, s: which voxels are pressed on in a slice is chance of where the grids
+ * lie, and strengths that answer at once to the string's pull would overshoot and swing */
+const double cr_yield_memory = 2e-3;
+
+/* relative difference of strength at which the weaker takes the whole loss; below it both share,
+ * so that equal cars deform equally and nothing jumps when strengths cross */
+static const double share_band = 0.2;
+
+/* what a sum that is nothing but rounding can come to, of the sum over all lines */
+static const double trace = 1e-9;
+
+/* time in which that share settles at which both are equally strong, s */
+static const double lean_time = 4e-3;
+
+static bool by_row(const struct cr_losses *losses) {
+    return losses->face == CR_FACE_FRONT || losses->face == CR_FACE_REAR;
+}
+
+/* number of lines of the struck face */
+static int lines_of(const struct cr_moving *m, const struct cr_losses *losses) {
+    return by_row(losses) ? m->body->grid.ny : m->body->grid.nx;
+}
+
+/* Place at which the sum of amounts over lines, from one end on, reaches half of a line's worth:
+ * how far into the lines from that end. */
+static double depth_of_edge(const double *amount, int n, int step, double half) {
+    double sum = 0;
+    for (int k = 0; k < n; k++, amount += step) {
+        if (sum + *amount >= half) {
+            return k + (half - sum) / *amount;
+        }
+        sum += *amount;
+    }
+    return n;
+}
+
+void cr_yield_range(struct cr_solver *s, struct cr_moving *m, struct cr_losses *losses) {
+    losses->met = (struct cr_range){0, 0};
+    if (losses->n == 0) {
+        return;
+    }
+    bool row = by_row(losses);
+    int n = lines_of(m, losses);
+    double *pressed = m->pressed[losses->face], keep = exp(-s->dt / cr_yield_memory);
+    for (int k = 0; k < n; k++) {
+        pressed[k] *= keep;
+    }
+    for (int i = 0; i < losses->n; i++) {
+        pressed[row ? losses->loss[i].iy : losses->loss[i].ix] += losses->loss[i].amount;
+    }
+    double sum = 0, squares = 0;
+    for (int k = 0; k < n; k++) {
+        sum += pressed[k];
+        squares += pressed[k] * pressed[k];
+    }
+    double half = 0.5 * squares / sum;
+    losses->met.lo = fmax(0, depth_of_edge(pressed, n, 1, half) - 0.5) - 0.5;
+    losses->met.hi = n - 0.5 - fmax(0, depth_of_edge(pressed + n - 1, n, -1, half) - 0.5);
+}
+
+/* A place between two lines of a face, and how far it is on to the next one. */
+struct between {
+    int line;
+    double next;
+};
+
+static struct between between(double place, int n) {
+    place = cr_clamp(place, 0, n - 1);
+    int line = place < n - 1 ? (int)place : n - 2;
+    return n > 1 ? (struct between){line, place - line} : (struct between){0, 0};
+}
+
+/* Into the memory of a body's lines goes by how much the opponent is stronger on the voxels of one
+ * of the two that are pressed on: its own (sign 1), or the opponent's (sign -1). */
+static void remember(struct cr_moving *m, enum cr_face face, const struct cr_losses *from,
+                     const struct cr_loads *loads, double sign) {
+    int n = face == CR_FACE_FRONT || face == CR_FACE_REAR ? m->body->grid.ny : m->body->grid.nx;
+    bool row = by_row(from);
+    double *more = m->more[face], *all = m->all[face];
+    for (int i = 0; i < from->n; i++) {
+        const struct cr_loss *l = &from->loss[i];
+        struct between at = sign < 0 ? between(l->across, n) : between(row ? l->iy : l->ix, n);
+        double unit = from->unit[l->voxel], pull = cr_load_at(loads, l);
+        double stronger = sign * l->amount * (l->beside - unit - pull);
+        double both = l->amount * (l->beside + unit + fabs(pull));
+        more[at.line] += (1 - at.next) * stronger;
+        all[at.line] += (1 - at.next) * both;
+        more[at.line + 1] += at.next * stronger;
+        all[at.line + 1] += at.next * both;
+    }
+}
+
+/* share of the excess that each line of a body takes, 0..1 */
+static void share_lines(struct cr_solver *s, struct cr_moving *m, const struct cr_losses *mine) {
+    struct cr_yield *y = &s->yield;
+    const double *more = m->more[mine->face], *all = m->all[mine->face];
+    double *lean = m->lean[mine->face], *share = m->share[mine->face];
+    int wide = (int)lround(cr_yield_reach / m->body->grid.h), n = lines_of(m, mine);
+    y->more[0] = y->all[0] = 0;
+    for (int k = 0; k < n; k++) {
+        y->more[k + 1] = y->more[k] + more[k];
+        y->all[k + 1] = y->all[k] + all[k];
+    }
+    for (int k = 0; k < n; k++) {
+        int from = k - wide > 0 ? k - wide : 0, to = k + wide + 1 < n ? k + wide + 1 : n;
+        double sum = y->all[to] - y->all[from];
+        double weaker =
+            sum > trace * y->all[n] ? (y->more[to] - y->more[from]) / (share_band * sum) : 0;
+        lean[k] = cr_clamp(lean[k] + weaker * s->dt / lean_time, -1, 1);
+        share[k] = cr_clamp(0.5 * (1 + lean[k] + weaker), 0, 1);
+    }
+}
+
+/* leaves of one body's losses its share; seen from both bodies, so that both shares make one */
+static void keep_share(struct cr_losses *losses, const double *mine, const double *theirs, int n) {
+    bool row = by_row(losses);
+    int kept = 0;
+    for (int i = 0; i < losses->n; i++) {
+        struct cr_loss l = losses->loss[i];
+        struct between at = between(l.across, n);
+        double other = theirs[at.line] + at.next * (theirs[at.line + 1] - theirs[at.line]);
+        double share = 0.5 * (mine[row ? l.iy : l.ix] + 1 - other);
+        if (share > 0) {
+            l.amount *= share;
+            l.energy *= share;
+            losses->loss[kept++] = l;
+        }
+    }
+    losses->n = kept;
+}
+
+void cr_yield_halve(struct cr_losses *losses) {
+    for (int i = 0; i < losses->n; i++) {
+        losses->loss[i].amount *= 0.5;
+        losses->loss[i].energy *= 0.5;
+    }
+}
+
+void cr_yield_share(struct cr_solver *s, int a, int b) {
+    struct cr_moving *body[2] = {&s->m[a], &s->m[b]};
+    struct cr_losses *losses = s->losses;
+    double keep = exp(-s->dt / cr_yield_memory);
+    for (int side = 0; side < 2; side++) {
+        struct cr_moving *m = body[side];
+        enum cr_face face = losses[side].face;
+        for (int k = 0; k < lines_of(m, &losses[side]); k++) {
+            m->more[face][k] *= keep;
+            m->all[face][k] *= keep;
+        }
+        struct cr_loads mine = cr_string_loads(m, face);
+        struct cr_loads theirs = cr_string_loads(body[1 - side], losses[1 - side].face);
+        remember(m, face, &losses[side], &mine, 1);
+        remember(m, face, &losses[1 - side], &theirs, -1);
+        share_lines(s, m, &losses[side]);
+    }
+    const double *share[2] = {body[0]->share[losses[0].face], body[1]->share[losses[1].face]};
+    keep_share(&losses[0], share[0], share[1], lines_of(body[1], &losses[1]));
+    keep_share(&losses[1], share[1], share[0], lines_of(body[0], &losses[0]));
+}
+
+/* The outermost voxel of those hit before, without a gap from a voxel outwards. */
+static int outermost_crumb(const struct cr_moving *m, int voxel, int beyond, int step) {
+    const double *fill = m->body->grid.fill;
+    while (beyond-- > 0 && m->left[voxel + step] > 0 &&
+           m->left[voxel + step] < fill[voxel + step]) {
+        voxel += step;
+    }
+    return voxel;
+}
+
+/* From a voxel on inward until a loss is made up, ending at its own voxel; the first part replaces
+ * it, further ones are added behind the others. Each keeps what its voxel held in `beside`. */
+static bool take_inward(struct cr_moving *m, struct cr_losses *losses, int i, int voxel, int step) {
+    const struct cr_grid *g = &m->body->grid;
+    struct cr_loss whole = losses->loss[i];
+    double want = whole.amount;
+    for (bool first = true; want > 0; voxel -= step) {
+        double left = m->left[voxel], amount = left - want < cr_crumb ? left : want;
+        if (!first && !cr_losses_reserve(losses, 1)) {
+            return false;
+        }
+        struct cr_loss *part = first ? &losses->loss[i] : &losses->loss[losses->n++];
+        *part = (struct cr_loss){.voxel = voxel,
+                                 .ix = voxel % g->nx,
+                                 .iy = voxel / g->nx,
+                                 .amount = amount,
+                                 .energy = amount * losses->unit[voxel],
+                                 .beside = left};
+        m->left[voxel] = left - amount;
+        want -= amount;
+        first = false;
+        if (voxel == whole.voxel) {
+            break;
+        }
+    }
+    return true;
+}
+
+bool cr_yield_order(struct cr_moving *m, struct cr_losses *losses) {
+    const struct cr_grid *g = &m->body->grid;
+    bool row = by_row(losses);
+    bool up = losses->face == CR_FACE_FRONT || losses->face == CR_FACE_LEFT;
+    int step = (up ? 1 : -1) * (row ? 1 : g->nx), end = row ? g->nx : g->ny, n = losses->n;
+    bool ok = true;
+    for (int k = 0; ok && k < n; k++) { /* the outer ones of a line first */
+        int i = up ? n - 1 - k : k;
+        const struct cr_loss *l = &losses->loss[i];
+        int along = row ? l->ix : l->iy, beyond = up ? end - 1 - along : along;
+        ok = take_inward(m, losses, i, outermost_crumb(m, l->voxel, beyond, step), step);
+    }
+    for (int i = 0; i < losses->n; i++) { /* nothing has changed yet */
+        double *left = &m->left[losses->loss[i].voxel], before = losses->loss[i].beside;
+        *left = before > *left ? before : *left;
+    }
+    return ok;
+}
