@@ -81,23 +81,37 @@ static struct between between(double place, int n) {
     return n > 1 ? (struct between){line, place - line} : (struct between){0, 0};
 }
 
-/* Into the memory of a body's lines goes by how much the opponent is stronger on the voxels of one
- * of the two that are pressed on: its own (sign 1), or the opponent's (sign -1). */
-static void remember(struct cr_moving *m, enum cr_face face, const struct cr_losses *from,
-                     const struct cr_loads *loads, double sign) {
-    int n = face == CR_FACE_FRONT || face == CR_FACE_REAR ? m->body->grid.ny : m->body->grid.nx;
-    bool row = by_row(from);
-    double *more = m->more[face], *all = m->all[face];
-    for (int i = 0; i < from->n; i++) {
-        const struct cr_loss *l = &from->loss[i];
-        struct between at = sign < 0 ? between(l->across, n) : between(row ? l->iy : l->ix, n);
-        double unit = from->unit[l->voxel], pull = cr_load_at(loads, l);
-        double stronger = sign * l->amount * (l->beside - unit - pull);
+/* Into the memory of the lines of both bodies goes by how much one is stronger than the other on
+ * the voxels of the one called mine that are pressed on. */
+static void remember(struct cr_moving *mine, struct cr_moving *theirs,
+                     const struct cr_losses *losses, const struct cr_losses *other) {
+    struct cr_loads loads = cr_string_loads(mine, losses->face);
+    double *more = mine->more[losses->face], *all = mine->all[losses->face];
+    double *their_more = theirs->more[other->face], *their_all = theirs->all[other->face];
+    bool row = by_row(losses);
+    int n = lines_of(theirs, other);
+    for (int i = 0; i < losses->n; i++) {
+        const struct cr_loss *l = &losses->loss[i];
+        struct between at = between(l->across, n);
+        int line = row ? l->iy : l->ix;
+        double unit = losses->unit[l->voxel], pull = cr_load_at(&loads, l);
+        double stronger = l->amount * (l->beside - unit - pull);
         double both = l->amount * (l->beside + unit + fabs(pull));
-        more[at.line] += (1 - at.next) * stronger;
-        all[at.line] += (1 - at.next) * both;
-        more[at.line + 1] += at.next * stronger;
-        all[at.line + 1] += at.next * both;
+        more[line] += stronger;
+        all[line] += both;
+        their_more[at.line] -= (1 - at.next) * stronger;
+        their_all[at.line] += (1 - at.next) * both;
+        their_more[at.line + 1] -= at.next * stronger;
+        their_all[at.line + 1] += at.next * both;
+    }
+}
+
+/* older slices fade */
+static void fade(struct cr_moving *m, const struct cr_losses *losses, double keep) {
+    double *more = m->more[losses->face], *all = m->all[losses->face];
+    for (int k = 0, n = lines_of(m, losses); k < n; k++) {
+        more[k] *= keep;
+        all[k] *= keep;
     }
 }
 
@@ -148,25 +162,18 @@ void cr_yield_halve(struct cr_losses *losses) {
 }
 
 void cr_yield_share(struct cr_solver *s, int a, int b) {
-    struct cr_moving *body[2] = {&s->m[a], &s->m[b]};
-    struct cr_losses *losses = s->losses;
+    struct cr_moving *ma = &s->m[a], *mb = &s->m[b];
+    struct cr_losses *la = &s->losses[0], *lb = &s->losses[1];
     double keep = exp(-s->dt / cr_yield_memory);
-    for (int side = 0; side < 2; side++) {
-        struct cr_moving *m = body[side];
-        enum cr_face face = losses[side].face;
-        for (int k = 0; k < lines_of(m, &losses[side]); k++) {
-            m->more[face][k] *= keep;
-            m->all[face][k] *= keep;
-        }
-        struct cr_loads mine = cr_string_loads(m, face);
-        struct cr_loads theirs = cr_string_loads(body[1 - side], losses[1 - side].face);
-        remember(m, face, &losses[side], &mine, 1);
-        remember(m, face, &losses[1 - side], &theirs, -1);
-        share_lines(s, m, &losses[side]);
-    }
-    const double *share[2] = {body[0]->share[losses[0].face], body[1]->share[losses[1].face]};
-    keep_share(&losses[0], share[0], share[1], lines_of(body[1], &losses[1]));
-    keep_share(&losses[1], share[1], share[0], lines_of(body[0], &losses[0]));
+    fade(ma, la, keep);
+    fade(mb, lb, keep);
+    remember(ma, mb, la, lb);
+    remember(mb, ma, lb, la);
+    share_lines(s, ma, la);
+    share_lines(s, mb, lb);
+    const double *share_a = ma->share[la->face], *share_b = mb->share[lb->face];
+    keep_share(la, share_a, share_b, lines_of(mb, lb));
+    keep_share(lb, share_b, share_a, lines_of(ma, la));
 }
 
 /* The outermost voxel of those hit before, without a gap from a voxel outwards. */
@@ -185,6 +192,11 @@ static bool take_inward(struct cr_moving *m, struct cr_losses *losses, int i, in
     const struct cr_grid *g = &m->body->grid;
     struct cr_loss whole = losses->loss[i];
     double want = whole.amount;
+    if (voxel == whole.voxel) {
+        losses->loss[i].beside = m->left[voxel];
+        m->left[voxel] -= want;
+        return true;
+    }
     for (bool first = true; want > 0; voxel -= step) {
         double left = m->left[voxel], amount = left - want < cr_crumb ? left : want;
         if (!first && !cr_losses_reserve(losses, 1)) {
