@@ -19,6 +19,13 @@ update-golden: crumple$(EXEEXT) $(golden_pictures)
 	    TERM=xterm-256color $(SHELL) $(srcdir)/tests/golden/cmd/run.sh update
 .PHONY: update-golden update-pictures
 
+# the table of the validation page, 1 minute; to be reviewed
+update-validation: crumple$(EXEEXT)
+	SRC='$(abs_srcdir)' CRUMPLE='$(abs_builddir)/crumple$(EXEEXT)' LC_ALL=C.UTF-8 \
+	    $(SHELL) $(srcdir)/tests/update_validation.sh
+.PHONY: update-validation
+EXTRA_DIST += tests/update_validation.sh
+
 # the manual page of the commands, from their table
 check_PROGRAMS += crumple-manual
 crumple_manual_SOURCES = tests/manual.c
