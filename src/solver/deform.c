@@ -116,19 +116,30 @@ static inline double bilinear(struct four f, double u, double v) {
     return lerp(lerp(f.a, f.b, u), lerp(f.c, f.d, u), v);
 }
 
-/* What has no room of a voxel beside the opponent's material in the four voxels about it, of the
- * strengths theirs, and how strong that is per unit. Material without strength against this body
- * (no layer at its height) is not there for it. */
-static inline double excess_beside(double left, struct four material, struct four theirs,
+/* What has no room of a voxel beside the share phi of the opponent's material in the four voxels
+ * about it, of the strengths theirs, and how strong that is per unit. Material without strength
+ * against this body (no layer at its height) is not there for it. */
+static inline double excess_beside(double left, struct four there, double phi, struct four theirs,
                                    struct four load, double u, double v, double *beside) {
-    struct four there = {theirs.a > 0 ? material.a : 0, theirs.b > 0 ? material.b : 0,
-                         theirs.c > 0 ? material.c : 0, theirs.d > 0 ? material.d : 0};
+    if (!(theirs.a > 0 && theirs.b > 0 && theirs.c > 0 && theirs.d > 0)) {
+        there.a = theirs.a > 0 ? there.a : 0;
+        there.b = theirs.b > 0 ? there.b : 0;
+        there.c = theirs.c > 0 ? there.c : 0;
+        there.d = theirs.d > 0 ? there.d : 0;
+        phi = bilinear(there, u, v);
+    }
     struct four energy = {there.a * (theirs.a + load.a), there.b * (theirs.b + load.b),
                           there.c * (theirs.c + load.c), there.d * (theirs.d + load.d)};
-    double phi = bilinear(there, u, v);
     *beside = phi > 0 ? bilinear(energy, u, v) / phi : 0;
     return excess_of(left, phi);
 }
+
+/* what a body is met against: material, strength against the body, string */
+struct partner {
+    const struct cr_grid *g;
+    const double *left, *unit;
+    struct cr_loads loads;
+};
 
 static inline struct four loads_at(const struct cr_grid *g, const struct cr_loads *loads, int i,
                                    int j) {
@@ -140,11 +151,9 @@ static inline struct four loads_at(const struct cr_grid *g, const struct cr_load
 }
 
 /* the voxels span of a row against another body's voxels */
-static void meet_grid(const struct cr_reach *r, const double *their_unit, enum cr_face their_face,
-                      struct cr_span span, const struct row *row, struct cr_losses *losses) {
-    const struct cr_grid *og = &r->other->body->grid;
-    const double *their_left = r->other->left;
-    struct cr_loads loads = cr_string_loads(r->other, their_face);
+static void meet_grid(const struct cr_reach *r, const struct partner *o, struct cr_span span,
+                      const struct row *row, struct cr_losses *losses) {
+    const struct cr_grid *og = o->g;
     double c = r->map.c, s = r->map.s;
     double u0 = r->map.u - s * row->iy, v0 = r->map.v + c * row->iy;
     for (int ix = span.lo; ix < span.hi; ix++) {
@@ -154,19 +163,18 @@ static void meet_grid(const struct cr_reach *r, const double *their_unit, enum c
         }
         double u = u0 + c * ix, v = v0 + s * ix;
         int i = (int)(u + 2) - 2, j = (int)(v + 2) - 2; /* floor: both are > -2 */
-        bool edge = i < 0 || j < 0 || i + 1 >= og->nx || j + 1 >= og->ny;
-        struct four material =
-            edge ? four_at_edge(og, their_left, i, j) : four_at(og, their_left, i, j);
+        /* as unsigned, what is below 0 is beyond all ends */
+        bool edge = (unsigned)i >= (unsigned)og->nx - 1 || (unsigned)j >= (unsigned)og->ny - 1;
+        struct four material = edge ? four_at_edge(og, o->left, i, j) : four_at(og, o->left, i, j);
         double fu = u - i, fv = v - j, phi = bilinear(material, fu, fv);
         if (left + phi - 1 <= cr_crumb * left && phi < 1 - cr_crumb) {
             continue; /* excess_of() in short: there is room */
         }
-        struct four theirs =
-            edge ? four_at_edge(og, their_unit, i, j) : four_at(og, their_unit, i, j);
-        struct four load = loads_at(og, &loads, i, j);
-        double beside, excess = excess_beside(left, material, theirs, load, fu, fv, &beside);
+        struct four theirs = edge ? four_at_edge(og, o->unit, i, j) : four_at(og, o->unit, i, j);
+        struct four load = loads_at(og, &o->loads, i, j);
+        double beside, excess = excess_beside(left, material, phi, theirs, load, fu, fv, &beside);
         if (excess > 0) {
-            lose(losses, row, ix, excess, beside, loads.row != NULL ? v : u);
+            lose(losses, row, ix, excess, beside, o->loads.row != NULL ? v : u);
         }
     }
 }
@@ -184,7 +192,8 @@ static void sum_losses(const struct cr_moving *m, struct cr_losses *losses) {
     for (int i = 0; i < losses->n; i++) {
         const struct cr_loss *l = &losses->loss[i];
         double e = l->energy, x = g->x0 + (l->ix + 0.5) * g->h, y = g->y0 + (l->iy + 0.5) * g->h;
-        double loaded = fmax(0, e + l->amount * cr_load_at(&loads, l));
+        double loaded = e + l->amount * cr_load_at(&loads, l);
+        loaded = loaded > 0 ? loaded : 0;
         losses->energy += e;
         losses->first = cr_vec2_add(losses->first, cr_vec2(e * x, e * y));
         losses->xx += e * x * x;
@@ -206,6 +215,7 @@ static bool collect_side(struct cr_solver *s, int me, int other, struct cr_losse
     if (g->nx == 0) {
         return true;
     }
+    struct partner partner = {&o->body->grid, o->left, o->unit[me], cr_string_loads(o, their_face)};
     struct cr_reach reach;
     cr_reach_begin(&reach, m, o);
     for (int iy = reach.rows.lo; iy < reach.rows.hi; iy++) {
@@ -222,7 +232,7 @@ static bool collect_side(struct cr_solver *s, int me, int other, struct cr_losse
         if (o->left == NULL) {
             meet_shape(&reach, span, &row, losses);
         } else {
-            meet_grid(&reach, o->unit[me], their_face, span, &row, losses);
+            meet_grid(&reach, &partner, span, &row, losses);
         }
     }
     return true;

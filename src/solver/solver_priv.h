@@ -106,12 +106,20 @@ struct cr_yield {
     double *more, *all;
 };
 
+/* Where a contact ends, and from where the string hangs: inside a line, not in its middle. */
+struct cr_edge {
+    double at;        /* in lines */
+    int inner, outer; /* the lines at least half a line away on either side */
+    int below;        /* the line at or below it */
+};
+
 /* Scratch of string.c, one entry a line of the longest face. */
 struct cr_string {
-    double *w;             /* depth, m */
-    double *bend;          /* h^2 q / N0: second difference of the bow, m */
-    struct cr_range met;   /* lines that the opponent presses on */
-    double *more;          /* what a line's share of the resistance is more than the one before */
+    double *w;              /* depth, m */
+    double *bend;           /* h^2 q / N0: second difference of the bow, m */
+    struct cr_range met;    /* lines that the opponent presses on */
+    struct cr_edge edge[2]; /* its lower and its upper end */
+    double *more;           /* what a line's share of the resistance is more than the one before */
     int *surface;          /* place of the surface along the line, -1: the string is nailed there */
     bool *taut;            /* segment between lines i - 1 and i is stretched */
     struct cr_hold *held;  /* a stack */

@@ -112,35 +112,29 @@ static void prepare(struct cr_string *st, const struct lines *lines, struct cr_s
     }
 }
 
-/* Where a contact ends, and from where the string hangs: inside a line, not in its middle. */
-struct edge {
-    double at;        /* in lines */
-    int inner, outer; /* the lines at least half a line away on either side */
-};
-
-static struct edge lower_edge(const struct cr_string *st) {
-    double middle = 0.5 * (st->met.lo + st->met.hi), inner = ceil(st->met.lo + 0.5 - tie);
-    return (struct edge){st->met.lo, (int)(inner < middle ? inner : lround(middle)),
-                         (int)floor(st->met.lo - 0.5 + tie)};
+static struct cr_edge lower_edge(struct cr_range met) {
+    double middle = 0.5 * (met.lo + met.hi), inner = ceil(met.lo + 0.5 - tie);
+    return (struct cr_edge){met.lo, (int)(inner < middle ? inner : lround(middle)),
+                            (int)floor(met.lo - 0.5 + tie), (int)floor(met.lo)};
 }
 
-static struct edge upper_edge(const struct cr_string *st) {
-    double middle = 0.5 * (st->met.lo + st->met.hi), inner = floor(st->met.hi - 0.5 + tie);
-    return (struct edge){st->met.hi, (int)(inner > middle ? inner : lround(middle)),
-                         (int)ceil(st->met.hi + 0.5 - tie)};
+static struct cr_edge upper_edge(struct cr_range met) {
+    double middle = 0.5 * (met.lo + met.hi), inner = floor(met.hi - 0.5 + tie);
+    return (struct cr_edge){met.hi, (int)(inner > middle ? inner : lround(middle)),
+                            (int)ceil(met.hi + 0.5 - tie), (int)floor(met.hi)};
 }
 
 /* Depth at the edge of a contact: the surface goes on as it came from the lines inside, but not
  * deeper, which is level for a box and sloping for a pole. */
-static double edge_depth(const struct lines *l, const double *depth, struct edge e) {
-    int i = e.inner, behind = e.outer > i ? i - 1 : i + 1, k = (int)floor(e.at);
+static double edge_depth(const struct lines *l, const double *depth, struct cr_edge e) {
+    int i = e.inner, behind = e.outer > i ? i - 1 : i + 1, k = e.below;
     double rise = behind >= 0 && behind < l->n ? fmin(0, depth[i] - depth[behind]) : 0;
     double next = k + 1 < l->n ? depth[k + 1] : 0, here = k >= 0 ? depth[k] : next;
     return fmax(depth[i] + fabs(e.at - i) * rise, here + (e.at - k) * (next - here));
 }
 
 /* put a point on the stack of those that hold, and take away those that it relieves */
-static int hold(struct cr_hold *held, int n, double line, double over, bool nailed) {
+static inline int hold(struct cr_hold *held, int n, double line, double over, bool nailed) {
     double ahead = 0;
     for (; n > 0; n--) {
         const struct cr_hold *last = &held[n - 1];
@@ -162,15 +156,15 @@ static int hold(struct cr_hold *held, int n, double line, double over, bool nail
 static int hull(struct cr_string *st, const struct lines *l, struct cr_span piece, double *slope) {
     bool nailed = st->surface[piece.lo] < 0;
     const double *depth = l->depth;
-    struct edge edge[2] = {lower_edge(st), upper_edge(st)};
     double bow = 0, bow_slope = 0;
     int n = 0;
     for (int i = piece.lo; i <= piece.hi; i++) {
-        for (int k = 0; k < 2 && i > piece.lo; k++) {
-            double back = i - edge[k].at;
-            if (back > tie && back < 1 - tie) {
-                double over = edge_depth(l, depth, edge[k]) - (bow - back * bow_slope);
-                n = hold(st->held, n, edge[k].at, over, nailed);
+        for (int k = 0; k < 2; k++) {
+            const struct cr_edge *e = &st->edge[k];
+            double back = i - e->at;
+            if (i == e->below + 1 && i > piece.lo && back > tie && back < 1 - tie) {
+                double over = edge_depth(l, depth, *e) - (bow - back * bow_slope);
+                n = hold(st->held, n, e->at, over, nailed);
             }
         }
         n = hold(st->held, n, i, depth[i] - bow, nailed);
@@ -269,14 +263,13 @@ static bool take(struct cr_string *st, const struct lines *l, int line, struct c
 
 /* of the segments in the window; those beyond are as they were made */
 static double membrane_energy(const struct cr_string *st, const struct lines *l, double tension) {
-    struct edge edge[2] = {lower_edge(st), upper_edge(st)};
     double sum = 0;
     for (int i = st->window.lo + 1; i <= st->window.hi; i++) {
         double d = st->taut[i] ? st->w[i] - st->w[i - 1] : 0;
         sum += d * d;
     }
     for (int k = 0; k < 2; k++) { /* around an edge the string bends there */
-        const struct edge *e = &edge[k];
+        const struct cr_edge *e = &st->edge[k];
         int lo = e->inner < e->outer ? e->inner : e->outer, hi = e->inner + e->outer - lo;
         if (lo < st->window.lo || hi > st->window.hi || !st->taut[lo + 1] || !st->taut[hi]) {
             continue;
@@ -293,7 +286,7 @@ static double membrane_energy(const struct cr_string *st, const struct lines *l,
 
 /* Slope with which the string leaves the contact outwards at an edge, m a line: the mean over the
  * next line and half of what it bends there. */
-static double slope_outside(const struct cr_string *st, const struct lines *l, struct edge e) {
+static double slope_outside(const struct cr_string *st, const struct lines *l, struct cr_edge e) {
     double sign = e.outer > e.inner ? 1 : -1, far = e.at + sign;
     int k = (int)floor(far);
     if (k < 0 || k + 1 >= l->n || !st->taut[k + 1]) {
@@ -319,8 +312,8 @@ static void note_pull(struct cr_string *st, const struct lines *l, double tensio
     int wide = (int)lround(cr_yield_reach / h), lo = st->window.lo, hi = st->window.hi;
     memset(st->more + lo, 0, (size_t)(hi + 2 - lo) * sizeof *st->more);
     for (int i = first; i <= last; i++) {
-        double slopes = i == first ? slope_outside(st, l, lower_edge(st)) : gain(st, i, i - 1);
-        slopes += i == last ? slope_outside(st, l, upper_edge(st)) : gain(st, i, i + 1);
+        double slopes = i == first ? slope_outside(st, l, st->edge[0]) : gain(st, i, i - 1);
+        slopes += i == last ? slope_outside(st, l, st->edge[1]) : gain(st, i, i + 1);
         int from = i - wide > first ? i - wide : first, to = i + wide < last ? i + wide : last;
         double length =
             (to == last ? st->met.hi : to + 0.5) - (from == first ? st->met.lo : from - 0.5);
@@ -349,6 +342,8 @@ bool cr_string_pull(struct cr_solver *s, struct cr_moving *m, int partner,
     struct lines l = lines_of(m, m->unit[partner], face);
     struct cr_string *st = &s->string;
     st->met = losses->met;
+    st->edge[0] = lower_edge(st->met);
+    st->edge[1] = upper_edge(st->met);
     relax(st, &l, m->dented[face], tension);
     double before = losses->energy;
     for (int i = st->window.lo; i <= st->window.hi; i++) {
