@@ -301,6 +301,16 @@ bool cr_solver_touched(const struct cr_solver *s) {
     return s->touched;
 }
 
+/* The face that the force acts on, and which of its lines are met: those known so far are of the
+ * face before, whose lines may run the other way. */
+static void turn_to(struct cr_solver *s, struct cr_moving *m, struct cr_losses *losses,
+                    enum cr_face face) {
+    if (losses->face != face) {
+        losses->face = face;
+        cr_yield_range(s, m, losses);
+    }
+}
+
 /* steps 1 to 3 for a pair whose materials meet; false when memory is out */
 static bool crush(struct cr_solver *s, int pair, int a, int b, struct cr_force *f) {
     struct cr_moving *ma = &s->m[a], *mb = &s->m[b];
@@ -314,8 +324,8 @@ static bool crush(struct cr_solver *s, int pair, int a, int b, struct cr_force *
             return false;
         }
     }
-    s->losses[0].face = cr_string_face(ma, cr_vec2_scale(f->normal, -1));
-    s->losses[1].face = cr_string_face(mb, f->normal);
+    turn_to(s, ma, &s->losses[0], cr_string_face(ma, cr_vec2_scale(f->normal, -1)));
+    turn_to(s, mb, &s->losses[1], cr_string_face(mb, f->normal));
     s->touch[pair].face[0] = s->losses[0].face;
     s->touch[pair].face[1] = s->losses[1].face;
     cr_deform_apply(ma, &s->losses[0], 0);

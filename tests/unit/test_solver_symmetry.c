@@ -106,6 +106,29 @@ static void swapped_participants(void **state) {
     }
 }
 
+/* A car that slides forward and to the left meets a pole with its flank: the face that approaches
+ * is the front, the force acts on the flank. Where the pole presses is known of the front's lines,
+ * here the 36th of 36; counted as lines of the flank, from the rear, that would be under the pole
+ * on the left, and on the right, where it is the first, would not. */
+static void force_turns_to_the_flank(void **state) {
+    (void)state;
+    struct numbers n[2];
+    for (int k = 0; k < 2; k++) {
+        double side = k == 0 ? 1 : -1;
+        struct cr_arena arena = {0};
+        struct cr_body car = car_body(&arena, voxel, 0, 0, 0, 0);
+        for (int f = 0; f < CR_FACES; f++) {
+            car.grid.tension[f] = 48 * car.mass;
+        }
+        car.vel = cr_vec2(6.4, side * 5.4);
+        struct cr_case cs = case_of(car, pole_body(-0.36, side * 1.08, 0.127));
+        cs.opts.induced = true;
+        n[k] = numbers_of(&cs);
+        cr_arena_free(&arena);
+    }
+    same(&n[0], &n[1], false, -1, tolerance);
+}
+
 /* Galilei: both bodies 7 m/s faster crash in the same way; without tyres, which know the ground */
 static void moving_frame(void **state) {
     (void)state;
@@ -164,9 +187,13 @@ static void same_bits_twice_and_stepwise(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(mirror_image), cmocka_unit_test(rotation),
-        cmocka_unit_test(shift),        cmocka_unit_test(swapped_participants),
-        cmocka_unit_test(moving_frame), cmocka_unit_test(same_bits_twice_and_stepwise),
+        cmocka_unit_test(mirror_image),
+        cmocka_unit_test(rotation),
+        cmocka_unit_test(shift),
+        cmocka_unit_test(swapped_participants),
+        cmocka_unit_test(moving_frame),
+        cmocka_unit_test(same_bits_twice_and_stepwise),
+        cmocka_unit_test(force_turns_to_the_flank),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
