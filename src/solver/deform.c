@@ -272,6 +272,17 @@ bool cr_deform_collect(struct cr_solver *s, int a, int b) {
     return true;
 }
 
+void cr_deform_scale(struct cr_losses *losses, double share) {
+    for (int i = 0; i < losses->n; i++) {
+        losses->loss[i].amount *= share;
+        losses->loss[i].energy *= share;
+    }
+    losses->energy *= share;
+    losses->weight *= share;
+    losses->first = cr_vec2_scale(losses->first, share);
+    losses->loaded = cr_vec2_scale(losses->loaded, share);
+}
+
 static inline void dent(struct cr_moving *m, enum cr_face face, int line, double amount) {
     struct cr_span *span = &m->dented[face];
     m->depth[face][line] += amount * m->pitch[face][line];

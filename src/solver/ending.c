@@ -105,6 +105,17 @@ static double touch_ahead(struct cr_solver *s) {
     return ahead;
 }
 
+/* bodies may rub on: what is still open ends here */
+static void close_contacts(struct cr_solver *s) {
+    for (int i = 0; i < s->contacts; i++) {
+        struct cr_contact *c = &s->contact[i];
+        c->stop = c->stop == CR_STOP_NONE ? CR_STOP_SEPARATION : c->stop;
+        c->t_plastic_end = isnan(c->t_plastic_end) ? s->t : c->t_plastic_end;
+        c->t_elastic_end = isnan(c->t_elastic_end) ? s->t : c->t_elastic_end;
+        c->t_end = isnan(c->t_end) ? s->t : c->t_end;
+    }
+}
+
 /* Nothing is in contact: done unless something is about to be. Tyres bend the paths, so the look
  * ahead is repeated when the touch it foresaw has not come. */
 static void look_ahead(struct cr_solver *s) {
@@ -119,6 +130,7 @@ static void look_ahead(struct cr_solver *s) {
     }
     if (s->done) {
         go_back(s, s->freed);
+        close_contacts(s);
     }
 }
 

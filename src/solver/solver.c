@@ -6,6 +6,10 @@
 /* Least approach that begins a contact, m/s. What the last slice of a contact gave back still
  * overlaps, and would be crushed again and again by what rounding leaves of the approach. */
 static const double begin_speed = 1e-3;
+/* least time in which bodies that have crushed each other stop again, s: an elastic phase (paper)
+ */
+static const double touch_time = 8e-3;
+
 const char *cr_stop_word(enum cr_stop stop) {
     static const char *const words[] = {
 #define X(name, word) [CR_STOP_##name] = word,
@@ -301,6 +305,37 @@ bool cr_solver_touched(const struct cr_solver *s) {
     return s->touched;
 }
 
+/* whether another contact of one of the two presses on */
+static bool held_elsewhere(const struct cr_solver *s, int a, int b) {
+    for (int i = 0; i < s->cs->n; i++) {
+        for (int k = i + 1; k < s->cs->n; k++) {
+            bool shared = i == a || i == b || k == a || k == b;
+            if (shared && !(i == a && k == b) && s->touch[cr_pair(s, i, k)].record >= 0) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/* Structures that have crushed each other touch again with all their length at once, and would stop
+ * within a slice: they are sprung, and take as long as an elastic phase at least. */
+static void soften(struct cr_solver *s, int pair, int a, int b, struct cr_force *f) {
+    struct cr_touch *t = &s->touch[pair];
+    double speed = cr_vec2_dot(cr_relative_velocity(s, a, b, f->coe), f->normal);
+    if (!(t->spent > 0) || !(speed > 0) || held_elsewhere(s, a, b)) {
+        return;
+    }
+    double left = cr_impulse_left(s, a, b, f->coe, f->normal, f->direction);
+    t->most = fmax(t->most, left / touch_time);
+    double share = t->most * speed * s->dt / f->energy;
+    if (share < 1) {
+        cr_deform_scale(&s->losses[0], share);
+        cr_deform_scale(&s->losses[1], share);
+        f->energy *= share;
+    }
+}
+
 /* The face that the force acts on, and which of its lines are met: those known so far are of the
  * face before, whose lines may run the other way. */
 static void turn_to(struct cr_solver *s, struct cr_moving *m, struct cr_losses *losses,
@@ -324,6 +359,7 @@ static bool crush(struct cr_solver *s, int pair, int a, int b, struct cr_force *
             return false;
         }
     }
+    soften(s, pair, a, b, f);
     turn_to(s, ma, &s->losses[0], cr_string_face(ma, cr_vec2_scale(f->normal, -1)));
     turn_to(s, mb, &s->losses[1], cr_string_face(mb, f->normal));
     s->touch[pair].face[0] = s->losses[0].face;

@@ -141,6 +141,7 @@ struct cr_touch {
     struct cr_vec2 normal, direction;
     enum cr_face face[2];      /* that the force acted on in the last slice, a's and b's */
     bool sliding;              /* force on the edge of the friction cone */
+    double most;               /* greatest force, N: bodies that have crushed are sprung */
     double spent;              /* crush energy of the pair's contacts that are over, J */
     bool rubbing;              /* this touch is too slight to count as part of the crash */
     double force;              /* along direction, mean of the last plastic slices, N */
@@ -259,6 +260,8 @@ bool cr_deform_collect(struct cr_solver *s, int a, int b);
 extern const double cr_crumb; /* material below this share of a voxel goes with the rest */
 /* room for n more losses */
 bool cr_losses_reserve(struct cr_losses *losses, int n);
+/* take only a share of the losses */
+void cr_deform_scale(struct cr_losses *losses, double share);
 /* add a loss outside the contact */
 bool cr_deform_add(struct cr_losses *losses, const struct cr_grid *g, int ix, int iy, double amount,
                    double energy);
