@@ -109,6 +109,7 @@ static double touch_ahead(struct cr_solver *s) {
 static void close_contacts(struct cr_solver *s) {
     for (int i = 0; i < s->contacts; i++) {
         struct cr_contact *c = &s->contact[i];
+        c->phase = CR_PHASE_APART;
         c->stop = c->stop == CR_STOP_NONE ? CR_STOP_SEPARATION : c->stop;
         c->t_plastic_end = isnan(c->t_plastic_end) ? s->t : c->t_plastic_end;
         c->t_elastic_end = isnan(c->t_elastic_end) ? s->t : c->t_elastic_end;
