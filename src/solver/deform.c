@@ -184,7 +184,7 @@ static void meet_grid(const struct cr_reach *r, const struct partner *o, struct 
  */
 static void sum_losses(const struct cr_moving *m, struct cr_losses *losses) {
     const struct cr_grid *g = &m->body->grid;
-    struct cr_loads loads = cr_string_loads(m, losses->face);
+    struct cr_loads loads = cr_string_loads(losses->face, losses->press);
     losses->contact = losses->n;
     losses->energy = losses->weight = losses->induced = losses->stretch = 0;
     losses->first = losses->loaded = cr_vec2(0, 0);
@@ -215,7 +215,8 @@ static bool collect_side(struct cr_solver *s, int me, int other, struct cr_losse
     if (g->nx == 0) {
         return true;
     }
-    struct partner partner = {&o->body->grid, o->left, o->unit[me], cr_string_loads(o, their_face)};
+    struct partner partner = {&o->body->grid, o->left, o->unit[me],
+                              cr_string_loads(their_face, &o->press[me][their_face])};
     struct cr_reach reach;
     cr_reach_begin(&reach, m, o);
     for (int iy = reach.rows.lo; iy < reach.rows.hi; iy++) {
@@ -245,6 +246,8 @@ static void choose_faces(struct cr_solver *s, int a, int b) {
     bool touched = t->record >= 0;
     s->losses[0].face = touched ? t->face[0] : cr_string_face(&s->m[a], cr_vec2_scale(v, -1));
     s->losses[1].face = touched ? t->face[1] : cr_string_face(&s->m[b], v);
+    s->losses[0].press = &s->m[a].press[b][s->losses[0].face];
+    s->losses[1].press = &s->m[b].press[a][s->losses[1].face];
 }
 
 bool cr_deform_collect(struct cr_solver *s, int a, int b) {

@@ -31,6 +31,21 @@ struct cr_opts cr_opts_default(void) {
                             .rest_time = 30};
 }
 
+/* memory of what a partner does to a face of n lines; a place between two lines may be behind the
+ * last one */
+static bool new_press(struct cr_solver *s, struct cr_press *press, size_t n) {
+    double **array[] = {&press->pressed, &press->more,  &press->all,
+                        &press->lean,    &press->share, &press->pull};
+    press->t_pressed = press->t_weighed = -INFINITY;
+    for (size_t i = 0; i < sizeof array / sizeof *array; i++) {
+        *array[i] = cr_arena_take(&s->arena, n + 1, sizeof(double));
+        if (*array[i] == NULL) {
+            return false;
+        }
+    }
+    return true;
+}
+
 static bool new_lines(struct cr_solver *s, struct cr_moving *m) {
     const struct cr_grid *g = &m->body->grid;
     size_t nx = (size_t)g->nx, ny = (size_t)g->ny;
@@ -41,16 +56,13 @@ static bool new_lines(struct cr_solver *s, struct cr_moving *m) {
         m->depth[f] = cr_arena_take(&s->arena, n, sizeof(double));
         m->outline[f] = cr_arena_take(&s->arena, n, sizeof(double));
         m->pitch[f] = cr_arena_take(&s->arena, n, sizeof(double));
-        m->pull[f] = cr_arena_take(&s->arena, n, sizeof(double));
-        m->pressed[f] = cr_arena_take(&s->arena, n, sizeof(double));
-        m->more[f] = cr_arena_take(&s->arena, n + 1, sizeof(double));
-        m->all[f] = cr_arena_take(&s->arena, n + 1, sizeof(double));
-        m->lean[f] = cr_arena_take(&s->arena, n, sizeof(double));
-        m->share[f] = cr_arena_take(&s->arena, n + 1, sizeof(double));
-        if (m->depth[f] == NULL || m->outline[f] == NULL || m->pitch[f] == NULL ||
-            m->pull[f] == NULL || m->pressed[f] == NULL || m->more[f] == NULL ||
-            m->all[f] == NULL || m->lean[f] == NULL || m->share[f] == NULL) {
+        if (m->depth[f] == NULL || m->outline[f] == NULL || m->pitch[f] == NULL) {
             return false;
+        }
+        for (int p = 0; p < s->cs->n; p++) {
+            if (m != &s->m[p] && !new_press(s, &m->press[p][f], n)) {
+                return false;
+            }
         }
     }
     return m->row != NULL && m->col != NULL;
@@ -338,10 +350,11 @@ static void soften(struct cr_solver *s, int pair, int a, int b, struct cr_force 
 
 /* The face that the force acts on, and which of its lines are met: those known so far are of the
  * face before, whose lines may run the other way. */
-static void turn_to(struct cr_solver *s, struct cr_moving *m, struct cr_losses *losses,
+static void turn_to(struct cr_solver *s, struct cr_moving *m, int partner, struct cr_losses *losses,
                     enum cr_face face) {
     if (losses->face != face) {
         losses->face = face;
+        losses->press = &m->press[partner][face];
         cr_yield_range(s, m, losses);
     }
 }
@@ -360,8 +373,8 @@ static bool crush(struct cr_solver *s, int pair, int a, int b, struct cr_force *
         }
     }
     soften(s, pair, a, b, f);
-    turn_to(s, ma, &s->losses[0], cr_string_face(ma, cr_vec2_scale(f->normal, -1)));
-    turn_to(s, mb, &s->losses[1], cr_string_face(mb, f->normal));
+    turn_to(s, ma, b, &s->losses[0], cr_string_face(ma, cr_vec2_scale(f->normal, -1)));
+    turn_to(s, mb, a, &s->losses[1], cr_string_face(mb, f->normal));
     s->touch[pair].face[0] = s->losses[0].face;
     s->touch[pair].face[1] = s->losses[1].face;
     cr_deform_apply(ma, &s->losses[0], 0);

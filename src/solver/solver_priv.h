@@ -19,6 +19,17 @@ struct cr_range {
     double lo, hi;
 };
 
+/* Memory of how one partner has pressed on a face lately, line by line; older slices fade. */
+struct cr_press {
+    double *pressed; /* material that had no room */
+    double *more;    /* strength pressing on the line above its own, J, */
+    double *all;     /* and both together, J */
+    double *lean;    /* how far the excess is this body's lately, -1..1 */
+    double *share;   /* and in this slice, 0..1 */
+    double *pull;    /* of the string on the line after its last slice, J per unit of material */
+    double t_pressed, t_weighed; /* when these were last renewed, s */
+};
+
 /* What changes of a body while the solve runs. */
 struct cr_moving {
     const struct cr_body *body;
@@ -37,21 +48,15 @@ struct cr_moving {
     uint8_t *how;                          /* enum cr_crush flags */
     const double *unit[CR_BODY_MAX];       /* energy per unit of material against each partner, J */
     double tension[CR_BODY_MAX][CR_FACES]; /* of the string against each partner, N */
-    struct cr_span *row, *col;       /* live span of each row (along x) and column (along y) */
-    struct cr_span rows, cols;       /* rows and columns between which there is material */
-    double *depth[CR_FACES];         /* crush of each line of a face, m: rows for front and
-                                        rear, columns for left and right */
-    double *outline[CR_FACES];       /* undeformed surface behind the foremost one, m */
-    double *pitch[CR_FACES];         /* depth of a line per unit of material, m: more than a voxel's
-                                        edge at the sides, where voxels are filled in part */
-    double membrane[CR_FACES];       /* string energy of a face, J */
-    double *pressed[CR_FACES];       /* memory of each line: material that had no room, */
-    double *more[CR_FACES];          /* strength pressing on it above its own, J, */
-    double *all[CR_FACES];           /* and both together, J */
-    double *lean[CR_FACES];          /* how far the lines' excess is this body's lately, -1..1 */
-    double *share[CR_FACES];         /* and in this slice, 0..1 */
-    double *pull[CR_FACES];          /* of the string on each line, J per unit of material: as it
-                                        was after its last slice */
+    struct cr_span *row, *col; /* live span of each row (along x) and column (along y) */
+    struct cr_span rows, cols; /* rows and columns between which there is material */
+    double *depth[CR_FACES];   /* crush of each line of a face, m: rows for front and
+                                  rear, columns for left and right */
+    double *outline[CR_FACES]; /* undeformed surface behind the foremost one, m */
+    double *pitch[CR_FACES];   /* depth of a line per unit of material, m: more than a voxel's
+                                  edge at the sides, where voxels are filled in part */
+    double membrane[CR_FACES]; /* string energy of a face, J */
+    struct cr_press press[CR_BODY_MAX][CR_FACES]; /* memory of each partner's pressing */
     struct cr_span dented[CR_FACES]; /* lines that have lost material, both ends included */
     double energy, induced;          /* plastic so far, J */
     double crushed;                  /* plan area so far, m2 */
@@ -79,19 +84,20 @@ struct cr_loss {
 struct cr_losses {
     int n, size;
     struct cr_loss *loss;
-    const double *unit;    /* energy per unit of material of the body's voxels, J */
-    double energy;         /* of all, string included, J */
-    struct cr_vec2 first;  /* sum of energy x place of those in the contact, body frame, J m */
-    double xx, xy, yy;     /* second moments alike, J m2 */
-    double weight;         /* of those in the contact with the string's pull on them, J */
-    struct cr_vec2 loaded; /* sum of such weight x place, J m */
-    struct cr_vec2 normal; /* sum of energy x surface normal of a rigid partner, its frame, J */
-    double induced;        /* part outside the contact, string included, J */
-    double area;           /* m2 */
-    double stretch;        /* energy that stretched the string in this slice, J */
-    enum cr_face face;     /* it acts on */
-    struct cr_range met;   /* of that face's lines that the opponent presses on */
-    int contact;           /* the first losses are of contact, the rest induced */
+    const double *unit;     /* energy per unit of material of the body's voxels, J */
+    double energy;          /* of all, string included, J */
+    struct cr_vec2 first;   /* sum of energy x place of those in the contact, body frame, J m */
+    double xx, xy, yy;      /* second moments alike, J m2 */
+    double weight;          /* of those in the contact with the string's pull on them, J */
+    struct cr_vec2 loaded;  /* sum of such weight x place, J m */
+    struct cr_vec2 normal;  /* sum of energy x surface normal of a rigid partner, its frame, J */
+    double induced;         /* part outside the contact, string included, J */
+    double area;            /* m2 */
+    double stretch;         /* energy that stretched the string in this slice, J */
+    enum cr_face face;      /* it acts on */
+    struct cr_press *press; /* of the partner on that face */
+    struct cr_range met;    /* of that face's lines that the opponent presses on */
+    int contact;            /* the first losses are of contact, the rest induced */
 };
 
 /* A line that holds the string. */
@@ -290,7 +296,7 @@ bool cr_yield_order(struct cr_moving *m, struct cr_losses *losses);
 struct cr_loads {
     const double *row, *col; /* one of them NULL */
 };
-struct cr_loads cr_string_loads(const struct cr_moving *m, enum cr_face face);
+struct cr_loads cr_string_loads(enum cr_face face, const struct cr_press *press);
 static inline double cr_load_of(const struct cr_loads *l, int ix, int iy) {
     return l->row != NULL ? l->row[iy] : l->col[ix];
 }

@@ -326,9 +326,9 @@ static void note_pull(struct cr_string *st, const struct lines *l, double tensio
     }
 }
 
-struct cr_loads cr_string_loads(const struct cr_moving *m, enum cr_face face) {
+struct cr_loads cr_string_loads(enum cr_face face, const struct cr_press *press) {
     bool row = face == CR_FACE_FRONT || face == CR_FACE_REAR;
-    return (struct cr_loads){row ? m->pull[face] : NULL, row ? NULL : m->pull[face]};
+    return (struct cr_loads){row ? press->pull : NULL, row ? NULL : press->pull};
 }
 
 bool cr_string_pull(struct cr_solver *s, struct cr_moving *m, int partner,
@@ -352,7 +352,7 @@ bool cr_string_pull(struct cr_solver *s, struct cr_moving *m, int partner,
         }
     }
     double stretched = membrane_energy(st, &l, tension);
-    note_pull(st, &l, tension, m->pull[face]);
+    note_pull(st, &l, tension, losses->press->pull);
     losses->stretch = fmax(0, stretched - m->membrane[face]);
     losses->induced = losses->energy - before + losses->stretch;
     losses->energy += losses->stretch;

@@ -45,6 +45,13 @@ static double depth_of_edge(const double *amount, int n, int step, double half) 
     return n;
 }
 
+/* What is left at time t of a memory that was last renewed at *last, which it moves on. */
+static double kept(double t, double *last) {
+    double keep = exp((*last - t) / cr_yield_memory);
+    *last = t;
+    return keep;
+}
+
 void cr_yield_range(struct cr_solver *s, struct cr_moving *m, struct cr_losses *losses) {
     losses->met = (struct cr_range){0, 0};
     if (losses->n == 0) {
@@ -52,7 +59,7 @@ void cr_yield_range(struct cr_solver *s, struct cr_moving *m, struct cr_losses *
     }
     bool row = by_row(losses);
     int n = lines_of(m, losses);
-    double *pressed = m->pressed[losses->face], keep = exp(-s->dt / cr_yield_memory);
+    double *pressed = losses->press->pressed, keep = kept(s->t, &losses->press->t_pressed);
     for (int k = 0; k < n; k++) {
         pressed[k] *= keep;
     }
@@ -83,11 +90,11 @@ static struct between between(double place, int n) {
 
 /* Into the memory of the lines of both bodies goes by how much one is stronger than the other on
  * the voxels of the one called mine that are pressed on. */
-static void remember(struct cr_moving *mine, struct cr_moving *theirs,
-                     const struct cr_losses *losses, const struct cr_losses *other) {
-    struct cr_loads loads = cr_string_loads(mine, losses->face);
-    double *more = mine->more[losses->face], *all = mine->all[losses->face];
-    double *their_more = theirs->more[other->face], *their_all = theirs->all[other->face];
+static void remember(const struct cr_moving *theirs, const struct cr_losses *losses,
+                     const struct cr_losses *other) {
+    struct cr_loads loads = cr_string_loads(losses->face, losses->press);
+    double *more = losses->press->more, *all = losses->press->all;
+    double *their_more = other->press->more, *their_all = other->press->all;
     bool row = by_row(losses);
     int n = lines_of(theirs, other);
     for (int i = 0; i < losses->n; i++) {
@@ -107,8 +114,9 @@ static void remember(struct cr_moving *mine, struct cr_moving *theirs,
 }
 
 /* older slices fade */
-static void fade(struct cr_moving *m, const struct cr_losses *losses, double keep) {
-    double *more = m->more[losses->face], *all = m->all[losses->face];
+static void fade(const struct cr_moving *m, const struct cr_losses *losses, double t) {
+    double *more = losses->press->more, *all = losses->press->all;
+    double keep = kept(t, &losses->press->t_weighed);
     for (int k = 0, n = lines_of(m, losses); k < n; k++) {
         more[k] *= keep;
         all[k] *= keep;
@@ -116,10 +124,11 @@ static void fade(struct cr_moving *m, const struct cr_losses *losses, double kee
 }
 
 /* share of the excess that each line of a body takes, 0..1 */
-static void share_lines(struct cr_solver *s, struct cr_moving *m, const struct cr_losses *mine) {
+static void share_lines(struct cr_solver *s, const struct cr_moving *m,
+                        const struct cr_losses *mine) {
     struct cr_yield *y = &s->yield;
-    const double *more = m->more[mine->face], *all = m->all[mine->face];
-    double *lean = m->lean[mine->face], *share = m->share[mine->face];
+    const double *more = mine->press->more, *all = mine->press->all;
+    double *lean = mine->press->lean, *share = mine->press->share;
     int wide = (int)lround(cr_yield_reach / m->body->grid.h), n = lines_of(m, mine);
     y->more[0] = y->all[0] = 0;
     for (int k = 0; k < n; k++) {
@@ -162,16 +171,15 @@ void cr_yield_halve(struct cr_losses *losses) {
 }
 
 void cr_yield_share(struct cr_solver *s, int a, int b) {
-    struct cr_moving *ma = &s->m[a], *mb = &s->m[b];
+    const struct cr_moving *ma = &s->m[a], *mb = &s->m[b];
     struct cr_losses *la = &s->losses[0], *lb = &s->losses[1];
-    double keep = exp(-s->dt / cr_yield_memory);
-    fade(ma, la, keep);
-    fade(mb, lb, keep);
-    remember(ma, mb, la, lb);
-    remember(mb, ma, lb, la);
+    fade(ma, la, s->t);
+    fade(mb, lb, s->t);
+    remember(mb, la, lb);
+    remember(ma, lb, la);
     share_lines(s, ma, la);
     share_lines(s, mb, lb);
-    const double *share_a = ma->share[la->face], *share_b = mb->share[lb->face];
+    const double *share_a = la->press->share, *share_b = lb->press->share;
     keep_share(la, share_a, share_b, lines_of(mb, lb));
     keep_share(lb, share_b, share_a, lines_of(ma, la));
 }

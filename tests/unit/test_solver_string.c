@@ -108,6 +108,39 @@ static void force_over_depth(void **state) {
     }
 }
 
+/* Each partner has contact edges of its own on the same face: two boxes at once, too far apart for
+ * their dents to meet, do twice what one does to half the mass. */
+static void two_boxes_at_once(void **state) {
+    (void)state;
+    static const double n0 = 20e3, h = 0.05;
+    double depth[2], induced[2];
+    for (int k = 0; k < 2; k++) {
+        struct cr_arena arena = {0};
+        struct cr_grid grid = block_grid(&arena, length, width, h, constant_strength, &q);
+        grid.tension[CR_FACE_LEFT] = n0;
+        double m = (k + 1) * mass, y = width / 2 + 0.5 + gap;
+        struct cr_body car = block_body(grid, m, length, width, 0, 0, 0, 0);
+        car.inertia = 0;
+        car.vel = cr_vec2(0, 4);
+        struct cr_case cs = case_of(car, polygon_body(k == 0 ? 0.025 : -1.475, y, 0, nose, 4));
+        if (k == 1) {
+            cs.body[cs.n++] = polygon_body(1.525, y, 0, nose, 4);
+        }
+        cs.opts.induced = true;
+        cs.opts.restitution = 0;
+        cs.opts.dt = 0.25e-3;
+        struct cr_solver *s = solved(&cs);
+        const struct cr_outcome *o = &cr_solver_solution(s)->body[0];
+        depth[k] = o->rest.pos.y - gap;
+        induced[k] = o->induced;
+        check_near(o->energy, 0.5 * m * 16, 1e-3 * 0.5 * m * 16);
+        cr_solver_free(s);
+        cr_arena_free(&arena);
+    }
+    check_near(depth[1], depth[0], 0.005 * depth[0]);
+    check_near(induced[1], 2 * induced[0], 0.01 * induced[1]);
+}
+
 static void damaged_length_and_area(void **state) {
     (void)state;
     struct dent d;
@@ -182,6 +215,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(depth_energy_and_convergence),
         cmocka_unit_test(force_over_depth),
+        cmocka_unit_test(two_boxes_at_once),
         cmocka_unit_test(damaged_length_and_area),
         cmocka_unit_test(none_without_tension_or_setting),
         cmocka_unit_test(a_wall_pulls_nothing),
