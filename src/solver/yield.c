@@ -13,6 +13,10 @@ const double cr_yield_reach = 0.075; /* a rail or a headlamp */
  * lie, and strengths that answer at once to the string's pull would overshoot and swing */
 const double cr_yield_memory = 2e-3;
 
+/* time over which it is seen which lines are pressed on, s: a line that the string pulls out of the
+ * opponent's way is met again, and with less the edges of small contacts swing */
+static const double range_memory = 6e-3;
+
 /* relative difference of strength at which the weaker takes the whole loss; below it both share,
  * so that equal cars deform equally and nothing jumps when strengths cross */
 static const double share_band = 0.2;
@@ -46,8 +50,8 @@ static double depth_of_edge(const double *amount, int n, int step, double half) 
 }
 
 /* What is left at time t of a memory that was last renewed at *last, which it moves on. */
-static double kept(double t, double *last) {
-    double keep = exp((*last - t) / cr_yield_memory);
+static double kept(double t, double *last, double memory) {
+    double keep = exp((*last - t) / memory);
     *last = t;
     return keep;
 }
@@ -59,7 +63,8 @@ void cr_yield_range(struct cr_solver *s, struct cr_moving *m, struct cr_losses *
     }
     bool row = by_row(losses);
     int n = lines_of(m, losses);
-    double *pressed = losses->press->pressed, keep = kept(s->t, &losses->press->t_pressed);
+    double *pressed = losses->press->pressed,
+           keep = kept(s->t, &losses->press->t_pressed, range_memory);
     for (int k = 0; k < n; k++) {
         pressed[k] *= keep;
     }
@@ -116,7 +121,7 @@ static void remember(const struct cr_moving *theirs, const struct cr_losses *los
 /* older slices fade */
 static void fade(const struct cr_moving *m, const struct cr_losses *losses, double t) {
     double *more = losses->press->more, *all = losses->press->all;
-    double keep = kept(t, &losses->press->t_weighed);
+    double keep = kept(t, &losses->press->t_weighed, cr_yield_memory);
     for (int k = 0, n = lines_of(m, losses); k < n; k++) {
         more[k] *= keep;
         all[k] *= keep;

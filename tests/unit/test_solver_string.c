@@ -108,8 +108,8 @@ static void force_over_depth(void **state) {
     }
 }
 
-/* Each partner has contact edges of its own on the same face: two boxes at once, too far apart for
- * their dents to meet, do twice what one does to half the mass. */
+/* two boxes at once on one face, too far apart for their dents to meet, do twice what one does to
+ * half the mass */
 static void two_boxes_at_once(void **state) {
     (void)state;
     static const double n0 = 20e3, h = 0.05;
@@ -137,8 +137,8 @@ static void two_boxes_at_once(void **state) {
         cr_solver_free(s);
         cr_arena_free(&arena);
     }
-    check_near(depth[1], depth[0], 0.005 * depth[0]);
-    check_near(induced[1], 2 * induced[0], 0.01 * induced[1]);
+    check_near(depth[1], depth[0], 0.01 * depth[0]); /* contacts of a slice take turns */
+    check_near(induced[1], 2 * induced[0], 0.02 * induced[1]);
 }
 
 static void damaged_length_and_area(void **state) {
