@@ -81,9 +81,10 @@ static void test_borders(void **state) {
                      k / 2 ? ", \"blend\": true" : "");
             hit[k / 2][k % 2] = against_wall(-border, model);
         }
-        check_near(hit[1][0].ees, hit[1][1].ees, 0.6);
-        /* whether a last light touch is rubbing may turn with it */
-        check_near(hit[1][0].delta_v, hit[1][1].delta_v, 2);
+        check_near(hit[1][0].ees, hit[1][1].ees, fabs(border - 180.0) == 45 ? 0.6 : 0.05);
+        /* at 135 deg the car strikes, rubs and is slapped 0.3 s later: the slap makes much of
+         * little */
+        check_near(hit[1][0].delta_v, hit[1][1].delta_v, fabs(border - 180.0) == 45 ? 5 : 0.3);
         check_near(hit[0][0].ees, hit[0][1].ees, 4);
         most = fmax(most, fabs(hit[0][0].ees - hit[0][1].ees));
     }
