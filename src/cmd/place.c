@@ -115,7 +115,7 @@ static struct cr_place face_place(const struct cr_placed *p, const struct cr_par
     } else if (flank) {
         how.along = isnan(p->at) ? other->length / 2 : p->at;
     }
-    if (!flank || how.side == CR_FACE_FRONT || how.side == CR_FACE_REAR) {
+    if (!flank || cr_face_is_end(how.side)) {
         how.overlap_side = p->side == CR_SIDE_CENTRE ? 0 : p->side == CR_SIDE_RIGHT ? -1 : 1;
     }
     if (p->overlap >= 1) {

@@ -3,6 +3,8 @@
 #ifndef CR_MODEL_GRID_H
 #define CR_MODEL_GRID_H
 
+#include <stdbool.h>
+
 enum cr_face { CR_FACE_FRONT, CR_FACE_LEFT, CR_FACE_REAR, CR_FACE_RIGHT, CR_FACES };
 
 struct cr_grid {
@@ -15,5 +17,13 @@ struct cr_grid {
     double tension[CR_FACES];    /* string of the induced deformation per face, N (0: none) */
     double springback[CR_FACES]; /* dynamic minus residual depth of a deep crush per face, m */
 };
+
+/* front and rear, whose lines are rows of the grid; those of left and right are columns */
+static inline bool cr_face_is_end(enum cr_face face) {
+    return face == CR_FACE_FRONT || face == CR_FACE_REAR;
+}
+static inline int cr_face_lines(const struct cr_grid *g, enum cr_face face) {
+    return cr_face_is_end(face) ? g->ny : g->nx;
+}
 
 #endif

@@ -14,7 +14,7 @@ static char lateral(enum cr_face face, int thirds) {
     static const char END[8] = {'C', 'L', 'C', 'Y', 'R', 'D', 'Z', 'D'};
     // sides from rear to front: B P F, Z = P + B, Y = F + P
     static const char SIDE[8] = {'P', 'B', 'P', 'Z', 'F', 'D', 'Y', 'D'};
-    return face == CR_FACE_FRONT || face == CR_FACE_REAR ? END[thirds] : SIDE[thirds];
+    return cr_face_is_end(face) ? END[thirds] : SIDE[thirds];
 }
 
 void cr_cdc_write(const struct cr_cdc_case *what, char cdc[12]) {
@@ -25,7 +25,7 @@ void cr_cdc_write(const struct cr_cdc_case *what, char cdc[12]) {
         double in = fmin(what->hi, (i + 1) / 3.0) - fmax(what->lo, i / 3.0);
         thirds |= (in > TOUCHED / 3) << i;
     }
-    bool end = what->face == CR_FACE_FRONT || what->face == CR_FACE_REAR;
+    bool end = cr_face_is_end(what->face);
     // the classification counts a side hit to the roof, a front hit below the belt line
     char vertical = !end && what->above_belt ? 'A' : 'E';
     char kind = what->sideswipe ? 'S' : what->width < NARROW ? 'N' : 'W';

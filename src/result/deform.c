@@ -130,13 +130,9 @@ double cr_deform_max(const struct cr_deform *d, struct cr_vec2 inward) {
     return top * d->grid->h;
 }
 
-int cr_deform_columns(const struct cr_grid *grid, enum cr_face face) {
-    return face == CR_FACE_FRONT || face == CR_FACE_REAR ? grid->ny : grid->nx;
-}
-
 /* index of place i, counted from the face, in column k */
 static int place(const struct cr_grid *g, enum cr_face face, int k, int i) {
-    bool along = face == CR_FACE_FRONT || face == CR_FACE_REAR;
+    bool along = cr_face_is_end(face);
     bool from_high = face == CR_FACE_FRONT || face == CR_FACE_LEFT;
     int j = from_high ? (along ? g->nx : g->ny) - 1 - i : i;
     // left to right means falling y
@@ -144,7 +140,7 @@ static int place(const struct cr_grid *g, enum cr_face face, int k, int i) {
 }
 
 static int places(const struct cr_grid *g, enum cr_face face) {
-    return face == CR_FACE_FRONT || face == CR_FACE_REAR ? g->nx : g->ny;
+    return cr_face_is_end(face) ? g->nx : g->ny;
 }
 
 double cr_deform_column(const struct cr_deform *d, enum cr_face face, int k, bool contact_only) {
@@ -167,7 +163,7 @@ double cr_deform_column(const struct cr_deform *d, enum cr_face face, int k, boo
 void cr_deform_relax(const struct cr_deform *d, enum cr_face face, double *left) {
     const struct cr_grid *g = d->grid;
     memcpy(left, d->left, (size_t)g->nx * (size_t)g->ny * sizeof *left);
-    for (int k = 0; k < cr_deform_columns(g, face) && !d->residual_curve; k++) {
+    for (int k = 0; k < cr_face_lines(g, face) && !d->residual_curve; k++) {
         double lost = cr_deform_column(d, face, k, false), sum = 0;
         double back = (lost - cr_deform_residual(lost, g->springback[face])) / g->h;
         int deep = 0;

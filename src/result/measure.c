@@ -137,7 +137,7 @@ struct face_damage {
 
 /* depth of the face at column position x (columns from 0.5), linear between their middles */
 static struct depth depth_at(const struct cr_deform *d, enum cr_face face, double x) {
-    int n = cr_deform_columns(d->grid, face);
+    int n = cr_face_lines(d->grid, face);
     double at = cr_clamp(x - 0.5, 0, n - 1);
     int k = (int)at < n - 1 ? (int)at : n - 2;
     double f = n > 1 ? at - k : 0;
@@ -148,7 +148,7 @@ static struct depth depth_at(const struct cr_deform *d, enum cr_face face, doubl
 
 static struct face_damage scan_face(const struct cr_deform *d, enum cr_face face,
                                     struct cr_severity *s) {
-    int n = cr_deform_columns(d->grid, face);
+    int n = cr_face_lines(d->grid, face);
     struct face_damage f = {.lo = n, .hi = -1, .direct_lo = n, .direct_hi = -1};
     for (int k = 0; k < n; k++) {
         struct depth all = both(d, face, cr_deform_column(d, face, k, false));
@@ -172,9 +172,9 @@ static struct face_damage scan_face(const struct cr_deform *d, enum cr_face face
 /* C1..C6 at six equal spaces over the damaged width (NHTSA's DPD, literature.md 4.2) */
 static void crush_profile(const struct cr_deform *d, const struct face_damage *f,
                           struct cr_severity *s) {
-    int n = cr_deform_columns(d->grid, s->face);
+    int n = cr_face_lines(d->grid, s->face);
     double lo = f->lo + 0.5, hi = f->hi + 0.5; // middles of the outermost damaged columns
-    if (s->face == CR_FACE_FRONT || s->face == CR_FACE_REAR) {
+    if (cr_face_is_end(s->face)) {
         lo = fmax(lo, n * (1 - BEAM_WIDTH) / 2);
         hi = fmin(hi, n * (1 + BEAM_WIDTH) / 2);
     }
@@ -207,7 +207,7 @@ static void classify(const struct cr_result *r, int i, const struct face_damage 
                      struct cr_severity *s) {
     const struct cr_grid *g = &r->compiled.cs.body[i].grid;
     const struct cr_participant *p = &r->resolved.part[i];
-    int n = cr_deform_columns(g, s->face), main = cr_result_main_contact(r->solution, i);
+    int n = cr_face_lines(g, s->face), main = cr_result_main_contact(r->solution, i);
     double length = or_else(p->length, g->nx * g->h), width = or_else(p->width, g->ny * g->h);
     double pillar = or_else(p->front_overhang + B_PILLAR * p->wheelbase, length / 2);
     struct cr_cdc_case what = {

@@ -136,7 +136,7 @@ static void check_vehicle(struct cr_result *r, int i) {
         cr_result_warn(r, "%s: EES %s km/h is above the %.0f km/h of the tests behind the models",
                        p->id, beside(cr_kmh(s->ees), limit, number), limit);
     }
-    bool end = s->face == CR_FACE_FRONT || s->face == CR_FACE_REAR;
+    bool end = cr_face_is_end(s->face);
     double extent = end ? p->length : p->width;
     if (s->deformation_dynamic_max > DEEP * extent) {
         cr_result_warn(r,

@@ -283,7 +283,7 @@ static struct range held_level(const struct making *m, int i, int k) {
         return (struct range){0, p->height};
     }
     enum cr_face face = struck_face(m, i, k);
-    bool end = face == CR_FACE_FRONT || face == CR_FACE_REAR;
+    bool end = cr_face_is_end(face);
     double low = p->type == CR_TYPE_SUV ? end_low_suv : end_low;
     return (struct range){low * p->height, (end ? end_high : 1) * p->height};
 }

@@ -2,8 +2,8 @@
  *
  * Material of two bodies cannot be in one place: where a voxel holds the share `left` and its
  * opponent covers the share phi of it, what exceeds left + phi = 1 is lost, by the weaker of the
- * two (yield.c). phi is a fraction, so the force is smooth and does
- * not depend on where the grid happens to lie (method.md 3, step 1). */
+ * two (yield.c). phi is a fraction, so the force is smooth and does not depend on where the grid
+ * happens to lie (method.md 3, step 1). */
 #include "solver/solver_priv.h"
 
 #include <stdlib.h>
@@ -32,7 +32,6 @@ bool cr_deform_add(struct cr_losses *losses, const struct cr_grid *g, int ix, in
     return true;
 }
 
-/* material below this share of a voxel goes with the rest */
 const double cr_crumb = 1e-6;
 
 /* what does not fit of a voxel's material beside the share phi */
@@ -138,16 +137,14 @@ static inline double excess_beside(double left, struct four there, double phi, s
 struct partner {
     const struct cr_grid *g;
     const double *left, *unit;
-    struct cr_loads loads;
+    const double *pull; /* on the lines of its face */
+    bool row;           /* which are rows */
 };
 
-static inline struct four loads_at(const struct cr_grid *g, const struct cr_loads *loads, int i,
-                                   int j) {
-    bool row = loads->row != NULL;
-    const double *line = row ? loads->row : loads->col;
-    int k = row ? j : i, n = row ? g->ny : g->nx;
-    double here = k >= 0 ? line[k] : 0, next = k + 1 < n ? line[k + 1] : 0;
-    return row ? (struct four){here, here, next, next} : (struct four){here, next, here, next};
+static inline struct four pulls_at(const struct partner *o, int i, int j) {
+    int k = o->row ? j : i, n = o->row ? o->g->ny : o->g->nx;
+    double here = k >= 0 ? o->pull[k] : 0, next = k + 1 < n ? o->pull[k + 1] : 0;
+    return o->row ? (struct four){here, here, next, next} : (struct four){here, next, here, next};
 }
 
 /* the voxels span of a row against another body's voxels */
@@ -171,10 +168,10 @@ static void meet_grid(const struct cr_reach *r, const struct partner *o, struct 
             continue; /* excess_of() in short: there is room */
         }
         struct four theirs = edge ? four_at_edge(og, o->unit, i, j) : four_at(og, o->unit, i, j);
-        struct four load = loads_at(og, &o->loads, i, j);
+        struct four load = pulls_at(o, i, j);
         double beside, excess = excess_beside(left, material, phi, theirs, load, fu, fv, &beside);
         if (excess > 0) {
-            lose(losses, row, ix, excess, beside, o->loads.row != NULL ? v : u);
+            lose(losses, row, ix, excess, beside, o->row ? v : u);
         }
     }
 }
@@ -184,7 +181,6 @@ static void meet_grid(const struct cr_reach *r, const struct partner *o, struct 
  */
 static void sum_losses(const struct cr_moving *m, struct cr_losses *losses) {
     const struct cr_grid *g = &m->body->grid;
-    struct cr_loads loads = cr_string_loads(losses->face, losses->press);
     losses->contact = losses->n;
     losses->energy = losses->weight = losses->induced = losses->stretch = 0;
     losses->first = losses->loaded = cr_vec2(0, 0);
@@ -192,7 +188,7 @@ static void sum_losses(const struct cr_moving *m, struct cr_losses *losses) {
     for (int i = 0; i < losses->n; i++) {
         const struct cr_loss *l = &losses->loss[i];
         double e = l->energy, x = g->x0 + (l->ix + 0.5) * g->h, y = g->y0 + (l->iy + 0.5) * g->h;
-        double loaded = e + l->amount * cr_load_at(&loads, l);
+        double loaded = e + l->amount * cr_pull_at(losses, l);
         loaded = loaded > 0 ? loaded : 0;
         losses->energy += e;
         losses->first = cr_vec2_add(losses->first, cr_vec2(e * x, e * y));
@@ -215,8 +211,8 @@ static bool collect_side(struct cr_solver *s, int me, int other, struct cr_losse
     if (g->nx == 0) {
         return true;
     }
-    struct partner partner = {&o->body->grid, o->left, o->unit[me],
-                              cr_string_loads(their_face, &o->press[me][their_face])};
+    struct partner partner = {&o->body->grid, o->left, o->unit[me], o->press[me][their_face].pull,
+                              cr_face_is_end(their_face)};
     struct cr_reach reach;
     cr_reach_begin(&reach, m, o);
     for (int iy = reach.rows.lo; iy < reach.rows.hi; iy++) {
@@ -258,8 +254,8 @@ bool cr_deform_collect(struct cr_solver *s, int a, int b) {
     }
     bool both = s->m[a].left != NULL && s->m[b].left != NULL;
     if (s->probing && both) {
-        cr_yield_halve(la);
-        cr_yield_halve(lb);
+        cr_deform_scale(la, 0.5);
+        cr_deform_scale(lb, 0.5);
     } else if (!s->probing) {
         cr_yield_range(s, &s->m[a], la);
         cr_yield_range(s, &s->m[b], lb);

@@ -6,8 +6,8 @@
 /* Least approach that begins a contact, m/s. What the last slice of a contact gave back still
  * overlaps, and would be crushed again and again by what rounding leaves of the approach. */
 static const double begin_speed = 1e-3;
-/* least time in which bodies that have crushed each other stop again, s: an elastic phase (paper)
- */
+/* Time in which bodies that have crushed each other stop again at the soonest, s: between one and
+ * two of the paper's elastic phases of 5 ms. */
 static const double touch_time = 8e-3;
 
 const char *cr_stop_word(enum cr_stop stop) {
@@ -52,7 +52,7 @@ static bool new_lines(struct cr_solver *s, struct cr_moving *m) {
     m->row = cr_arena_take(&s->arena, ny, sizeof *m->row);
     m->col = cr_arena_take(&s->arena, nx, sizeof *m->col);
     for (int f = 0; f < CR_FACES; f++) {
-        size_t n = f == CR_FACE_FRONT || f == CR_FACE_REAR ? ny : nx;
+        size_t n = (size_t)cr_face_lines(g, f);
         m->depth[f] = cr_arena_take(&s->arena, n, sizeof(double));
         m->outline[f] = cr_arena_take(&s->arena, n, sizeof(double));
         m->pitch[f] = cr_arena_take(&s->arena, n, sizeof(double));
@@ -331,7 +331,7 @@ static bool held_elsewhere(const struct cr_solver *s, int a, int b) {
 }
 
 /* Structures that have crushed each other touch again with all their length at once, and would stop
- * within a slice: they are sprung, and take as long as an elastic phase at least. */
+ * within a slice: they are sprung, and take some ms. */
 static void soften(struct cr_solver *s, int pair, int a, int b, struct cr_force *f) {
     struct cr_touch *t = &s->touch[pair];
     double speed = cr_vec2_dot(cr_relative_velocity(s, a, b, f->coe), f->normal);

@@ -287,21 +287,13 @@ extern const double cr_yield_reach, cr_yield_memory;
 void cr_yield_range(struct cr_solver *s, struct cr_moving *m, struct cr_losses *losses);
 /* of losses of both bodies that hold all that has no room, what each has to give */
 void cr_yield_share(struct cr_solver *s, int a, int b);
-void cr_yield_halve(struct cr_losses *losses); /* half, where it is only asked who overlaps */
 /* what is left of voxels that were hit before goes before the material behind them; false when
  * memory is out */
 bool cr_yield_order(struct cr_moving *m, struct cr_losses *losses);
 
-/* string.c: pull of the string on the lines of a face, by row and by column */
-struct cr_loads {
-    const double *row, *col; /* one of them NULL */
-};
-struct cr_loads cr_string_loads(enum cr_face face, const struct cr_press *press);
-static inline double cr_load_of(const struct cr_loads *l, int ix, int iy) {
-    return l->row != NULL ? l->row[iy] : l->col[ix];
-}
-static inline double cr_load_at(const struct cr_loads *l, const struct cr_loss *at) {
-    return cr_load_of(l, at->ix, at->iy);
+/* pull of the string on the line of a loss */
+static inline double cr_pull_at(const struct cr_losses *losses, const struct cr_loss *at) {
+    return losses->press->pull[cr_face_is_end(losses->face) ? at->iy : at->ix];
 }
 
 /* string.c: the face that a force acts on; inward: its direction on the body, world */

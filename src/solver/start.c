@@ -51,7 +51,7 @@ enum cr_err cr_start_check(struct cr_solver *s, struct cr_error *err) {
     for (int i = 0; i < s->cs->n; i++) { /* that was no crush */
         const struct cr_grid *g = &s->cs->body[i].grid;
         for (int f = 0; f < CR_FACES && g->nx > 0; f++) {
-            int n = f == CR_FACE_FRONT || f == CR_FACE_REAR ? g->ny : g->nx;
+            int n = cr_face_lines(g, f);
             memset(s->m[i].depth[f], 0, (size_t)n * sizeof(double));
             s->m[i].dented[f] = (struct cr_span){n, -1};
         }

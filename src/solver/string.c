@@ -34,7 +34,7 @@ struct lines {
 
 static struct lines lines_of(const struct cr_moving *m, const double *unit, enum cr_face face) {
     const struct cr_grid *g = &m->body->grid;
-    bool row = face == CR_FACE_FRONT || face == CR_FACE_REAR;
+    bool row = cr_face_is_end(face);
     return (struct lines){.m = m,
                           .unit = unit,
                           .depth = m->depth[face],
@@ -324,11 +324,6 @@ static void note_pull(struct cr_string *st, const struct lines *l, double tensio
         sum += st->more[i];
         pull[i] = tension / h * l->pitch[i] * sum;
     }
-}
-
-struct cr_loads cr_string_loads(enum cr_face face, const struct cr_press *press) {
-    bool row = face == CR_FACE_FRONT || face == CR_FACE_REAR;
-    return (struct cr_loads){row ? press->pull : NULL, row ? NULL : press->pull};
 }
 
 bool cr_string_pull(struct cr_solver *s, struct cr_moving *m, int partner,

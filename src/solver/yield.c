@@ -28,12 +28,12 @@ static const double trace = 1e-9;
 static const double lean_time = 4e-3;
 
 static bool by_row(const struct cr_losses *losses) {
-    return losses->face == CR_FACE_FRONT || losses->face == CR_FACE_REAR;
+    return cr_face_is_end(losses->face);
 }
 
 /* number of lines of the struck face */
 static int lines_of(const struct cr_moving *m, const struct cr_losses *losses) {
-    return by_row(losses) ? m->body->grid.ny : m->body->grid.nx;
+    return cr_face_lines(&m->body->grid, losses->face);
 }
 
 /* Place at which the sum of amounts over lines, from one end on, reaches half of a line's worth:
@@ -93,11 +93,10 @@ static struct between between(double place, int n) {
     return n > 1 ? (struct between){line, place - line} : (struct between){0, 0};
 }
 
-/* Into the memory of the lines of both bodies goes by how much one is stronger than the other on
- * the voxels of the one called mine that are pressed on. */
+/* Into the memory of the lines of both bodies goes by how much the opponent is stronger on the
+ * voxels of `losses`; other: the opponent's losses. */
 static void remember(const struct cr_moving *theirs, const struct cr_losses *losses,
                      const struct cr_losses *other) {
-    struct cr_loads loads = cr_string_loads(losses->face, losses->press);
     double *more = losses->press->more, *all = losses->press->all;
     double *their_more = other->press->more, *their_all = other->press->all;
     bool row = by_row(losses);
@@ -106,7 +105,7 @@ static void remember(const struct cr_moving *theirs, const struct cr_losses *los
         const struct cr_loss *l = &losses->loss[i];
         struct between at = between(l->across, n);
         int line = row ? l->iy : l->ix;
-        double unit = losses->unit[l->voxel], pull = cr_load_at(&loads, l);
+        double unit = losses->unit[l->voxel], pull = cr_pull_at(losses, l);
         double stronger = l->amount * (l->beside - unit - pull);
         double both = l->amount * (l->beside + unit + fabs(pull));
         more[line] += stronger;
@@ -166,13 +165,6 @@ static void keep_share(struct cr_losses *losses, const double *mine, const doubl
         }
     }
     losses->n = kept;
-}
-
-void cr_yield_halve(struct cr_losses *losses) {
-    for (int i = 0; i < losses->n; i++) {
-        losses->loss[i].amount *= 0.5;
-        losses->loss[i].energy *= 0.5;
-    }
 }
 
 void cr_yield_share(struct cr_solver *s, int a, int b) {

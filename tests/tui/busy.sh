@@ -12,17 +12,7 @@ gone_pid() {
     ! kill -0 "$1" 2>/dev/null
 }
 
-# a shell with job control, and the program in it
-cat >shell.sh <<END
-cd $tmp
-export TERM=screen-256color XDG_STATE_HOME=$tmp/state HOME=$tmp INPUTRC=/dev/null LC_ALL=C.UTF-8 \\
-    CRUMPLE_DATA=$SRC PS1='shell> ' ENV= ASAN_OPTIONS=abort_on_error=1
-unset NO_COLOR
-exec sh -i
-END
-screen kill-server 2>/dev/null
-sessions=$((sessions + 1))
-screen new-session -d -x 80 -y 24 "sh $tmp/shell.sh"
+start_shell
 until_ok on_screen "^shell>"
 keys "$CRUMPLE" Enter
 until_ok on_screen "F1 help"

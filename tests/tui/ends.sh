@@ -49,17 +49,8 @@ shows "and has it" "2001 kg"
 keys "quit!" Enter
 shows "quit! does not ask" "^status 0"
 
-# ^Z and fg need a shell with job control
-cat >shell.sh <<END
-cd $tmp
-export TERM=screen-256color XDG_STATE_HOME=$tmp/state HOME=$tmp INPUTRC=/dev/null LC_ALL=C.UTF-8 \\
-    CRUMPLE_DATA=$SRC PS1='shell> ' ENV=
-unset NO_COLOR
-exec sh -i
-END
-screen kill-server 2>/dev/null
-sessions=$((sessions + 1))
-screen new-session -d -x 80 -y 24 "sh $tmp/shell.sh"
+# ^Z and fg
+start_shell
 shows "a shell" "^shell>"
 keys "$CRUMPLE" Enter
 shows "the screen from a shell" "$ready"

@@ -35,6 +35,20 @@ END
     screen new-session -d -x "$w" -y "$h" "sh $tmp/start.sh"
 }
 
+# a shell with job control, in which the program can be started by hand: ^Z and fg need one
+start_shell() {
+    screen kill-server 2>/dev/null
+    sessions=$((sessions + 1))
+    cat >"$tmp/shell.sh" <<END
+cd $tmp
+export TERM=screen-256color XDG_STATE_HOME=$tmp/state HOME=$tmp INPUTRC=/dev/null LC_ALL=C.UTF-8 \\
+    CRUMPLE_DATA=$SRC PS1='shell> ' ENV= ASAN_OPTIONS=abort_on_error=1
+unset NO_COLOR
+exec sh -i
+END
+    screen new-session -d -x 80 -y 24 "sh $tmp/shell.sh"
+}
+
 keys() {
     screen send-keys "$@"
 }
