@@ -115,11 +115,15 @@ static bool process_gone(long pid) {
     return pid > 0 && kill((pid_t)pid, 0) != 0 && errno == ESRCH;
 }
 
+static bool later(struct timespec a, struct timespec b) {
+    return a.tv_sec > b.tv_sec || (a.tv_sec == b.tv_sec && a.tv_nsec > b.tv_nsec);
+}
+
 bool cr_autosave_find(const char *state_dir, char *path, int size) {
     DIR *dir = opendir(state_dir);
     struct dirent *entry;
     struct stat st;
-    time_t newest = 0;
+    struct timespec newest = {0}; /* two sessions may end within one second */
     bool found = false;
     while (dir != NULL && (entry = readdir(dir)) != NULL) {
         long pid;
@@ -129,8 +133,8 @@ bool cr_autosave_find(const char *state_dir, char *path, int size) {
             continue;
         }
         snprintf(one, sizeof one, "%s/%s", state_dir, entry->d_name);
-        if (stat(one, &st) == 0 && (!found || st.st_mtime > newest)) {
-            newest = st.st_mtime;
+        if (stat(one, &st) == 0 && (!found || later(st.st_mtim, newest))) {
+            newest = st.st_mtim;
             found = true;
             snprintf(path, (size_t)size, "%s", one);
         }
