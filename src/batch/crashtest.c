@@ -40,7 +40,7 @@ static struct cr_test *add(struct cr_test_list *list, struct cr_error *err) {
     memset(c, 0, sizeof *c);
     c->pulse = cr_compare_default();
     c->pulse.as_is = true;
-    c->at = NONE;
+    c->at = c->normal = NONE;
     for (int m = 0; m < CR_MEASURES; m++) {
         c->reference[m] = NONE;
         for (int k = 0; k < CR_TEST_RUNS; k++) {
@@ -343,6 +343,8 @@ static enum cr_err scene_case(const cJSON *json, const cJSON *expect, const char
     read_pulse(json, c);
     const cJSON *at = cJSON_GetObjectItemCaseSensitive(json, "x_at_ms");
     c->at = cJSON_IsNumber(at) ? 1e-3 * at->valuedouble : NONE;
+    const cJSON *normal = cJSON_GetObjectItemCaseSensitive(json, "x_planar_normal_deg");
+    c->normal = cJSON_IsNumber(normal) ? cr_rad(normal->valuedouble) : NONE;
     struct cr_str copy = {0};
     cr_str_add(&copy, text);
     enum cr_err rc = set_scene(c, &copy, err);

@@ -35,6 +35,7 @@ enum cr_test_class {
     X(DV_FORWARD, "delta_v_forward_kmh", "delta-v forward", "km/h", true)                          \
     X(DV_LEFT, "delta_v_left_kmh", "delta-v left", "km/h", false)                                  \
     X(YAW_RATE, "yaw_rate_change_deg_s", "yaw rate change", "deg/s", false)                        \
+    X(PLANAR_YAW, "planar_yaw_rate_change_deg_s", "planar yaw rate", "deg/s", false)               \
     X(DEPTH, "face_depth_m", "depth residual, max", "m", true)                                     \
     X(DYNAMIC, "face_depth_dynamic_m", "depth dynamic, max", "m", true)                            \
     X(PROFILE, "crush_mean_m", "C1..C6 mean", "m", true)                                           \
@@ -80,6 +81,7 @@ struct cr_test {
     char file[2 * CR_PATH_MAX];    /* measured pulse, "" without */
     char column[CR_NAME_MAX];
     double at; /* when the motion was read, s after the first contact; NaN: end of the contact */
+    double normal; /* of the planar impact that the reference is, world, rad; NaN: it is none */
     struct cr_compare_opts pulse;
     int number;                              /* test number of a record, 0 without */
     struct cr_test_outcome of[CR_TEST_RUNS]; /* CR_METHOD_EXTENDED, _PAPER, CR_TEST_CROSS */

@@ -1,6 +1,8 @@
 /* A crash test as a solved scene: its measures, and its pulse against the measured one. */
 #include "batch/crashtest.h"
 
+#include "result/planar.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -75,6 +77,8 @@ void cr_test_solve(struct cr_test *test, int run, const struct cr_context *ctx) 
     for (int i = 0; !rc && i < scene.n; i++) {
         if (!strcmp(scene.part[i].id, test->part)) {
             take_measures(&r->of[i], o->value);
+            struct cr_vec2 normal = cr_vec2(cos(test->normal), sin(test->normal));
+            o->value[CR_MEASURE_PLANAR_YAW] = cr_deg(cr_planar_yaw_change(r, i, normal));
             if (!isnan(test->at)) {
                 take_motion(r->solution, i, test->at, o->value);
             }

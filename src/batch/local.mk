@@ -40,7 +40,9 @@ dist_validationdata_DATA = \
 validationcardir = $(pkgdatadir)/share/validation/car-to-car
 dist_validationcar_DATA = \
 	share/validation/car-to-car/nhtsa-4363.json \
+	share/validation/car-to-car/nhtsa-4364.json \
 	share/validation/car-to-car/nhtsa-4438.json \
+	share/validation/car-to-car/nhtsa-4474.json \
 	share/validation/car-to-car/nhtsa-7292.json
 validationsmalldir = $(pkgdatadir)/share/validation/small-overlap
 dist_validationsmall_DATA = \

@@ -325,7 +325,10 @@ static const double CAR_DELTA_V = 5, CAR_YAW = 30; /* %, deg/s */
 static const double POLE_AREA = 0.223, POLE_AREA_OFF = 10;
 
 static enum cr_err car_targets(const struct cr_test *t, struct cr_verdict *v) {
-    static const enum cr_measure OF[] = {CR_MEASURE_DELTA_V, CR_MEASURE_YAW_RATE};
+    // a reference that is a planar impact is compared with one
+    bool planar = isfinite(t->reference[CR_MEASURE_PLANAR_YAW]);
+    const enum cr_measure OF[] = {CR_MEASURE_DELTA_V,
+                                  planar ? CR_MEASURE_PLANAR_YAW : CR_MEASURE_YAW_RATE};
     enum cr_err rc = CR_ERR_OK;
     for (int i = 0; i < 2 && !rc; i++) {
         char name[96];
