@@ -330,6 +330,7 @@ static void shrink(struct cr_moving *m, const struct cr_loss *loss) {
     while (col->lo < col->hi && across[(col->hi - 1) * g->nx] <= 0) {
         col->hi--;
     }
+    cr_reach_renew(m, loss->ix, loss->iy);
 }
 
 void cr_deform_settle(struct cr_solver *s, struct cr_moving *m, struct cr_losses *losses,

@@ -6,9 +6,6 @@
  * rounding does, and the reciprocal stays finite. */
 static const double slope_min = 1e-13;
 
-/* more lines than this are not looked through for their live span */
-enum { LINES_MAX = 24 };
-
 static double reciprocal(double slope) {
     return 1 / (fabs(slope) < slope_min ? copysign(slope_min, slope) : slope);
 }
@@ -78,46 +75,65 @@ struct part {
 static const struct part nothing = {1, 0};
 
 /* narrow a part to the x with low <= base + x / per_slope <= high */
-static struct part clip(struct part part, double base, double per_slope, double low, double high) {
+static inline struct part clip(struct part part, double base, double per_slope, double low,
+                               double high) {
     double x0 = (low - base) * per_slope, x1 = (high - base) * per_slope;
     double least = x0 < x1 ? x0 : x1, most = x0 < x1 ? x1 : x0;
     return (struct part){least > part.lo ? least : part.lo, most < part.hi ? most : part.hi};
 }
 
-/* Union of the live spans of the lines crossed between places p and q; whole when too many are
- * crossed to be worth the look. */
-static struct cr_span live_between(const struct cr_span *line, struct cr_span lines, double p,
-                                   double q, struct cr_span whole) {
-    /* places are > -1 and in the last part of a row */
-    int from = (int)((p < q ? p : q) + 1) - 1, to = (int)((p < q ? q : p) + 1);
-    from = from < lines.lo ? lines.lo : from;
-    to = to >= lines.hi ? lines.hi - 1 : to;
-    if (to - from >= LINES_MAX) {
-        return whole;
-    }
-    struct cr_span span = {whole.hi, whole.lo};
-    for (int i = from; i <= to; i++) {
-        if (line[i].lo < line[i].hi) {
-            span.lo = line[i].lo < span.lo ? line[i].lo : span.lo;
-            span.hi = line[i].hi > span.hi ? line[i].hi : span.hi;
-        }
-    }
-    return span;
+/* One coordinate of the opponent's grid along a row: at + slope x at its voxel x. */
+struct course {
+    double at, slope, per_slope;
+};
+
+static struct course reversed(struct course c) {
+    return (struct course){c.at, -c.slope, -c.per_slope};
 }
 
-/* Narrow a part to where the opponent still has material near: by its rows where the two are
- * nearly aligned, by its columns where they stand across. */
-static struct part clip_to_live(const struct cr_reach *r, double u, double v, struct part part) {
-    const struct cr_moving *o = r->other;
-    const struct cr_map *map = &r->map;
-    if (fabs(map->c) >= fabs(map->s)) {
-        struct cr_span x =
-            live_between(o->row, o->rows, v + map->s * part.lo, v + map->s * part.hi, o->cols);
-        return x.lo < x.hi ? clip(part, u, map->per_c, x.lo - 1, x.hi) : nothing;
+/* Where, from x on, a row comes near material: between two lines of the opponent its course `along`
+ * them must come into the range there. May be beyond `to`, the end of the row. */
+static inline double first_met(const struct cr_range *between, struct course along,
+                               struct course across, double x, double to) {
+    bool up = across.per_slope > 0;                  /* a slope may be 0 */
+    int k = (int)(across.at + across.slope * x + 2); /* of lines k - 2 and k - 1: places are > -2 */
+    double end = (k - 2 + up - across.at) * across.per_slope, step = fabs(across.per_slope);
+    double here = along.at + along.slope * x, there = along.at + along.slope * end;
+    double rise = along.slope * step;
+    const struct cr_range *near = &between[k];
+    while ((rise > 0 ? there < near->lo || here > near->hi : here < near->lo || there > near->hi) &&
+           x <= to) {
+        x = end;
+        here = there;
+        end += step;
+        there += rise;
+        near += up ? 1 : -1;
     }
-    struct cr_span y =
-        live_between(o->col, o->cols, u + map->c * part.lo, u + map->c * part.hi, o->rows);
-    return y.lo < y.hi ? clip(part, v, map->per_s, y.lo - 1, y.hi) : nothing;
+    if (x > to || (here >= near->lo && here <= near->hi)) {
+        return x;
+    }
+    return ((here < near->lo ? near->lo : near->hi) - along.at) * along.per_slope;
+}
+
+/* Narrow a part at both ends to where the opponent still has material near: going by its rows where
+ * the two are nearly aligned, by its columns where they stand across. */
+static inline struct part clip_to_live(const struct cr_reach *r, double u, double v,
+                                       struct part part) {
+    const struct cr_map *map = &r->map;
+    struct course along = {u, map->c, map->per_c}, across = {v, map->s, map->per_s};
+    const struct cr_range *between = r->other->between_rows;
+    if (fabs(map->c) < fabs(map->s)) {
+        struct course by_u = along;
+        along = across;
+        across = by_u;
+        between = r->other->between_cols;
+    }
+    double lo = first_met(between, along, across, part.lo, part.hi);
+    if (!(lo <= part.hi)) {
+        return nothing;
+    }
+    double hi = -first_met(between, reversed(along), reversed(across), -part.hi, -lo);
+    return (struct part){lo, hi};
 }
 
 struct cr_span cr_reach_row(const struct cr_reach *r, int iy) {
@@ -135,4 +151,41 @@ struct cr_span cr_reach_row(const struct cr_reach *r, int iy) {
     }
     int lo = (int)part.lo;
     return (struct cr_span){lo + (lo < part.lo), (int)part.hi + 1};
+}
+
+/* of lines k and k + 1: a place takes part in voxels within one edge of it */
+static struct cr_range near_lines(const struct cr_span *line, int n, int k) {
+    struct cr_range near = {INFINITY, -INFINITY};
+    for (int i = k; i <= k + 1; i++) {
+        if (i >= 0 && i < n && line[i].lo < line[i].hi) {
+            near.lo = line[i].lo - 1 < near.lo ? line[i].lo - 1 : near.lo;
+            near.hi = line[i].hi > near.hi ? line[i].hi : near.hi;
+        }
+    }
+    return near;
+}
+
+void cr_reach_renew(struct cr_moving *m, int ix, int iy) {
+    const struct cr_grid *g = &m->body->grid;
+    for (int k = -1; k <= 0; k++) {
+        m->between_rows[iy + k + 2] = near_lines(m->row, g->ny, iy + k);
+        m->between_cols[ix + k + 2] = near_lines(m->col, g->nx, ix + k);
+    }
+}
+
+bool cr_reach_new(struct cr_solver *s, struct cr_moving *m) {
+    const struct cr_grid *g = &m->body->grid;
+    size_t size = sizeof(struct cr_range);
+    m->between_rows = cr_arena_take_raw(&s->arena, (size_t)g->ny + 3, size);
+    m->between_cols = cr_arena_take_raw(&s->arena, (size_t)g->nx + 3, size);
+    if (m->between_rows == NULL || m->between_cols == NULL) {
+        return false;
+    }
+    for (int k = -2; k <= g->ny; k++) {
+        m->between_rows[k + 2] = near_lines(m->row, g->ny, k);
+    }
+    for (int k = -2; k <= g->nx; k++) {
+        m->between_cols[k + 2] = near_lines(m->col, g->nx, k);
+    }
+    return true;
 }

@@ -188,7 +188,7 @@ static bool new_grid(struct cr_solver *s, struct cr_moving *m) {
     measure_faces(m);
     m->lo = cr_vec2(g->x0, g->y0);
     m->hi = cr_vec2(g->x0 + g->nx * g->h, g->y0 + g->ny * g->h);
-    return new_units(s, m);
+    return cr_reach_new(s, m) && new_units(s, m);
 }
 
 static bool new_body(struct cr_solver *s, int i) {

@@ -50,6 +50,8 @@ struct cr_moving {
     double tension[CR_BODY_MAX][CR_FACES]; /* of the string against each partner, N */
     struct cr_span *row, *col; /* live span of each row (along x) and column (along y) */
     struct cr_span rows, cols; /* rows and columns between which there is material */
+    /* [k + 2]: part of the lines k and k + 1 that has live material within one voxel */
+    struct cr_range *between_rows, *between_cols;
     double *depth[CR_FACES];   /* crush of each line of a face, m: rows for front and
                                   rear, columns for left and right */
     double *outline[CR_FACES]; /* undeformed surface behind the foremost one, m */
@@ -255,7 +257,10 @@ struct cr_reach {
     struct cr_span rows;   /* rows of me that it covers */
 };
 
-/* step 1, reach.c */
+/* step 1, reach.c: ready once the live spans of all lines are known; false when memory is out */
+bool cr_reach_new(struct cr_solver *s, struct cr_moving *m);
+/* the live span of row iy or of column ix has shrunk */
+void cr_reach_renew(struct cr_moving *m, int ix, int iy);
 void cr_reach_begin(struct cr_reach *reach, struct cr_moving *me, struct cr_moving *other);
 /* voxels of a row that the opponent can meet */
 struct cr_span cr_reach_row(const struct cr_reach *reach, int iy);
