@@ -163,7 +163,8 @@ static double now_s(void) {
 }
 
 void cr_work_begin(struct cr_session *s) {
-    s->work_began = s->work_polled = now_s();
+    s->work_began = now_s();
+    s->work_polled = -1; /* the first look is at once, however fast the work is */
     s->work_shown = 0;
 }
 

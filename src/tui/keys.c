@@ -78,13 +78,12 @@ static void open_overlay(struct cr_tui *t, int which) {
 
 /* the next pane; twice at once on an empty line: the palette, and the focus is where it was */
 static void tab(struct cr_tui *t, int step) {
-    double now = cr_tui_clock();
-    if (t->focus != CR_AREAS && now - t->tabbed_at < TWICE_S) {
+    if (t->focus != CR_AREAS && t->keys_at - t->tabbed_at < TWICE_S) {
         cr_tui_focus(t, CR_AREAS);
         open_overlay(t, CR_OVERLAY_PALETTE);
         return;
     }
-    t->tabbed_at = t->focus == CR_AREAS ? now : -1;
+    t->tabbed_at = t->focus == CR_AREAS ? t->keys_at : -1;
     next_pane(t, step);
 }
 

@@ -227,6 +227,7 @@ static void show_stderr(struct cr_tui *t) {
 
 static void take_keys(struct cr_tui *t) {
     struct cr_input in;
+    t->keys_at = cr_tui_clock();
     while (t->pendings > 0 && !cr_session_over(t->session)) {
         in = t->pending[0];
         memmove(t->pending, t->pending + 1, (size_t)--t->pendings * sizeof in);

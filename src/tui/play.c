@@ -7,6 +7,7 @@
 #include <stdio.h>
 
 #define WATCH_S 6.0 /* wall clock for the crash itself; what follows runs at the same rate */
+#define LEAP_S  0.2 /* of it that one look may bring: after ^Z it goes on where it was */
 
 /* s of the wall clock for one second of the crash */
 static double slowness(const struct cr_solution *sol) {
@@ -38,7 +39,8 @@ void cr_play_start(struct cr_tui *t, int frame) {
         return;
     }
     double since = frame > 0 ? sol->t[frame - 1] - sol->t_contact : 0;
-    t->play = (struct cr_play){true, cr_tui_clock() - since * slowness(sol)};
+    double now = cr_tui_clock();
+    t->play = (struct cr_play){true, now - since * slowness(sol), now};
     set_frame(t, frame, false);
 }
 
@@ -67,7 +69,10 @@ void cr_play_tick(struct cr_tui *t) {
         t->play.on = false;
         return;
     }
-    double time = (cr_tui_clock() - t->play.began) / slowness(sol);
+    double now = cr_tui_clock();
+    t->play.began += fmax(now - t->play.ticked - LEAP_S, 0);
+    t->play.ticked = now;
+    double time = (now - t->play.began) / slowness(sol);
     int frame = cr_session_view(t->session)->frame, last = sol->samples;
     while (frame < last && sol->t[frame] - sol->t_contact <= time) {
         frame++;

@@ -94,7 +94,8 @@ enum { CR_FILTER_MAX = 40, CR_PENDING = 256, CR_SHEET_END = 1 << 20 };
 
 struct cr_play {
     bool on;
-    double began; /* s of the clock at which frame 0 was, or would have been, shown */
+    double began;  /* s of the clock at which frame 0 was, or would have been, shown */
+    double ticked; /* s of the clock at the last look at it */
 };
 
 struct cr_tui {
@@ -108,7 +109,8 @@ struct cr_tui {
     bool failed;        /* the last line that was run */
     double drawn_at;    /* s of the clock at which the last frame was begun */
     enum cr_area focus; /* CR_AREAS: the prompt */
-    double tabbed_at;   /* s of the clock: Tab on the empty prompt, -1: something else since */
+    double keys_at;     /* s of the clock at which the keys being acted on had arrived */
+    double tabbed_at;   /* likewise of Tab on the empty prompt, -1: something else since */
     int log_back, table_down, sweep_row;
     struct cr_play play;
     /* sheet above the prompt: an answer that is too long for the dialogue, or candidates */

@@ -89,6 +89,41 @@ static void test_keys_that_begin_a_line(void **state) {
     }
 }
 
+/* two Tabs are one key by when they came, not by how long the first took to act on */
+static void test_tab_twice_is_told_by_arrival(void **state) {
+    (void)state;
+    struct tui_double d;
+    tui_double_init(&d, 80, 24, true, false);
+    d.t->keys_at = 100;
+    tui_double_type(&d, "<Tab>");
+    d.t->keys_at = 100.5;
+    tui_double_type(&d, "<Tab>");
+    assert_int_equal(d.t->overlay, CR_OVERLAY_NONE);
+    assert_int_not_equal(d.t->focus, CR_AREAS);
+    tui_double_type(&d, "<C-c><Tab><Tab>");
+    assert_int_equal(d.t->overlay, CR_OVERLAY_PALETTE);
+    tui_double_fini(&d);
+}
+
+/* whatever stops the program for a while (^Z, a busy machine), no frames are left out for it */
+static void test_play_goes_on_where_it_was(void **state) {
+    (void)state;
+    struct tui_double d;
+    tui_double_init(&d, 80, 24, true, false);
+    int last = cr_session_frames(d.t->session);
+    tui_double_type(&d, "<Space>");
+    assert_true(d.t->play.on);
+    d.t->play.began -= 100;
+    d.t->play.ticked -= 100;
+    cr_play_tick(d.t);
+    int frame = cr_session_view(d.t->session)->frame;
+    assert_in_range(frame, 1, last / 4); /* of 6 s */
+    assert_true(d.t->play.on);
+    tui_double_type(&d, "<Space>");
+    assert_false(d.t->play.on);
+    tui_double_fini(&d);
+}
+
 static void test_clicks_are_commands(void **state) {
     (void)state;
     struct tui_double d;
@@ -202,6 +237,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_keys_are_commands),
         cmocka_unit_test(test_keys_that_begin_a_line),
+        cmocka_unit_test(test_tab_twice_is_told_by_arrival),
+        cmocka_unit_test(test_play_goes_on_where_it_was),
         cmocka_unit_test(test_clicks_are_commands),
         cmocka_unit_test(test_a_drag_is_a_move),
         cmocka_unit_test(test_a_drag_follows_the_pointer),
