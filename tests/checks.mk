@@ -5,7 +5,7 @@ cli_checks = tests/cli/bad_scene.sh tests/cli/completion.sh tests/cli/files.sh \
 	tests/cli/install.sh tests/cli/interrupt.sh tests/cli/run.sh tests/cli/same_bits.sh \
 	tests/cli/usage.sh
 TESTS += $(tree_checks) $(cli_checks)
-EXTRA_DIST += $(tree_checks) $(cli_checks) tests/tap.sh tests/cli/cli.sh
+EXTRA_DIST += $(tree_checks) $(cli_checks) tests/tap.sh tests/terminal.sh tests/cli/cli.sh
 
 # the examples of README.md as the program prints them today; review the difference
 update-examples: crumple$(EXEEXT)

@@ -1,5 +1,6 @@
 # shellcheck shell=sh
 # TAP for shell tests: sourced. A test says what it checks and the evidence when it fails.
+exec </dev/null # whatever the caller's is: a terminal, closed
 tap_n=0
 tap_bad=0
 

@@ -111,8 +111,43 @@ void cr_session_autosave(struct cr_session *s) {
     }
 }
 
+struct process {
+    char program[64];
+    char state;
+};
+
+/* from a line "number (program) state ..."; false where the system does not tell */
+static bool look_at_process(long pid, struct process *out) {
+    char line[256] = "";
+    snprintf(line, sizeof line, "/proc/%ld/stat", pid);
+    FILE *file = fopen(line, "r");
+    if (file == NULL) {
+        return false;
+    }
+    const char *told = fgets(line, sizeof line, file);
+    fclose(file);
+    const char *from = told != NULL ? strchr(line, '(') : NULL;
+    const char *to = told != NULL ? strrchr(line, ')') : NULL;
+    if (from == NULL || to == NULL || to < from || to[1] != ' ') {
+        return false;
+    }
+    snprintf(out->program, sizeof out->program, "%.*s", (int)(to - from), from);
+    out->state = to[2];
+    return true;
+}
+
+/* The session of that process has ended. A process that nobody has asked for its status keeps its
+ * number (Z), and after a restart of the machine the number may be that of another program. */
 static bool process_gone(long pid) {
-    return pid > 0 && kill((pid_t)pid, 0) != 0 && errno == ESRCH;
+    struct process other, own;
+    if (pid <= 0) {
+        return false;
+    }
+    if (kill((pid_t)pid, 0) != 0 && errno == ESRCH) {
+        return true;
+    }
+    return look_at_process(pid, &other) && look_at_process((long)getpid(), &own) &&
+           (other.state == 'Z' || other.state == 'X' || strcmp(other.program, own.program) != 0);
 }
 
 static bool later(struct timespec a, struct timespec b) {

@@ -29,8 +29,8 @@ has "and says so" "$(cat errs)" 'standard output: error: cannot write: No space'
 "$crumple" run wall.json >&- 2>errs
 same "standard output closed" "$?" 2
 has "and says so" "$(cat errs)" 'standard output: error: cannot write'
-{
-    "$crumple" run wall.json --trace 2>errs
+{ # more than any pipe holds, so that it cannot all have been written before the reader went
+    "$crumple" run "$demo" --trace --set dt_ms=0.05 2>errs
     echo $? >status
 } | true
 same "a reader that went away" "$(cat status)" 2

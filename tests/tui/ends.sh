@@ -51,13 +51,13 @@ shows "quit! does not ask" "^status 0"
 
 # ^Z and fg
 start_shell
-shows "a shell" "^shell>"
+shows "a shell" "^shell>$"
 keys "$CRUMPLE" Enter
 shows "the screen from a shell" "$ready"
 keys "load crash.json" Enter
 shows "a scene is loaded" "crash.json  EDITED"
 keys C-z
-shows "^Z goes back to the shell" "^shell>"
+shows "^Z goes back to the shell" "^shell>$"
 same "with the terminal as a shell needs it" \
     "$(screen display -p '#{alternate_on} #{mouse_any_flag} #{cursor_flag}')" "0 0 1"
 keys "echo a line" Enter
@@ -68,7 +68,7 @@ shows "fg brings the screen back" "crash.json  EDITED"
 shows "in the new size" "^F1 help.*F10 quit"
 same "with the mouse" "$(screen display -p '#{alternate_on} #{mouse_any_flag}')" "1 1"
 keys F10
-shows "and it quits as ever" "^shell>"
+shows "and it quits as ever" "^shell>$"
 
 start 80 24 TERM=dumb
 shows "on a dumb terminal a word and the plain prompt" "no full screen \(TERM is not set, or dumb\)"

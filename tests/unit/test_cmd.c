@@ -476,6 +476,9 @@ static void test_autosave_outlives_a_crash(void **state) {
         run(lost, "vehicle A speed=47km/h");
         _exit(0);
     }
+    siginfo_t info;
+    assert_int_equal(waitid(P_PID, (id_t)child, &info, WEXITED | WNOWAIT), 0);
+    assert_true(cr_session_left_behind(dir)); /* before anybody has asked how it ended */
     waitpid(child, NULL, 0);
     assert_true(cr_session_left_behind(dir));
     struct cr_session *s = session(&h, dir);
@@ -485,6 +488,22 @@ static void test_autosave_outlives_a_crash(void **state) {
     assert_false(cr_session_left_behind(dir));
     end(s, &h);
     assert_int_equal(rmdir(dir), 0); /* a session that ends in order leaves nothing */
+}
+
+static void test_autosave_of_a_number_that_another_program_has(void **state) {
+    (void)state;
+    char dir[] = "cr_state_XXXXXX", path[64], found[64];
+    assert_non_null(mkdtemp(dir));
+    snprintf(path, sizeof path, "%s/autosave-%ld.json", dir, (long)getpid());
+    fclose(fopen(path, "w"));
+    assert_false(cr_autosave_find(dir, found, sizeof found)); /* a session that goes on */
+    assert_int_equal(unlink(path), 0);
+    snprintf(path, sizeof path, "%s/autosave-1.json", dir); /* init, or what stands for it */
+    fclose(fopen(path, "w"));
+    assert_int_equal(cr_autosave_find(dir, found, sizeof found),
+                     access("/proc/self/stat", R_OK) == 0);
+    assert_int_equal(unlink(path), 0);
+    assert_int_equal(rmdir(dir), 0);
 }
 
 static void test_newest_autosave_is_found_within_a_second(void **state) {
@@ -576,6 +595,7 @@ int main(void) {
         cmocka_unit_test(test_hint_of_the_command_being_typed),
         cmocka_unit_test(test_quit_asks_when_changes_are_unsaved),
         cmocka_unit_test(test_autosave_outlives_a_crash),
+        cmocka_unit_test(test_autosave_of_a_number_that_another_program_has),
         cmocka_unit_test(test_newest_autosave_is_found_within_a_second),
         cmocka_unit_test(test_sweep_is_the_same_for_any_number_of_threads),
         cmocka_unit_test(names_of_elsewhere),

@@ -1,47 +1,21 @@
 #!/bin/sh
 # The plain prompt on a terminal: tmux with a socket of its own types, and waits for what must
 # appear. Nothing sleeps for a fixed time.
-. "$SRC/tests/tap.sh"
-tmp=$(mktemp -d) || exit 99
-sessions=0
-screen() {
-    tmux -L "cr-prompt-$$-$sessions" -f /dev/null "$@"
-}
-trap 'screen kill-server 2>/dev/null; rm -rf "$tmp"' EXIT
-trap 'exit 130' INT TERM
-need_terminals
-cd "$tmp" || exit 99
+. "$SRC/tests/terminal.sh"
 
 # start ARG ...: the program in a terminal of 80 x 24 (^C is for the program: dash
 # would end with it)
 start() {
-    screen kill-server 2>/dev/null
-    sessions=$((sessions + 1)) # a server of its own: the old one takes a while to go
-    cat >"$tmp/start.sh" <<END
-echo \$\$ >$tmp/pid
-exec env XDG_STATE_HOME=$tmp/state INPUTRC=/dev/null LC_ALL=C.UTF-8 CRUMPLE_DATA=$SRC $CRUMPLE $*
+    rm -f pid
+    cat >start.sh <<END
+cd '$tmp'
+trap : INT
+sh -c 'echo \$\$ >pid; exec "\$@"' sh env XDG_STATE_HOME='$tmp/state' INPUTRC=/dev/null \\
+    LC_ALL=C.UTF-8 CRUMPLE_DATA='$SRC' '$CRUMPLE' $*
+echo status \$?
+exec sleep 300
 END
-    screen new-session -d -x 80 -y 24 \
-        "trap : INT; sh $tmp/start.sh; echo status \$?; exec sleep 60"
-}
-
-# shows NAME TEXT: waits until the extended regular expression is on the screen
-shows() {
-    tries=0
-    while ! screen capture-pane -p 2>/dev/null | grep -Eq -e "$2"; do
-        tries=$((tries + 1))
-        if [ "$tries" -gt 200 ]; then
-            report 1 "$1"
-            screen capture-pane -p | explain
-            return
-        fi
-        sleep 0.05
-    done
-    report 0 "$1"
-}
-
-keys() {
-    screen send-keys "$@"
+    terminal 80 24 "sh '$tmp/start.sh'"
 }
 
 start --repl
@@ -61,11 +35,11 @@ keys C-c
 shows "^C gives the line up" "^crumple> half a line\^C"
 keys "object wall kind=wall" Enter "place wall facing A" Enter
 shows "the session goes on" "^  wall: fixed wall  x=2"
-keys "sweep A.speed 10:100:0.1" Enter
+keys "set dt=0.001ms voxel=5mm" Enter "sweep A.speed 10:100:0.1" Enter
 shows "long work shows its progress" "SWEEP \[[#.]*\] [0-9]+ of 901"
 keys C-c
 shows "^C stops long work" "interrupted after [0-9]+ of 901 runs"
-keys "set dt=0.001ms" Enter "solve" Enter
+keys "set elastic=100ms end=rest" Enter "solve" Enter
 shows "a solve shows its progress" "SOLVING [0-9]+ % of the approach  t [0-9.]+ ms"
 keys C-c
 shows "^C keeps what was solved" "error: interrupted [0-9.]+ ms after the first contact"
