@@ -4,11 +4,9 @@
 #include "cmd/cmd.h"
 #include "cmd/cmd_priv.h"
 
-#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -490,48 +488,6 @@ static void test_autosave_outlives_a_crash(void **state) {
     assert_int_equal(rmdir(dir), 0); /* a session that ends in order leaves nothing */
 }
 
-static void test_autosave_of_a_number_that_another_program_has(void **state) {
-    (void)state;
-    char dir[] = "cr_state_XXXXXX", path[64], found[64];
-    assert_non_null(mkdtemp(dir));
-    snprintf(path, sizeof path, "%s/autosave-%ld.json", dir, (long)getpid());
-    fclose(fopen(path, "w"));
-    assert_false(cr_autosave_find(dir, found, sizeof found)); /* a session that goes on */
-    assert_int_equal(unlink(path), 0);
-    snprintf(path, sizeof path, "%s/autosave-1.json", dir); /* init, or what stands for it */
-    fclose(fopen(path, "w"));
-    assert_int_equal(cr_autosave_find(dir, found, sizeof found),
-                     access("/proc/self/stat", R_OK) == 0);
-    assert_int_equal(unlink(path), 0);
-    assert_int_equal(rmdir(dir), 0);
-}
-
-static void test_newest_autosave_is_found_within_a_second(void **state) {
-    (void)state;
-    static const struct {
-        const char *name;
-        long nsec;
-    } left[] = {{"autosave-999999991.json", 200}, /* process numbers beyond any kernel's */
-                {"autosave-999999993.json", 900000000},
-                {"autosave-999999992.json", 899999999}};
-    char dir[] = "cr_state_XXXXXX", path[64], found[64];
-    assert_non_null(mkdtemp(dir));
-    for (int i = 0; i < 3; i++) {
-        struct timespec when[2] = {{1000, left[i].nsec}, {1000, left[i].nsec}};
-        snprintf(path, sizeof path, "%s/%s", dir, left[i].name);
-        fclose(fopen(path, "w"));
-        assert_int_equal(utimensat(AT_FDCWD, path, when, 0), 0);
-    }
-    static const int newest_first[] = {1, 2, 0};
-    for (int i = 0; i < 3; i++) {
-        assert_true(cr_autosave_find(dir, found, sizeof found));
-        assert_string_equal(found + strlen(dir) + 1, left[newest_first[i]].name);
-        assert_int_equal(unlink(found), 0);
-    }
-    assert_false(cr_autosave_find(dir, found, sizeof found));
-    assert_int_equal(rmdir(dir), 0);
-}
-
 /* ---- sweep ---- */
 
 static void test_sweep_is_the_same_for_any_number_of_threads(void **state) {
@@ -595,8 +551,6 @@ int main(void) {
         cmocka_unit_test(test_hint_of_the_command_being_typed),
         cmocka_unit_test(test_quit_asks_when_changes_are_unsaved),
         cmocka_unit_test(test_autosave_outlives_a_crash),
-        cmocka_unit_test(test_autosave_of_a_number_that_another_program_has),
-        cmocka_unit_test(test_newest_autosave_is_found_within_a_second),
         cmocka_unit_test(test_sweep_is_the_same_for_any_number_of_threads),
         cmocka_unit_test(names_of_elsewhere),
     };
