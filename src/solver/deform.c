@@ -42,20 +42,19 @@ static inline double excess_of(double left, double phi) {
 
 /* One row of a body, worked against its opponent. */
 struct row {
-    const struct cr_grid *g;
-    int iy;
+    int iy, first;             /* and its first voxel */
     const double *left, *unit; /* of its voxels */
 };
 
-static inline void lose(struct cr_losses *losses, const struct row *row, int ix, double amount,
-                        double beside, double across) {
-    losses->loss[losses->n++] = (struct cr_loss){.voxel = row->iy * row->g->nx + ix,
-                                                 .ix = ix,
-                                                 .iy = row->iy,
-                                                 .amount = amount,
-                                                 .energy = amount * row->unit[ix],
-                                                 .across = across,
-                                                 .beside = beside};
+static inline struct cr_loss *lose(struct cr_losses *losses, const struct row *row, int ix,
+                                   double amount) {
+    struct cr_loss *l = &losses->loss[losses->n++];
+    *l = (struct cr_loss){.voxel = row->first + ix,
+                          .ix = ix,
+                          .iy = row->iy,
+                          .amount = amount,
+                          .energy = amount * row->unit[ix]};
+    return l;
 }
 
 /* share of a voxel at p, the shape's frame, that a rigid shape fills; the voxel's edge along x is
@@ -81,7 +80,7 @@ static void meet_shape(const struct cr_reach *r, struct cr_span span, const stru
         double phi = cover_of_shape(&r->other->body->shape, p, map->c, map->s, &n);
         double amount = excess_of(left, phi);
         if (amount > 0) {
-            lose(losses, row, ix, amount, 0, 0);
+            lose(losses, row, ix, amount);
             losses->normal = cr_vec2_axpy(losses->normal, amount * row->unit[ix], n);
         }
     }
@@ -102,9 +101,8 @@ static struct four four_at_edge(const struct cr_grid *g, const double *field, in
                          value_at(g, field, i, j + 1), value_at(g, field, i + 1, j + 1)};
 }
 
-static inline struct four four_at(const struct cr_grid *g, const double *field, int i, int j) {
-    const double *p = field + j * g->nx + i, *q = p + g->nx;
-    return (struct four){p[0], p[1], q[0], q[1]};
+static inline struct four four_at(const double *p, int nx) {
+    return (struct four){p[0], p[1], p[nx], p[nx + 1]};
 }
 
 static inline double lerp(double a, double b, double u) {
@@ -115,36 +113,42 @@ static inline double bilinear(struct four f, double u, double v) {
     return lerp(lerp(f.a, f.b, u), lerp(f.c, f.d, u), v);
 }
 
-/* What has no room of a voxel beside the share phi of the opponent's material in the four voxels
- * about it, of the strengths theirs, and how strong that is per unit. Material without strength
- * against this body (no layer at its height) is not there for it. */
-static inline double excess_beside(double left, struct four there, double phi, struct four theirs,
-                                   struct four load, double u, double v, double *beside) {
-    if (!(theirs.a > 0 && theirs.b > 0 && theirs.c > 0 && theirs.d > 0)) {
-        there.a = theirs.a > 0 ? there.a : 0;
-        there.b = theirs.b > 0 ? there.b : 0;
-        there.c = theirs.c > 0 ? there.c : 0;
-        there.d = theirs.d > 0 ? there.d : 0;
-        phi = bilinear(there, u, v);
-    }
-    struct four energy = {there.a * (theirs.a + load.a), there.b * (theirs.b + load.b),
-                          there.c * (theirs.c + load.c), there.d * (theirs.d + load.d)};
-    *beside = phi > 0 ? bilinear(energy, u, v) / phi : 0;
-    return excess_of(left, phi);
-}
-
 /* what a body is met against: material, strength against the body, string */
 struct partner {
     const struct cr_grid *g;
     const double *left, *unit;
     const double *pull; /* on the lines of its face */
-    bool row;           /* which are rows */
+    int lines;
+    bool row;   /* which are rows */
+    bool solid; /* all material has strength */
+    bool weigh; /* it will be asked which of the two is stronger */
 };
 
-static inline struct four pulls_at(const struct partner *o, int i, int j) {
-    int k = o->row ? j : i, n = o->row ? o->g->ny : o->g->nx;
-    double here = k >= 0 ? o->pull[k] : 0, next = k + 1 < n ? o->pull[k + 1] : 0;
-    return o->row ? (struct four){here, here, next, next} : (struct four){here, next, here, next};
+/* Material without strength against this body (no layer at its height) is not there for it. */
+static struct four with_strength(struct four there, struct four theirs) {
+    return (struct four){theirs.a > 0 ? there.a : 0, theirs.b > 0 ? there.b : 0,
+                         theirs.c > 0 ? there.c : 0, theirs.d > 0 ? there.d : 0};
+}
+
+/* How strong the opponent's material about (i + fu, j + fv) is per unit, the string's pull
+ * included.
+ */
+static inline double strength_at(const struct partner *o, struct four there, double phi,
+                                 struct four theirs, int i, int j, double fu, double fv) {
+    const double *pull = o->pull + (o->row ? j : i);
+    double here = pull[0], next = pull[1];
+    struct four energy = {
+        there.a * (theirs.a + here), there.b * (theirs.b + (o->row ? here : next)),
+        there.c * (theirs.c + (o->row ? next : here)), there.d * (theirs.d + next)};
+    return bilinear(energy, fu, fv) / phi;
+}
+
+/* the opponent's lines on which a loss at a place among them presses */
+static inline void press_on(struct cr_loss *l, double place, int lines) {
+    int last = lines > 1 ? lines - 2 : 0;
+    place = cr_clamp(place, 0, lines - 1);
+    l->line = (int)place < last ? (int)place : last;
+    l->next = place - l->line;
 }
 
 /* the voxels span of a row against another body's voxels */
@@ -160,18 +164,27 @@ static void meet_grid(const struct cr_reach *r, const struct partner *o, struct 
         }
         double u = u0 + c * ix, v = v0 + s * ix;
         int i = (int)(u + 2) - 2, j = (int)(v + 2) - 2; /* floor: both are > -2 */
+        int at = j * og->nx + i;
+        double fu = u - i, fv = v - j;
         /* as unsigned, what is below 0 is beyond all ends */
         bool edge = (unsigned)i >= (unsigned)og->nx - 1 || (unsigned)j >= (unsigned)og->ny - 1;
-        struct four material = edge ? four_at_edge(og, o->left, i, j) : four_at(og, o->left, i, j);
-        double fu = u - i, fv = v - j, phi = bilinear(material, fu, fv);
-        if (left + phi - 1 <= cr_crumb * left && phi < 1 - cr_crumb) {
-            continue; /* excess_of() in short: there is room */
+        struct four there = edge ? four_at_edge(og, o->left, i, j) : four_at(o->left + at, og->nx);
+        double phi = bilinear(there, fu, fv), excess = excess_of(left, phi);
+        if (excess <= 0) {
+            continue;
         }
-        struct four theirs = edge ? four_at_edge(og, o->unit, i, j) : four_at(og, o->unit, i, j);
-        struct four load = pulls_at(o, i, j);
-        double beside, excess = excess_beside(left, material, phi, theirs, load, fu, fv, &beside);
+        struct four theirs = edge ? four_at_edge(og, o->unit, i, j) : four_at(o->unit + at, og->nx);
+        if (!o->solid) {
+            there = with_strength(there, theirs);
+            phi = bilinear(there, fu, fv);
+            excess = excess_of(left, phi);
+        }
         if (excess > 0) {
-            lose(losses, row, ix, excess, beside, o->row ? v : u);
+            struct cr_loss *l = lose(losses, row, ix, excess);
+            if (o->weigh) {
+                l->beside = strength_at(o, there, phi, theirs, i, j, fu, fv);
+                press_on(l, o->row ? v : u, o->lines);
+            }
         }
     }
 }
@@ -181,23 +194,32 @@ static void meet_grid(const struct cr_reach *r, const struct partner *o, struct 
  */
 static void sum_losses(const struct cr_moving *m, struct cr_losses *losses) {
     const struct cr_grid *g = &m->body->grid;
-    losses->contact = losses->n;
-    losses->energy = losses->weight = losses->induced = losses->stretch = 0;
-    losses->first = losses->loaded = cr_vec2(0, 0);
-    losses->xx = losses->xy = losses->yy = 0;
+    const double *pull = losses->press->pull;
+    bool row = cr_face_is_end(losses->face);
+    double energy = 0, weight = 0, xx = 0, xy = 0, yy = 0;
+    struct cr_vec2 first = {0, 0}, loaded = {0, 0};
     for (int i = 0; i < losses->n; i++) {
         const struct cr_loss *l = &losses->loss[i];
-        double e = l->energy, x = g->x0 + (l->ix + 0.5) * g->h, y = g->y0 + (l->iy + 0.5) * g->h;
-        double loaded = e + l->amount * cr_pull_at(losses, l);
-        loaded = loaded > 0 ? loaded : 0;
-        losses->energy += e;
-        losses->first = cr_vec2_add(losses->first, cr_vec2(e * x, e * y));
-        losses->xx += e * x * x;
-        losses->xy += e * x * y;
-        losses->yy += e * y * y;
-        losses->weight += loaded;
-        losses->loaded = cr_vec2_add(losses->loaded, cr_vec2(loaded * x, loaded * y));
+        double e = l->energy, w = e + l->amount * pull[row ? l->iy : l->ix];
+        struct cr_vec2 at = {g->x0 + (l->ix + 0.5) * g->h, g->y0 + (l->iy + 0.5) * g->h};
+        w = w > 0 ? w : 0;
+        energy += e;
+        first = cr_vec2_axpy(first, e, at);
+        xx += e * at.x * at.x;
+        xy += e * at.x * at.y;
+        yy += e * at.y * at.y;
+        weight += w;
+        loaded = cr_vec2_axpy(loaded, w, at);
     }
+    losses->contact = losses->n;
+    losses->energy = energy;
+    losses->first = first;
+    losses->xx = xx;
+    losses->xy = xy;
+    losses->yy = yy;
+    losses->weight = weight;
+    losses->loaded = loaded;
+    losses->induced = losses->stretch = 0;
 }
 
 /* of one body: all that has no room beside the other's material */
@@ -211,8 +233,14 @@ static bool collect_side(struct cr_solver *s, int me, int other, struct cr_losse
     if (g->nx == 0) {
         return true;
     }
-    struct partner partner = {&o->body->grid, o->left, o->unit[me], o->press[me][their_face].pull,
-                              cr_face_is_end(their_face)};
+    struct partner partner = {.g = &o->body->grid,
+                              .left = o->left,
+                              .unit = o->unit[me],
+                              .pull = o->press[me][their_face].pull,
+                              .lines = cr_face_lines(&o->body->grid, their_face),
+                              .row = cr_face_is_end(their_face),
+                              .solid = o->solid[me],
+                              .weigh = !s->probing};
     struct cr_reach reach;
     cr_reach_begin(&reach, m, o);
     for (int iy = reach.rows.lo; iy < reach.rows.hi; iy++) {
@@ -224,8 +252,8 @@ static bool collect_side(struct cr_solver *s, int me, int other, struct cr_losse
             return false;
         }
         s->visits += span.hi - span.lo;
-        size_t first = (size_t)iy * (size_t)g->nx;
-        struct row row = {g, iy, m->left + first, losses->unit + first};
+        int first = iy * g->nx;
+        struct row row = {iy, first, m->left + first, losses->unit + first};
         if (o->left == NULL) {
             meet_shape(&reach, span, &row, losses);
         } else {
@@ -280,36 +308,41 @@ void cr_deform_scale(struct cr_losses *losses, double share) {
     losses->weight *= share;
     losses->first = cr_vec2_scale(losses->first, share);
     losses->loaded = cr_vec2_scale(losses->loaded, share);
-}
-
-static inline void dent(struct cr_moving *m, enum cr_face face, int line, double amount) {
-    struct cr_span *span = &m->dented[face];
-    m->depth[face][line] += amount * m->pitch[face][line];
-    span->lo = line < span->lo ? line : span->lo;
-    span->hi = line > span->hi ? line : span->hi;
+    losses->induced *= share;
+    losses->stretch *= share;
 }
 
 /* what rounding leaves of a voxel that is gone */
 static const double dust = 1e-12;
 
-/* Only the face that the force acts on is dented: a crushed front corner is no dent of the flank,
- * or the flank's string would be pulled by it as soon as the normal turns past 45 degrees. */
-static inline void change(struct cr_moving *m, enum cr_face face, const struct cr_loss *loss,
-                          double amount) {
+/* Takes a share of the losses [from, n) out of the body. Only the face that the force acts on is
+ * dented: a crushed front corner is no dent of the flank, or the flank's string would be pulled by
+ * it as soon as the normal turns past 45 degrees. */
+static void take_out(struct cr_moving *m, const struct cr_losses *losses, int from, double share) {
     const struct cr_grid *g = &m->body->grid;
-    double left = m->left[loss->voxel] - amount;
-    m->left[loss->voxel] = left > dust ? left : 0;
-    bool front = 2 * loss->ix >= g->nx, left_half = 2 * loss->iy >= g->ny;
-    if (face == (front ? CR_FACE_FRONT : CR_FACE_REAR)) {
-        dent(m, face, loss->iy, amount);
-    } else if (face == (left_half ? CR_FACE_LEFT : CR_FACE_RIGHT)) {
-        dent(m, face, loss->ix, amount);
+    enum cr_face face = losses->face;
+    bool row = cr_face_is_end(face), far = face == CR_FACE_FRONT || face == CR_FACE_LEFT;
+    int length = row ? g->nx : g->ny;
+    const double *pitch = m->pitch[face];
+    double *depth = m->depth[face];
+    struct cr_span span = m->dented[face];
+    for (int i = from; i < losses->n; i++) {
+        const struct cr_loss *l = &losses->loss[i];
+        double amount = share * l->amount, left = m->left[l->voxel] - amount;
+        int line = row ? l->iy : l->ix, along = row ? l->ix : l->iy;
+        m->left[l->voxel] = left > dust ? left : 0;
+        if ((2 * along >= length) == far) {
+            depth[line] += amount * pitch[line];
+            span.lo = line < span.lo ? line : span.lo;
+            span.hi = line > span.hi ? line : span.hi;
+        }
     }
+    m->dented[face] = span;
 }
 
 void cr_deform_apply(struct cr_moving *m, const struct cr_losses *losses, int from) {
-    for (int i = from; i < losses->n; i++) {
-        change(m, losses->face, &losses->loss[i], losses->loss[i].amount);
+    if (losses->n > from) {
+        take_out(m, losses, from, 1);
     }
 }
 
@@ -336,28 +369,25 @@ static void shrink(struct cr_moving *m, const struct cr_loss *loss) {
 void cr_deform_settle(struct cr_solver *s, struct cr_moving *m, struct cr_losses *losses,
                       double lambda) {
     double area = 0, h2 = m->body->grid.h * m->body->grid.h;
+    if (losses->n == 0) {
+        return;
+    }
+    if (lambda < 1) {
+        take_out(m, losses, 0, lambda - 1);
+        cr_deform_scale(losses, lambda);
+    }
     for (int i = 0; i < losses->n; i++) {
-        struct cr_loss *loss = &losses->loss[i];
-        if (lambda < 1) {
-            change(m, losses->face, loss, (lambda - 1) * loss->amount);
-            loss->amount *= lambda;
-            loss->energy *= lambda;
+        const struct cr_loss *l = &losses->loss[i];
+        area += l->amount * h2;
+        m->t_sum[l->voxel] += s->t * l->amount;
+        if (l->amount > 0) {
+            m->how[l->voxel] |= i < losses->contact ? CR_CRUSH_CONTACT : CR_CRUSH_INDUCED;
         }
-        area += loss->amount * h2;
-        m->t_sum[loss->voxel] += s->t * loss->amount;
-        if (loss->amount > 0) {
-            m->how[loss->voxel] |= i < losses->contact ? CR_CRUSH_CONTACT : CR_CRUSH_INDUCED;
-        }
-        if (m->left[loss->voxel] <= 0) {
-            shrink(m, loss);
+        if (m->left[l->voxel] <= 0) {
+            shrink(m, l);
         }
     }
-    losses->energy *= lambda;
-    losses->induced *= lambda;
-    losses->stretch *= lambda;
-    if (losses->n > 0) {
-        m->membrane[losses->face] += losses->stretch;
-    }
+    m->membrane[losses->face] += losses->stretch;
     m->energy += losses->energy;
     m->induced += losses->induced;
     m->crushed += area;

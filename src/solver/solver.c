@@ -31,17 +31,18 @@ struct cr_opts cr_opts_default(void) {
                             .rest_time = 30};
 }
 
-/* memory of what a partner does to a face of n lines; a place between two lines may be behind the
- * last one */
+/* memory of what a partner does to a face of n lines; a place between two lines may be before the
+ * first or behind the last one */
 static bool new_press(struct cr_solver *s, struct cr_press *press, size_t n) {
     double **array[] = {&press->pressed, &press->more,  &press->all,
                         &press->lean,    &press->share, &press->pull};
     press->t_pressed = press->t_weighed = -INFINITY;
     for (size_t i = 0; i < sizeof array / sizeof *array; i++) {
-        *array[i] = cr_arena_take(&s->arena, n + 1, sizeof(double));
-        if (*array[i] == NULL) {
+        double *lines = cr_arena_take(&s->arena, n + 2, sizeof(double));
+        if (lines == NULL) {
             return false;
         }
+        *array[i] = lines + 1;
     }
     return true;
 }
@@ -152,6 +153,7 @@ static bool new_units(struct cr_solver *s, struct cr_moving *m) {
             const double *other = m->body->energy_against[q];
             if ((other != NULL ? other : g->energy) == energy) {
                 m->unit[p] = m->unit[q];
+                m->solid[p] = m->solid[q];
                 memcpy(m->tension[p], m->tension[q], sizeof m->tension[p]);
             }
         }
@@ -164,8 +166,10 @@ static bool new_units(struct cr_solver *s, struct cr_moving *m) {
         if (unit == NULL) {
             return false;
         }
+        m->solid[p] = true;
         for (size_t k = 0; k < n; k++) {
-            unit[k] = g->fill[k] > 1e-6 ? energy[k] / g->fill[k] : 0;
+            unit[k] = m->left[k] > 0 ? energy[k] / g->fill[k] : 0;
+            m->solid[p] = m->solid[p] && (unit[k] > 0 || m->left[k] <= 0);
         }
         m->unit[p] = unit;
     }

@@ -19,7 +19,8 @@ struct cr_range {
     double lo, hi;
 };
 
-/* Memory of how one partner has pressed on a face lately, line by line; older slices fade. */
+/* Memory of how one partner has pressed on a face lately, line by line; older slices fade. There is
+ * one more line on either side. */
 struct cr_press {
     double *pressed; /* material that had no room */
     double *more;    /* strength pressing on the line above its own, J, */
@@ -47,6 +48,7 @@ struct cr_moving {
     double *t_sum;                         /* sum of time x material lost: gives t_crushed */
     uint8_t *how;                          /* enum cr_crush flags */
     const double *unit[CR_BODY_MAX];       /* energy per unit of material against each partner, J */
+    bool solid[CR_BODY_MAX];               /* all material has energy against it */
     double tension[CR_BODY_MAX][CR_FACES]; /* of the string against each partner, N */
     struct cr_span *row, *col; /* live span of each row (along x) and column (along y) */
     struct cr_span rows, cols; /* rows and columns between which there is material */
@@ -76,9 +78,10 @@ struct cr_moving {
 /* One voxel that would lose material in this slice. */
 struct cr_loss {
     int voxel, ix, iy;
+    int line;      /* of the opponent's face that it meets, */
+    double next;   /* and how far it is on to the next one */
     double amount; /* material, 0..1 */
     double energy; /* J */
-    double across; /* place among the lines of the opponent's face */
     double beside; /* strength of the opponent there, J per unit of material */
 };
 

@@ -81,39 +81,24 @@ void cr_yield_range(struct cr_solver *s, struct cr_moving *m, struct cr_losses *
     losses->met.hi = n - 0.5 - fmax(0, depth_of_edge(pressed + n - 1, n, -1, half) - 0.5);
 }
 
-/* A place between two lines of a face, and how far it is on to the next one. */
-struct between {
-    int line;
-    double next;
-};
-
-static struct between between(double place, int n) {
-    place = cr_clamp(place, 0, n - 1);
-    int line = place < n - 1 ? (int)place : n - 2;
-    return n > 1 ? (struct between){line, place - line} : (struct between){0, 0};
-}
-
 /* Into the memory of the lines of both bodies goes by how much the opponent is stronger on the
  * voxels of `losses`; other: the opponent's losses. */
-static void remember(const struct cr_moving *theirs, const struct cr_losses *losses,
-                     const struct cr_losses *other) {
+static void remember(const struct cr_losses *losses, const struct cr_losses *other) {
     double *more = losses->press->more, *all = losses->press->all;
     double *their_more = other->press->more, *their_all = other->press->all;
     bool row = by_row(losses);
-    int n = lines_of(theirs, other);
     for (int i = 0; i < losses->n; i++) {
         const struct cr_loss *l = &losses->loss[i];
-        struct between at = between(l->across, n);
         int line = row ? l->iy : l->ix;
         double unit = losses->unit[l->voxel], pull = cr_pull_at(losses, l);
         double stronger = l->amount * (l->beside - unit - pull);
         double both = l->amount * (l->beside + unit + fabs(pull));
         more[line] += stronger;
         all[line] += both;
-        their_more[at.line] -= (1 - at.next) * stronger;
-        their_all[at.line] += (1 - at.next) * both;
-        their_more[at.line + 1] -= at.next * stronger;
-        their_all[at.line + 1] += at.next * both;
+        their_more[l->line] -= (1 - l->next) * stronger;
+        their_all[l->line] += (1 - l->next) * both;
+        their_more[l->line + 1] -= l->next * stronger;
+        their_all[l->line + 1] += l->next * both;
     }
 }
 
@@ -150,13 +135,12 @@ static void share_lines(struct cr_solver *s, const struct cr_moving *m,
 }
 
 /* leaves of one body's losses its share; seen from both bodies, so that both shares make one */
-static void keep_share(struct cr_losses *losses, const double *mine, const double *theirs, int n) {
+static void keep_share(struct cr_losses *losses, const double *mine, const double *theirs) {
     bool row = by_row(losses);
     int kept = 0;
     for (int i = 0; i < losses->n; i++) {
         struct cr_loss l = losses->loss[i];
-        struct between at = between(l.across, n);
-        double other = theirs[at.line] + at.next * (theirs[at.line + 1] - theirs[at.line]);
+        double other = theirs[l.line] + l.next * (theirs[l.line + 1] - theirs[l.line]);
         double share = 0.5 * (mine[row ? l.iy : l.ix] + 1 - other);
         if (share > 0) {
             l.amount *= share;
@@ -172,13 +156,13 @@ void cr_yield_share(struct cr_solver *s, int a, int b) {
     struct cr_losses *la = &s->losses[0], *lb = &s->losses[1];
     fade(ma, la, s->t);
     fade(mb, lb, s->t);
-    remember(mb, la, lb);
-    remember(ma, lb, la);
+    remember(la, lb);
+    remember(lb, la);
     share_lines(s, ma, la);
     share_lines(s, mb, lb);
     const double *share_a = la->press->share, *share_b = lb->press->share;
-    keep_share(la, share_a, share_b, lines_of(mb, lb));
-    keep_share(lb, share_b, share_a, lines_of(ma, la));
+    keep_share(la, share_a, share_b);
+    keep_share(lb, share_b, share_a);
 }
 
 /* The outermost voxel of those hit before, without a gap from a voxel outwards. */
