@@ -299,11 +299,6 @@ void cr_yield_share(struct cr_solver *s, int a, int b);
  * memory is out */
 bool cr_yield_order(struct cr_moving *m, struct cr_losses *losses);
 
-/* pull of the string on the line of a loss */
-static inline double cr_pull_at(const struct cr_losses *losses, const struct cr_loss *at) {
-    return losses->press->pull[cr_face_is_end(losses->face) ? at->iy : at->ix];
-}
-
 /* string.c: the face that a force acts on; inward: its direction on the body, world */
 enum cr_face cr_string_face(const struct cr_moving *m, struct cr_vec2 inward);
 /* string.c: induced deformation of losses->face, added to the losses of one body and applied

@@ -36,15 +36,28 @@ static int lines_of(const struct cr_moving *m, const struct cr_losses *losses) {
     return cr_face_lines(&m->body->grid, losses->face);
 }
 
-/* Place at which the sum of amounts over lines, from one end on, reaches half of a line's worth:
- * how far into the lines from that end. */
-static double depth_of_edge(const double *amount, int n, int step, double half) {
+/* the lines of a face between which a memory holds anything: few of a face in a contact */
+static struct cr_span held(const double *memory, int n) {
+    struct cr_span lines = {0, n};
+    while (lines.lo < lines.hi && memory[lines.lo] == 0) {
+        lines.lo++;
+    }
+    while (lines.lo < lines.hi && memory[lines.hi - 1] == 0) {
+        lines.hi--;
+    }
+    return lines;
+}
+
+/* Place at which the sum of amounts over the lines from the k-th on, counted from one end, reaches
+ * half of a line's worth: how far into the lines from that end. */
+static double depth_of_edge(const double *amount, int k, int n, int step, double half) {
     double sum = 0;
-    for (int k = 0; k < n; k++, amount += step) {
-        if (sum + *amount >= half) {
-            return k + (half - sum) / *amount;
+    for (; k < n; k++) {
+        double here = amount[k * step];
+        if (sum + here >= half) {
+            return k + (half - sum) / here;
         }
-        sum += *amount;
+        sum += here;
     }
     return n;
 }
@@ -63,22 +76,25 @@ void cr_yield_range(struct cr_solver *s, struct cr_moving *m, struct cr_losses *
     }
     bool row = by_row(losses);
     int n = lines_of(m, losses);
-    double *pressed = losses->press->pressed,
-           keep = kept(s->t, &losses->press->t_pressed, range_memory);
-    for (int k = 0; k < n; k++) {
+    double *pressed = losses->press->pressed, sum = 0, squares = 0;
+    double keep = kept(s->t, &losses->press->t_pressed, range_memory);
+    struct cr_span lines = held(pressed, n);
+    for (int k = lines.lo; k < lines.hi; k++) {
         pressed[k] *= keep;
     }
     for (int i = 0; i < losses->n; i++) {
         pressed[row ? losses->loss[i].iy : losses->loss[i].ix] += losses->loss[i].amount;
     }
-    double sum = 0, squares = 0;
-    for (int k = 0; k < n; k++) {
+    lines = held(pressed, n);
+    for (int k = lines.lo; k < lines.hi; k++) {
         sum += pressed[k];
         squares += pressed[k] * pressed[k];
     }
     double half = 0.5 * squares / sum;
-    losses->met.lo = fmax(0, depth_of_edge(pressed, n, 1, half) - 0.5) - 0.5;
-    losses->met.hi = n - 0.5 - fmax(0, depth_of_edge(pressed + n - 1, n, -1, half) - 0.5);
+    double before = depth_of_edge(pressed, lines.lo, n, 1, half);
+    double behind = depth_of_edge(pressed + n - 1, n - lines.hi, n, -1, half);
+    losses->met.lo = fmax(0, before - 0.5) - 0.5;
+    losses->met.hi = n - 0.5 - fmax(0, behind - 0.5);
 }
 
 /* Into the memory of the lines of both bodies goes by how much the opponent is stronger on the
@@ -86,11 +102,12 @@ void cr_yield_range(struct cr_solver *s, struct cr_moving *m, struct cr_losses *
 static void remember(const struct cr_losses *losses, const struct cr_losses *other) {
     double *more = losses->press->more, *all = losses->press->all;
     double *their_more = other->press->more, *their_all = other->press->all;
+    const double *pulls = losses->press->pull;
     bool row = by_row(losses);
     for (int i = 0; i < losses->n; i++) {
         const struct cr_loss *l = &losses->loss[i];
         int line = row ? l->iy : l->ix;
-        double unit = losses->unit[l->voxel], pull = cr_pull_at(losses, l);
+        double unit = losses->unit[l->voxel], pull = pulls[line];
         double stronger = l->amount * (l->beside - unit - pull);
         double both = l->amount * (l->beside + unit + fabs(pull));
         more[line] += stronger;
@@ -106,29 +123,34 @@ static void remember(const struct cr_losses *losses, const struct cr_losses *oth
 static void fade(const struct cr_moving *m, const struct cr_losses *losses, double t) {
     double *more = losses->press->more, *all = losses->press->all;
     double keep = kept(t, &losses->press->t_weighed, cr_yield_memory);
-    for (int k = 0, n = lines_of(m, losses); k < n; k++) {
+    struct cr_span lines = held(all, lines_of(m, losses));
+    for (int k = lines.lo; k < lines.hi; k++) {
         more[k] *= keep;
         all[k] *= keep;
     }
 }
 
-/* share of the excess that each line of a body takes, 0..1 */
+/* Share of the excess that each line of a body takes, 0..1. It does not change where nothing has
+ * been pressed on within reach. */
 static void share_lines(struct cr_solver *s, const struct cr_moving *m,
                         const struct cr_losses *mine) {
     struct cr_yield *y = &s->yield;
     const double *more = mine->press->more, *all = mine->press->all;
     double *lean = mine->press->lean, *share = mine->press->share;
     int wide = (int)lround(cr_yield_reach / m->body->grid.h), n = lines_of(m, mine);
-    y->more[0] = y->all[0] = 0;
-    for (int k = 0; k < n; k++) {
+    struct cr_span lines = held(all, n);
+    y->more[lines.lo] = y->all[lines.lo] = 0;
+    for (int k = lines.lo; k < lines.hi; k++) {
         y->more[k + 1] = y->more[k] + more[k];
         y->all[k + 1] = y->all[k] + all[k];
     }
-    for (int k = 0; k < n; k++) {
-        int from = k - wide > 0 ? k - wide : 0, to = k + wide + 1 < n ? k + wide + 1 : n;
+    double least = trace * y->all[lines.hi];
+    int end = lines.hi + wide < n ? lines.hi + wide : n;
+    for (int k = lines.lo - wide > 0 ? lines.lo - wide : 0; k < end; k++) {
+        int from = k - wide > lines.lo ? k - wide : lines.lo;
+        int to = k + wide + 1 < lines.hi ? k + wide + 1 : lines.hi;
         double sum = y->all[to] - y->all[from];
-        double weaker =
-            sum > trace * y->all[n] ? (y->more[to] - y->more[from]) / (share_band * sum) : 0;
+        double weaker = sum > least ? (y->more[to] - y->more[from]) / (share_band * sum) : 0;
         lean[k] = cr_clamp(lean[k] + weaker * s->dt / lean_time, -1, 1);
         share[k] = cr_clamp(0.5 * (1 + lean[k] + weaker), 0, 1);
     }
@@ -137,18 +159,18 @@ static void share_lines(struct cr_solver *s, const struct cr_moving *m,
 /* leaves of one body's losses its share; seen from both bodies, so that both shares make one */
 static void keep_share(struct cr_losses *losses, const double *mine, const double *theirs) {
     bool row = by_row(losses);
-    int kept = 0;
+    struct cr_loss *kept = losses->loss;
     for (int i = 0; i < losses->n; i++) {
-        struct cr_loss l = losses->loss[i];
-        double other = theirs[l.line] + l.next * (theirs[l.line + 1] - theirs[l.line]);
-        double share = 0.5 * (mine[row ? l.iy : l.ix] + 1 - other);
+        struct cr_loss *l = &losses->loss[i];
+        double other = theirs[l->line] + l->next * (theirs[l->line + 1] - theirs[l->line]);
+        double share = 0.5 * (mine[row ? l->iy : l->ix] + 1 - other);
         if (share > 0) {
-            l.amount *= share;
-            l.energy *= share;
-            losses->loss[kept++] = l;
+            l->amount *= share;
+            l->energy *= share;
+            *kept++ = *l;
         }
     }
-    losses->n = kept;
+    losses->n = (int)(kept - losses->loss);
 }
 
 void cr_yield_share(struct cr_solver *s, int a, int b) {
@@ -165,45 +187,46 @@ void cr_yield_share(struct cr_solver *s, int a, int b) {
     keep_share(lb, share_b, share_a);
 }
 
-/* The outermost voxel of those hit before, without a gap from a voxel outwards. */
-static int outermost_crumb(const struct cr_moving *m, int voxel, int beyond, int step) {
-    const double *fill = m->body->grid.fill;
-    while (beyond-- > 0 && m->left[voxel + step] > 0 &&
-           m->left[voxel + step] < fill[voxel + step]) {
-        voxel += step;
+/* From a voxel on outwards: how many of those hit before are there without a gap? */
+static int crumbs_beyond(const struct cr_moving *m, int voxel, int beyond, int step) {
+    const double *left = m->left + voxel, *fill = m->body->grid.fill + voxel;
+    int n = 0;
+    while (n < beyond && left[step] > 0 && left[step] < fill[step]) {
+        left += step;
+        fill += step;
+        n++;
     }
-    return voxel;
+    return n;
 }
 
-/* From a voxel on inward until a loss is made up, ending at its own voxel; the first part replaces
- * it, further ones are added behind the others. Each keeps what its voxel held in `beside`. */
-static bool take_inward(struct cr_moving *m, struct cr_losses *losses, int i, int voxel, int step) {
-    const struct cr_grid *g = &m->body->grid;
+/* Makes up a loss from the n-th voxel beyond its own on inward, ending at its own, dx or dy apart;
+ * the first part replaces it, further ones are added behind the others. Each keeps what its voxel
+ * held in `beside`. */
+static bool take_inward(struct cr_moving *m, struct cr_losses *losses, int i, int n, int dx,
+                        int dy) {
     struct cr_loss whole = losses->loss[i];
     double want = whole.amount;
-    if (voxel == whole.voxel) {
-        losses->loss[i].beside = m->left[voxel];
-        m->left[voxel] -= want;
+    if (n == 0) {
+        losses->loss[i].beside = m->left[whole.voxel];
+        m->left[whole.voxel] -= want;
         return true;
     }
-    for (bool first = true; want > 0; voxel -= step) {
+    for (bool first = true; n >= 0 && want > 0; n--) {
+        int ix = whole.ix + n * dx, iy = whole.iy + n * dy, voxel = iy * m->body->grid.nx + ix;
         double left = m->left[voxel], amount = left - want < cr_crumb ? left : want;
         if (!first && !cr_losses_reserve(losses, 1)) {
             return false;
         }
         struct cr_loss *part = first ? &losses->loss[i] : &losses->loss[losses->n++];
         *part = (struct cr_loss){.voxel = voxel,
-                                 .ix = voxel % g->nx,
-                                 .iy = voxel / g->nx,
+                                 .ix = ix,
+                                 .iy = iy,
                                  .amount = amount,
                                  .energy = amount * losses->unit[voxel],
                                  .beside = left};
         m->left[voxel] = left - amount;
         want -= amount;
         first = false;
-        if (voxel == whole.voxel) {
-            break;
-        }
     }
     return true;
 }
@@ -212,13 +235,14 @@ bool cr_yield_order(struct cr_moving *m, struct cr_losses *losses) {
     const struct cr_grid *g = &m->body->grid;
     bool row = by_row(losses);
     bool up = losses->face == CR_FACE_FRONT || losses->face == CR_FACE_LEFT;
-    int step = (up ? 1 : -1) * (row ? 1 : g->nx), end = row ? g->nx : g->ny, n = losses->n;
+    int out = up ? 1 : -1, dx = row ? out : 0, dy = row ? 0 : out, step = dy * g->nx + dx;
+    int end = row ? g->nx : g->ny, n = losses->n;
     bool ok = true;
     for (int k = 0; ok && k < n; k++) { /* the outer ones of a line first */
         int i = up ? n - 1 - k : k;
         const struct cr_loss *l = &losses->loss[i];
         int along = row ? l->ix : l->iy, beyond = up ? end - 1 - along : along;
-        ok = take_inward(m, losses, i, outermost_crumb(m, l->voxel, beyond, step), step);
+        ok = take_inward(m, losses, i, crumbs_beyond(m, l->voxel, beyond, step), dx, dy);
     }
     for (int i = 0; i < losses->n; i++) { /* nothing has changed yet */
         double *left = &m->left[losses->loss[i].voxel], before = losses->loss[i].beside;
