@@ -26,8 +26,12 @@ bool cr_deform_add(struct cr_losses *losses, const struct cr_grid *g, int ix, in
     if (!cr_losses_reserve(losses, 1)) {
         return false;
     }
-    losses->loss[losses->n++] = (struct cr_loss){
-        .voxel = iy * g->nx + ix, .ix = ix, .iy = iy, .amount = amount, .energy = energy};
+    struct cr_loss *l = &losses->loss[losses->n++];
+    l->voxel = iy * g->nx + ix;
+    l->ix = ix;
+    l->iy = iy;
+    l->amount = amount;
+    l->energy = energy;
     losses->energy += energy;
     return true;
 }
@@ -46,15 +50,13 @@ struct row {
     const double *left, *unit; /* of its voxels */
 };
 
-static inline struct cr_loss *lose(struct cr_losses *losses, const struct row *row, int ix,
-                                   double amount) {
-    struct cr_loss *l = &losses->loss[losses->n++];
-    *l = (struct cr_loss){.voxel = row->first + ix,
-                          .ix = ix,
-                          .iy = row->iy,
-                          .amount = amount,
-                          .energy = amount * row->unit[ix]};
-    return l;
+/* field by field: put together elsewhere and copied it would be waited for */
+static inline void note_loss(struct cr_loss *l, const struct row *row, int ix, double amount) {
+    l->voxel = row->first + ix;
+    l->ix = ix;
+    l->iy = row->iy;
+    l->amount = amount;
+    l->energy = amount * row->unit[ix];
 }
 
 /* share of a voxel at p, the shape's frame, that a rigid shape fills; the voxel's edge along x is
@@ -80,7 +82,7 @@ static void meet_shape(const struct cr_reach *r, struct cr_span span, const stru
         double phi = cover_of_shape(&r->other->body->shape, p, map->c, map->s, &n);
         double amount = excess_of(left, phi);
         if (amount > 0) {
-            lose(losses, row, ix, amount);
+            note_loss(&losses->loss[losses->n++], row, ix, amount);
             losses->normal = cr_vec2_axpy(losses->normal, amount * row->unit[ix], n);
         }
     }
@@ -124,23 +126,39 @@ struct partner {
     bool weigh; /* it will be asked which of the two is stronger */
 };
 
+/* A place in the opponent's grid: so far on from the middle of voxel (i, j) to the next ones. */
+struct place {
+    int i, j;
+    double u, v;
+};
+
+static inline struct place place_at(double u, double v) {
+    int i = (int)(u + 2) - 2, j = (int)(v + 2) - 2; /* floor: both are > -2 */
+    return (struct place){i, j, u - i, v - j};
+}
+
+static inline struct four field_at(const struct partner *o, const double *field, struct place p) {
+    int nx = o->g->nx;
+    /* as unsigned, what is below 0 is beyond all ends */
+    bool edge = (unsigned)p.i >= (unsigned)nx - 1 || (unsigned)p.j >= (unsigned)o->g->ny - 1;
+    return edge ? four_at_edge(o->g, field, p.i, p.j) : four_at(field + p.j * nx + p.i, nx);
+}
+
 /* Material without strength against this body (no layer at its height) is not there for it. */
 static struct four with_strength(struct four there, struct four theirs) {
     return (struct four){theirs.a > 0 ? there.a : 0, theirs.b > 0 ? there.b : 0,
                          theirs.c > 0 ? there.c : 0, theirs.d > 0 ? there.d : 0};
 }
 
-/* How strong the opponent's material about (i + fu, j + fv) is per unit, the string's pull
- * included.
- */
-static inline double strength_at(const struct partner *o, struct four there, double phi,
-                                 struct four theirs, int i, int j, double fu, double fv) {
-    const double *pull = o->pull + (o->row ? j : i);
+/* Energy of the opponent's material about a place, the string's pull included. */
+static inline double energy_at(const struct partner *o, struct four there, struct four theirs,
+                               struct place p) {
+    const double *pull = o->pull + (o->row ? p.j : p.i);
     double here = pull[0], next = pull[1];
     struct four energy = {
         there.a * (theirs.a + here), there.b * (theirs.b + (o->row ? here : next)),
         there.c * (theirs.c + (o->row ? next : here)), there.d * (theirs.d + next)};
-    return bilinear(energy, fu, fv) / phi;
+    return bilinear(energy, p.u, p.v);
 }
 
 /* the opponent's lines on which a loss at a place among them presses */
@@ -154,39 +172,35 @@ static inline void press_on(struct cr_loss *l, double place, int lines) {
 /* the voxels span of a row against another body's voxels */
 static void meet_grid(const struct cr_reach *r, const struct partner *o, struct cr_span span,
                       const struct row *row, struct cr_losses *losses) {
-    const struct cr_grid *og = o->g;
     double c = r->map.c, s = r->map.s;
     double u0 = r->map.u - s * row->iy, v0 = r->map.v + c * row->iy;
+    struct cr_loss *l = losses->loss + losses->n;
     for (int ix = span.lo; ix < span.hi; ix++) {
-        double left = row->left[ix];
+        double left = row->left[ix], u = u0 + c * ix, v = v0 + s * ix;
         if (left <= 0 || row->unit[ix] <= 0) {
             continue;
         }
-        double u = u0 + c * ix, v = v0 + s * ix;
-        int i = (int)(u + 2) - 2, j = (int)(v + 2) - 2; /* floor: both are > -2 */
-        int at = j * og->nx + i;
-        double fu = u - i, fv = v - j;
-        /* as unsigned, what is below 0 is beyond all ends */
-        bool edge = (unsigned)i >= (unsigned)og->nx - 1 || (unsigned)j >= (unsigned)og->ny - 1;
-        struct four there = edge ? four_at_edge(og, o->left, i, j) : four_at(o->left + at, og->nx);
-        double phi = bilinear(there, fu, fv), excess = excess_of(left, phi);
-        if (excess <= 0) {
-            continue;
+        struct place p = place_at(u, v);
+        struct four there = field_at(o, o->left, p), theirs = {0};
+        double phi = bilinear(there, p.u, p.v), excess = excess_of(left, phi);
+        if (excess > 0 && (o->weigh || !o->solid)) {
+            theirs = field_at(o, o->unit, p);
         }
-        struct four theirs = edge ? four_at_edge(og, o->unit, i, j) : four_at(o->unit + at, og->nx);
-        if (!o->solid) {
+        if (excess > 0 && !o->solid) {
             there = with_strength(there, theirs);
-            phi = bilinear(there, fu, fv);
+            phi = bilinear(there, p.u, p.v);
             excess = excess_of(left, phi);
         }
         if (excess > 0) {
-            struct cr_loss *l = lose(losses, row, ix, excess);
+            note_loss(l, row, ix, excess);
             if (o->weigh) {
-                l->beside = strength_at(o, there, phi, theirs, i, j, fu, fv);
+                l->beside = energy_at(o, there, theirs, p) / phi;
                 press_on(l, o->row ? v : u, o->lines);
             }
+            l++;
         }
     }
+    losses->n = (int)(l - losses->loss);
 }
 
 /* energy of the losses and its moments; a line on which the string pulls weighs in the place of the

@@ -165,9 +165,11 @@ static void keep_share(struct cr_losses *losses, const double *mine, const doubl
         double other = theirs[l->line] + l->next * (theirs[l->line + 1] - theirs[l->line]);
         double share = 0.5 * (mine[row ? l->iy : l->ix] + 1 - other);
         if (share > 0) {
-            l->amount *= share;
-            l->energy *= share;
-            *kept++ = *l;
+            double amount = l->amount * share, energy = l->energy * share;
+            *kept = *l;
+            kept->amount = amount;
+            kept->energy = energy;
+            kept++;
         }
     }
     losses->n = (int)(kept - losses->loss);
@@ -204,29 +206,30 @@ static int crumbs_beyond(const struct cr_moving *m, int voxel, int beyond, int s
  * held in `beside`. */
 static bool take_inward(struct cr_moving *m, struct cr_losses *losses, int i, int n, int dx,
                         int dy) {
-    struct cr_loss whole = losses->loss[i];
-    double want = whole.amount;
+    struct cr_loss *l = &losses->loss[i];
+    int nx = m->body->grid.nx, own_x = l->ix, own_y = l->iy;
+    double want = l->amount;
     if (n == 0) {
-        losses->loss[i].beside = m->left[whole.voxel];
-        m->left[whole.voxel] -= want;
+        l->beside = m->left[l->voxel];
+        m->left[l->voxel] -= want;
         return true;
     }
-    for (bool first = true; n >= 0 && want > 0; n--) {
-        int ix = whole.ix + n * dx, iy = whole.iy + n * dy, voxel = iy * m->body->grid.nx + ix;
-        double left = m->left[voxel], amount = left - want < cr_crumb ? left : want;
-        if (!first && !cr_losses_reserve(losses, 1)) {
-            return false;
-        }
-        struct cr_loss *part = first ? &losses->loss[i] : &losses->loss[losses->n++];
-        *part = (struct cr_loss){.voxel = voxel,
-                                 .ix = ix,
-                                 .iy = iy,
-                                 .amount = amount,
-                                 .energy = amount * losses->unit[voxel],
-                                 .beside = left};
-        m->left[voxel] = left - amount;
+    for (; n >= 0 && want > 0; n--) {
+        l->ix = own_x + n * dx;
+        l->iy = own_y + n * dy;
+        l->voxel = l->iy * nx + l->ix;
+        double left = m->left[l->voxel], amount = left - want < cr_crumb ? left : want;
+        l->amount = amount;
+        l->energy = amount * losses->unit[l->voxel];
+        l->beside = left;
+        m->left[l->voxel] = left - amount;
         want -= amount;
-        first = false;
+        if (n > 0 && want > 0) {
+            if (!cr_losses_reserve(losses, 1)) {
+                return false;
+            }
+            l = &losses->loss[losses->n++];
+        }
     }
     return true;
 }
