@@ -122,6 +122,7 @@ struct cr_edge {
     double at;        /* in lines */
     int inner, outer; /* the lines at least half a line away on either side */
     int below;        /* the line at or below it */
+    int above;        /* the next one, -1 where a line is at the edge */
 };
 
 /* Scratch of string.c, one entry a line of the longest face. */

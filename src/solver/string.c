@@ -112,16 +112,22 @@ static void prepare(struct cr_string *st, const struct lines *lines, struct cr_s
     }
 }
 
+/* the line above an edge, -1 where a line is at the edge */
+static int above(double at) {
+    double next = floor(at) + 1, back = next - at;
+    return back > tie && back < 1 - tie ? (int)next : -1;
+}
+
 static struct cr_edge lower_edge(struct cr_range met) {
     double middle = 0.5 * (met.lo + met.hi), inner = ceil(met.lo + 0.5 - tie);
     return (struct cr_edge){met.lo, (int)(inner < middle ? inner : lround(middle)),
-                            (int)floor(met.lo - 0.5 + tie), (int)floor(met.lo)};
+                            (int)floor(met.lo - 0.5 + tie), (int)floor(met.lo), above(met.lo)};
 }
 
 static struct cr_edge upper_edge(struct cr_range met) {
     double middle = 0.5 * (met.lo + met.hi), inner = floor(met.hi - 0.5 + tie);
     return (struct cr_edge){met.hi, (int)(inner > middle ? inner : lround(middle)),
-                            (int)ceil(met.hi + 0.5 - tie), (int)floor(met.hi)};
+                            (int)ceil(met.hi + 0.5 - tie), (int)floor(met.hi), above(met.hi)};
 }
 
 /* Depth at the edge of a contact: the surface goes on as it came from the lines inside, but not
@@ -161,9 +167,8 @@ static int hull(struct cr_string *st, const struct lines *l, struct cr_span piec
     for (int i = piece.lo; i <= piece.hi; i++) {
         for (int k = 0; k < 2; k++) {
             const struct cr_edge *e = &st->edge[k];
-            double back = i - e->at;
-            if (i == e->below + 1 && i > piece.lo && back > tie && back < 1 - tie) {
-                double over = edge_depth(l, depth, *e) - (bow - back * bow_slope);
+            if (i == e->above && i > piece.lo) {
+                double over = edge_depth(l, depth, *e) - (bow - (i - e->at) * bow_slope);
                 n = hold(st->held, n, e->at, over, nailed);
             }
         }
@@ -254,8 +259,8 @@ static bool take(struct cr_string *st, const struct lines *l, int line, struct c
     int along = st->surface[line], k = voxel_at(l, line, along);
     double depth = l->depth[line], pitch = l->pitch[line];
     double slack = line > st->met.lo && line < st->met.hi ? ripple * g->h : 0;
-    double want = fmax(0, st->w[line] - depth - slack) / pitch, left = l->m->left[k];
-    double amount = left - want < cr_crumb ? left : want;
+    double deeper = st->w[line] - depth - slack, left = l->m->left[k];
+    double want = deeper > 0 ? deeper / pitch : 0, amount = left - want < cr_crumb ? left : want;
     st->w[line] = depth + amount * pitch;
     return cr_deform_add(losses, g, l->row ? along : line, l->row ? line : along, amount,
                          amount * l->unit[k]);
@@ -265,8 +270,8 @@ static bool take(struct cr_string *st, const struct lines *l, int line, struct c
 static double membrane_energy(const struct cr_string *st, const struct lines *l, double tension) {
     double sum = 0;
     for (int i = st->window.lo + 1; i <= st->window.hi; i++) {
-        double d = st->taut[i] ? st->w[i] - st->w[i - 1] : 0;
-        sum += d * d;
+        double d = st->w[i] - st->w[i - 1];
+        sum += st->taut[i] ? d * d : 0;
     }
     for (int k = 0; k < 2; k++) { /* around an edge the string bends there */
         const struct cr_edge *e = &st->edge[k];
