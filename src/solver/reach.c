@@ -20,9 +20,7 @@ static struct cr_map map_between(const struct cr_moving *me, const struct cr_mov
     return (struct cr_map){.u = rigid ? p.x : (p.x - og->x0) * per - 0.5,
                            .v = rigid ? p.y : (p.y - og->y0) * per - 0.5,
                            .c = c * r,
-                           .s = s * r,
-                           .per_c = reciprocal(c * r),
-                           .per_s = reciprocal(s * r)};
+                           .s = s * r};
 }
 
 /* drop empty lines at both ends */
@@ -38,119 +36,102 @@ static struct cr_span trimmed(struct cr_span lines, const struct cr_span *line) 
 
 /* Box of what can be met of the opponent, in the map's units: a place takes part in the voxels
  * whose centres are within one edge of it; a shape fills voxels whose centres are outside it. */
-static void box_of(struct cr_reach *r, struct cr_moving *o, double h) {
+static void box_of(struct cr_moving *o, double h, struct cr_vec2 *lo, struct cr_vec2 *hi) {
     if (o->row == NULL) {
-        r->lo = cr_vec2(o->lo.x - h, o->lo.y - h);
-        r->hi = cr_vec2(o->hi.x + h, o->hi.y + h);
+        *lo = cr_vec2(o->lo.x - h, o->lo.y - h);
+        *hi = cr_vec2(o->hi.x + h, o->hi.y + h);
         return;
     }
     o->rows = trimmed(o->rows, o->row);
     o->cols = trimmed(o->cols, o->col);
-    r->lo = cr_vec2(o->cols.lo - 1, o->rows.lo - 1);
-    r->hi = cr_vec2(o->cols.hi, o->rows.hi);
+    *lo = cr_vec2(o->cols.lo - 1, o->rows.lo - 1);
+    *hi = cr_vec2(o->cols.hi, o->rows.hi);
+}
+
+static struct cr_course course(double at, double per_row, double slope, double lo, double hi) {
+    double per_slope = reciprocal(slope);
+    bool rises = per_slope > 0;
+    return (struct cr_course){at, per_row, slope, per_slope, rises ? lo : hi, rises ? hi : lo};
 }
 
 void cr_reach_begin(struct cr_reach *r, struct cr_moving *me, struct cr_moving *other) {
-    *r = (struct cr_reach){.map = map_between(me, other), .me = me, .other = other};
-    const struct cr_map *map = &r->map;
-    box_of(r, other, me->body->grid.h);
+    struct cr_map map = map_between(me, other);
+    struct cr_vec2 lo, hi;
+    box_of(other, me->body->grid.h, &lo, &hi);
     /* row of each corner of the box: the map is a rotation and a scale, so its inverse is short */
-    double det = map->c * map->c + map->s * map->s, low = INFINITY, high = -INFINITY;
+    double det = map.c * map.c + map.s * map.s, low = INFINITY, high = -INFINITY;
     for (int i = 0; i < 4; i++) {
-        double u = (i & 1 ? r->hi.x : r->lo.x) - map->u, v = (i & 2 ? r->hi.y : r->lo.y) - map->v;
-        double row = (map->c * v - map->s * u) / det;
+        double u = (i & 1 ? hi.x : lo.x) - map.u, v = (i & 2 ? hi.y : lo.y) - map.v;
+        double row = (map.c * v - map.s * u) / det;
         low = row < low ? row : low;
         high = row > high ? row : high;
     }
     me->rows = trimmed(me->rows, me->row);
+    r->map = map;
+    r->me = me;
+    r->other = other;
     r->rows.lo = (int)cr_clamp(ceil(low), me->rows.lo, me->rows.hi);
     r->rows.hi = (int)cr_clamp(floor(high) + 1, me->rows.lo, me->rows.hi);
+    struct cr_course u = course(map.u, -map.s, map.c, lo.x, hi.x);
+    struct cr_course v = course(map.v, map.c, map.s, lo.y, hi.y);
+    bool aligned = fabs(map.c) >= fabs(map.s);
+    r->along = aligned ? u : v;
+    r->across = aligned ? v : u;
+    r->between = aligned ? other->between_rows : other->between_cols;
 }
 
-/* part of a row, in voxels from its first one */
-struct part {
-    double lo, hi;
-};
-
-static const struct part nothing = {1, 0};
-
-/* narrow a part to the x with low <= base + x / per_slope <= high */
-static inline struct part clip(struct part part, double base, double per_slope, double low,
-                               double high) {
-    double x0 = (low - base) * per_slope, x1 = (high - base) * per_slope;
-    double least = x0 < x1 ? x0 : x1, most = x0 < x1 ? x1 : x0;
-    return (struct part){least > part.lo ? least : part.lo, most < part.hi ? most : part.hi};
-}
-
-/* One coordinate of the opponent's grid along a row: at + slope x at its voxel x. */
-struct course {
-    double at, slope, per_slope;
-};
-
-static struct course reversed(struct course c) {
-    return (struct course){c.at, -c.slope, -c.per_slope};
-}
-
-/* Where, from x on, a row comes near material: between two lines of the opponent its course `along`
- * them must come into the range there. May be beyond `to`, the end of the row. */
-static inline double first_met(const struct cr_range *between, struct course along,
-                               struct course across, double x, double to) {
-    bool up = across.per_slope > 0;                  /* a slope may be 0 */
-    int k = (int)(across.at + across.slope * x + 2); /* of lines k - 2 and k - 1: places are > -2 */
-    double end = (k - 2 + up - across.at) * across.per_slope, step = fabs(across.per_slope);
-    double here = along.at + along.slope * x, there = along.at + along.slope * end;
-    double rise = along.slope * step;
-    const struct cr_range *near = &between[k];
+/* Where, from x on upwards (way 1) or downwards (-1), a row comes near material: between two lines
+ * of the opponent its course along them must come into the range there. May be beyond `to`, the end
+ * of the row. */
+static inline double first_met(const struct cr_reach *r, double along, double across, double x,
+                               double to, int way) {
+    double slope = r->along.slope, per_line = r->across.per_slope;
+    int k = (int)(across + r->across.slope * x + 2); /* of lines k - 2 and k - 1: places are > -2 */
+    double here = along + slope * x;
+    const struct cr_range *near = &r->between[k];
+    if (here >= near->lo && here <= near->hi) {
+        return x;
+    }
+    bool up = way * per_line > 0;
+    double end = (k - 2 + up - across) * per_line, there = along + slope * end;
+    double step = way * fabs(per_line), rise = slope * step;
     while ((rise > 0 ? there < near->lo || here > near->hi : here < near->lo || there > near->hi) &&
-           x <= to) {
+           way * x <= way * to) {
         x = end;
         here = there;
         end += step;
         there += rise;
         near += up ? 1 : -1;
     }
-    if (x > to || (here >= near->lo && here <= near->hi)) {
+    if (way * x > way * to || (here >= near->lo && here <= near->hi)) {
         return x;
     }
-    return ((here < near->lo ? near->lo : near->hi) - along.at) * along.per_slope;
+    return ((here < near->lo ? near->lo : near->hi) - along) * r->along.per_slope;
 }
 
-/* Narrow a part at both ends to where the opponent still has material near: going by its rows where
- * the two are nearly aligned, by its columns where they stand across. */
-static inline struct part clip_to_live(const struct cr_reach *r, double u, double v,
-                                       struct part part) {
-    const struct cr_map *map = &r->map;
-    struct course along = {u, map->c, map->per_c}, across = {v, map->s, map->per_s};
-    const struct cr_range *between = r->other->between_rows;
-    if (fabs(map->c) < fabs(map->s)) {
-        struct course by_u = along;
-        along = across;
-        across = by_u;
-        between = r->other->between_cols;
-    }
-    double lo = first_met(between, along, across, part.lo, part.hi);
-    if (!(lo <= part.hi)) {
-        return nothing;
-    }
-    double hi = -first_met(between, reversed(along), reversed(across), -part.hi, -lo);
-    return (struct part){lo, hi};
+/* narrow a part to the x at which a course is within its bounds */
+static inline void clip(double *lo, double *hi, double at, const struct cr_course *c) {
+    double first = (c->first - at) * c->per_slope, last = (c->last - at) * c->per_slope;
+    *lo = first > *lo ? first : *lo;
+    *hi = last < *hi ? last : *hi;
 }
 
 struct cr_span cr_reach_row(const struct cr_reach *r, int iy) {
-    const struct cr_map *map = &r->map;
     struct cr_span none = {0, 0}, row = r->me->row[iy];
-    struct part part = {row.lo, row.hi - 1};
-    double u = map->u - map->s * iy, v = map->v + map->c * iy;
-    part = clip(part, u, map->per_c, r->lo.x, r->hi.x);
-    part = clip(part, v, map->per_s, r->lo.y, r->hi.y);
-    if (part.lo <= part.hi && r->other->row != NULL) {
-        part = clip_to_live(r, u, v, part);
+    double lo = row.lo, hi = row.hi - 1; /* voxels from the row's first one */
+    double along = r->along.at + r->along.per_row * iy;
+    double across = r->across.at + r->across.per_row * iy;
+    clip(&lo, &hi, along, &r->along);
+    clip(&lo, &hi, across, &r->across);
+    if (lo <= hi && r->between != NULL) {
+        lo = first_met(r, along, across, lo, hi, 1);
+        hi = lo <= hi ? first_met(r, along, across, hi, lo, -1) : hi;
     }
-    if (!(part.lo <= part.hi)) {
+    if (!(lo <= hi)) {
         return none;
     }
-    int lo = (int)part.lo;
-    return (struct cr_span){lo + (lo < part.lo), (int)part.hi + 1};
+    int first = (int)lo;
+    return (struct cr_span){first + (first < lo), (int)hi + 1};
 }
 
 /* of lines k and k + 1: a place takes part in voxels within one edge of it */

@@ -250,15 +250,24 @@ void cr_shape_box(const struct cr_shape *shape, struct cr_vec2 *lo, struct cr_ve
  * a shape. */
 struct cr_map {
     double u, v, c, s;
-    double per_c, per_s; /* reciprocals, finite */
+};
+
+/* One coordinate of the opponent's grid at the voxels of me: at + per_row iy + slope ix. */
+struct cr_course {
+    double at, per_row, slope;
+    double per_slope;   /* reciprocal, finite */
+    double first, last; /* bounds of the opponent's material, as a row comes to them */
 };
 
 /* What of a body its opponent can meet at their present places. */
 struct cr_reach {
     struct cr_map map;
     const struct cr_moving *me, *other;
-    struct cr_vec2 lo, hi; /* box of the opponent's material, in the map's units */
-    struct cr_span rows;   /* rows of me that it covers */
+    struct cr_span rows;    /* rows of me that the opponent's material covers */
+    struct cr_course along; /* the opponent's lines, rows where the two are nearly aligned, columns
+                               where they stand across, */
+    struct cr_course across;
+    const struct cr_range *between; /* and what is near material between them; NULL: a shape */
 };
 
 /* step 1, reach.c: ready once the live spans of all lines are known; false when memory is out */
