@@ -130,18 +130,18 @@ struct partner {
 struct place {
     int i, j;
     double u, v;
+    bool edge; /* not all four voxels are in the grid */
 };
 
-static inline struct place place_at(double u, double v) {
+static inline struct place place_at(const struct cr_grid *g, double u, double v) {
     int i = (int)(u + 2) - 2, j = (int)(v + 2) - 2; /* floor: both are > -2 */
-    return (struct place){i, j, u - i, v - j};
+    /* as unsigned, what is below 0 is beyond all ends */
+    bool edge = (unsigned)i >= (unsigned)g->nx - 1 || (unsigned)j >= (unsigned)g->ny - 1;
+    return (struct place){i, j, u - i, v - j, edge};
 }
 
-static inline struct four field_at(const struct partner *o, const double *field, struct place p) {
-    int nx = o->g->nx;
-    /* as unsigned, what is below 0 is beyond all ends */
-    bool edge = (unsigned)p.i >= (unsigned)nx - 1 || (unsigned)p.j >= (unsigned)o->g->ny - 1;
-    return edge ? four_at_edge(o->g, field, p.i, p.j) : four_at(field + p.j * nx + p.i, nx);
+static inline struct four field_at(const struct cr_grid *g, const double *field, struct place p) {
+    return p.edge ? four_at_edge(g, field, p.i, p.j) : four_at(field + p.j * g->nx + p.i, g->nx);
 }
 
 /* Material without strength against this body (no layer at its height) is not there for it. */
@@ -180,25 +180,29 @@ static void meet_grid(const struct cr_reach *r, const struct partner *o, struct 
         if (left <= 0 || row->unit[ix] <= 0) {
             continue;
         }
-        struct place p = place_at(u, v);
-        struct four there = field_at(o, o->left, p), theirs = {0};
+        struct place p = place_at(o->g, u, v);
+        struct four there = field_at(o->g, o->left, p), theirs = {0};
         double phi = bilinear(there, p.u, p.v), excess = excess_of(left, phi);
-        if (excess > 0 && (o->weigh || !o->solid)) {
-            theirs = field_at(o, o->unit, p);
+        if (excess <= 0) {
+            continue;
         }
-        if (excess > 0 && !o->solid) {
+        if (o->weigh || !o->solid) {
+            theirs = field_at(o->g, o->unit, p);
+        }
+        if (!o->solid) {
             there = with_strength(there, theirs);
             phi = bilinear(there, p.u, p.v);
             excess = excess_of(left, phi);
-        }
-        if (excess > 0) {
-            note_loss(l, row, ix, excess);
-            if (o->weigh) {
-                l->beside = energy_at(o, there, theirs, p) / phi;
-                press_on(l, o->row ? v : u, o->lines);
+            if (excess <= 0) {
+                continue;
             }
-            l++;
         }
+        note_loss(l, row, ix, excess);
+        if (o->weigh) {
+            l->beside = energy_at(o, there, theirs, p) / phi;
+            press_on(l, o->row ? v : u, o->lines);
+        }
+        l++;
     }
     losses->n = (int)(l - losses->loss);
 }
@@ -360,24 +364,29 @@ void cr_deform_apply(struct cr_moving *m, const struct cr_losses *losses, int fr
     }
 }
 
-/* drop dead voxels at both ends of the lines through a voxel */
+/* drop dead voxels, `step` apart, at both ends of a line; false if there are none */
+static bool shorten(struct cr_span *line, const double *left, int step) {
+    struct cr_span live = *line;
+    while (live.lo < live.hi && left[live.lo * step] <= 0) {
+        live.lo++;
+    }
+    while (live.lo < live.hi && left[(live.hi - 1) * step] <= 0) {
+        live.hi--;
+    }
+    bool shorter = live.hi - live.lo < line->hi - line->lo;
+    *line = live;
+    return shorter;
+}
+
+/* the lines through a voxel that is gone */
 static void shrink(struct cr_moving *m, const struct cr_loss *loss) {
-    const struct cr_grid *g = &m->body->grid;
-    const double *along = m->left + (size_t)loss->iy * (size_t)g->nx, *across = m->left + loss->ix;
-    struct cr_span *row = &m->row[loss->iy], *col = &m->col[loss->ix];
-    while (row->lo < row->hi && along[row->lo] <= 0) {
-        row->lo++;
+    int nx = m->body->grid.nx;
+    if (shorten(&m->row[loss->iy], m->left + loss->iy * nx, 1)) {
+        cr_reach_renew(m, true, loss->iy);
     }
-    while (row->lo < row->hi && along[row->hi - 1] <= 0) {
-        row->hi--;
+    if (shorten(&m->col[loss->ix], m->left + loss->ix, nx)) {
+        cr_reach_renew(m, false, loss->ix);
     }
-    while (col->lo < col->hi && across[col->lo * g->nx] <= 0) {
-        col->lo++;
-    }
-    while (col->lo < col->hi && across[(col->hi - 1) * g->nx] <= 0) {
-        col->hi--;
-    }
-    cr_reach_renew(m, loss->ix, loss->iy);
 }
 
 void cr_deform_settle(struct cr_solver *s, struct cr_moving *m, struct cr_losses *losses,

@@ -19,4 +19,4 @@ libsolver_a_SOURCES = \
 	src/solver/string.c \
 	src/solver/tyre.c \
 	src/solver/yield.c
-libsolver_a_CFLAGS = $(CR_CFLAGS)
+libsolver_a_CFLAGS = $(CR_CFLAGS) $(CR_VECTOR_CFLAGS)

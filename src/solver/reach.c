@@ -146,12 +146,13 @@ static struct cr_range near_lines(const struct cr_span *line, int n, int k) {
     return near;
 }
 
-void cr_reach_renew(struct cr_moving *m, int ix, int iy) {
+void cr_reach_renew(struct cr_moving *m, bool row, int line) {
     const struct cr_grid *g = &m->body->grid;
-    for (int k = -1; k <= 0; k++) {
-        m->between_rows[iy + k + 2] = near_lines(m->row, g->ny, iy + k);
-        m->between_cols[ix + k + 2] = near_lines(m->col, g->nx, ix + k);
-    }
+    struct cr_range *between = row ? m->between_rows : m->between_cols;
+    const struct cr_span *live = row ? m->row : m->col;
+    int n = row ? g->ny : g->nx;
+    between[line + 1] = near_lines(live, n, line - 1);
+    between[line + 2] = near_lines(live, n, line);
 }
 
 bool cr_reach_new(struct cr_solver *s, struct cr_moving *m) {

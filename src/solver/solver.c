@@ -169,11 +169,21 @@ static bool new_units(struct cr_solver *s, struct cr_moving *m) {
         m->solid[p] = true;
         for (size_t k = 0; k < n; k++) {
             unit[k] = m->left[k] > 0 ? energy[k] / g->fill[k] : 0;
-            m->solid[p] = m->solid[p] && (unit[k] > 0 || m->left[k] <= 0);
+            m->solid[p] = m->solid[p] && (unit[k] > 0 || !(m->left[k] > 0));
         }
         m->unit[p] = unit;
     }
     return true;
+}
+
+static void place_wheels(struct cr_moving *m) {
+    const struct cr_grid *g = &m->body->grid;
+    for (int i = 0; i < m->body->wheels; i++) {
+        struct cr_vec2 at = m->body->wheel[i].at;
+        double ix = floor((at.x - g->x0) / g->h), iy = floor((at.y - g->y0) / g->h);
+        bool on_grid = ix >= 0 && iy >= 0 && ix < g->nx && iy < g->ny;
+        m->wheel_voxel[i] = on_grid ? (int)iy * g->nx + (int)ix : -1;
+    }
 }
 
 static bool new_grid(struct cr_solver *s, struct cr_moving *m) {
@@ -211,6 +221,7 @@ static bool new_body(struct cr_solver *s, int i) {
         s->t = fmin(s->t, b->waypoint[0].t);
     }
     cr_shape_box(&b->shape, &m->lo, &m->hi);
+    place_wheels(m);
     if (b->grid.nx > 0 && !new_grid(s, m)) {
         return false;
     }
@@ -422,14 +433,9 @@ static bool work_pair(struct cr_solver *s, int pair, int a, int b) {
 
 /* a wheel whose place was crushed to more than half slides (issue: after the impact) */
 static void drag_wheels(struct cr_moving *m) {
-    const struct cr_grid *g = &m->body->grid;
-    for (int i = 0; i < m->body->wheels && g->nx > 0; i++) {
-        struct cr_vec2 at = m->body->wheel[i].at;
-        int ix = (int)floor((at.x - g->x0) / g->h), iy = (int)floor((at.y - g->y0) / g->h);
-        if (ix >= 0 && iy >= 0 && ix < g->nx && iy < g->ny) {
-            int k = iy * g->nx + ix;
-            m->drag[i] = m->drag[i] || m->left[k] < 0.5 * g->fill[k];
-        }
+    for (int i = 0; i < m->body->wheels; i++) {
+        int k = m->wheel_voxel[i];
+        m->drag[i] = m->drag[i] || (k >= 0 && m->left[k] < 0.5 * m->body->grid.fill[k]);
     }
 }
 

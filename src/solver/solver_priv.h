@@ -42,7 +42,8 @@ struct cr_moving {
     struct cr_vec2 lo, hi; /* box that holds it, body frame */
     bool driven;           /* follows its waypoints */
     bool at_rest;
-    bool drag[CR_WHEELS]; /* the wheel's place was crushed: it slides */
+    int wheel_voxel[CR_WHEELS]; /* at the wheel's place, -1: beside the grid */
+    bool drag[CR_WHEELS];       /* that was crushed: the wheel slides */
     /* grid, NULL for rigid shapes */
     double *left;                          /* material left, 0..fill */
     double *t_sum;                         /* sum of time x material lost: gives t_crushed */
@@ -272,8 +273,8 @@ struct cr_reach {
 
 /* step 1, reach.c: ready once the live spans of all lines are known; false when memory is out */
 bool cr_reach_new(struct cr_solver *s, struct cr_moving *m);
-/* the live span of row iy or of column ix has shrunk */
-void cr_reach_renew(struct cr_moving *m, int ix, int iy);
+/* the live span of a row or column has shrunk */
+void cr_reach_renew(struct cr_moving *m, bool row, int line);
 void cr_reach_begin(struct cr_reach *reach, struct cr_moving *me, struct cr_moving *other);
 /* voxels of a row that the opponent can meet */
 struct cr_span cr_reach_row(const struct cr_reach *reach, int iy);

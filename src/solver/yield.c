@@ -78,14 +78,13 @@ void cr_yield_range(struct cr_solver *s, struct cr_moving *m, struct cr_losses *
     int n = lines_of(m, losses);
     double *pressed = losses->press->pressed, sum = 0, squares = 0;
     double keep = kept(s->t, &losses->press->t_pressed, range_memory);
-    struct cr_span lines = held(pressed, n);
-    for (int k = lines.lo; k < lines.hi; k++) {
+    for (int k = 0; k < n; k++) {
         pressed[k] *= keep;
     }
     for (int i = 0; i < losses->n; i++) {
         pressed[row ? losses->loss[i].iy : losses->loss[i].ix] += losses->loss[i].amount;
     }
-    lines = held(pressed, n);
+    struct cr_span lines = held(pressed, n);
     for (int k = lines.lo; k < lines.hi; k++) {
         sum += pressed[k];
         squares += pressed[k] * pressed[k];
@@ -123,8 +122,7 @@ static void remember(const struct cr_losses *losses, const struct cr_losses *oth
 static void fade(const struct cr_moving *m, const struct cr_losses *losses, double t) {
     double *more = losses->press->more, *all = losses->press->all;
     double keep = kept(t, &losses->press->t_weighed, cr_yield_memory);
-    struct cr_span lines = held(all, lines_of(m, losses));
-    for (int k = lines.lo; k < lines.hi; k++) {
+    for (int k = 0, n = lines_of(m, losses); k < n; k++) {
         more[k] *= keep;
         all[k] *= keep;
     }
