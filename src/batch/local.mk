@@ -46,10 +46,25 @@ dist_validationcar_DATA = \
 	share/validation/car-to-car/nhtsa-7292.json
 validationsmalldir = $(pkgdatadir)/share/validation/small-overlap
 dist_validationsmall_DATA = \
+	share/validation/small-overlap/cen1203.json \
+	share/validation/small-overlap/cen1204.json \
+	share/validation/small-overlap/cen1205.json \
+	share/validation/small-overlap/cen1212.json \
+	share/validation/small-overlap/cf10001.json \
+	share/validation/small-overlap/cf10002.json \
+	share/validation/small-overlap/cf10005.json \
 	share/validation/small-overlap/cf10017.json \
+	share/validation/small-overlap/cf10020.json \
+	share/validation/small-overlap/cf10023.json \
+	share/validation/small-overlap/cf10024.json \
 	share/validation/small-overlap/cf10028.json \
 	share/validation/small-overlap/cf11002.json \
-	share/validation/small-overlap/cf11012.json
+	share/validation/small-overlap/cf11004.json \
+	share/validation/small-overlap/cf11005.json \
+	share/validation/small-overlap/cf11011.json \
+	share/validation/small-overlap/cf11012.json \
+	share/validation/small-overlap/cf11013.json \
+	share/validation/small-overlap/iihs-fleet.json
 validationlowdir = $(pkgdatadir)/share/validation/low-speed
 dist_validationlow_DATA = \
 	share/validation/low-speed/contour-pole.json \

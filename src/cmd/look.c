@@ -343,9 +343,11 @@ static enum cr_err say_contacts(struct cr_session *s, struct cr_error *err) {
         char plastic[32], end[32];
         cr_render_number(1e3 * (c->t_plastic_end - sol->t_contact), 1, plastic, sizeof plastic);
         cr_render_number(1e3 * (c->t_end - sol->t_contact), 1, end, sizeof end);
-        cr_say(s, "%s - %s: first touch at %.1f km/h along the normal, restitution %.2f",
-               s->result->resolved.part[c->a].id, s->result->resolved.part[c->b].id,
-               cr_kmh(c->closing), c->restitution);
+        cr_say(
+            s,
+            "%s - %s: first touch at %.1f km/h along the normal, restitution %.2f, friction %.2g",
+            s->result->resolved.part[c->a].id, s->result->resolved.part[c->b].id,
+            cr_kmh(c->closing), c->restitution, c->mu);
         cr_say(s, "  plastic to %s ms (%s), impulse %.0f N s; elastic to %s ms, 2 x %.0f N s",
                plastic, cr_stop_word(c->stop), c->plastic_impulse, end, c->elastic_impulse);
         cr_say(s, "  energy %.1f + %.1f kJ, of it induced %.1f + %.1f kJ; friction %.1f kJ",

@@ -89,18 +89,22 @@ static enum cr_err stop_notes(const struct cr_page *page, struct cr_error *err) 
     return code;
 }
 
-/* where restitution and elastic times were not given but follow from the contact */
+/* where friction, restitution and elastic times were not given but follow from the contact */
 static enum cr_err auto_notes(const struct cr_page *page, struct cr_error *err) {
     const struct cr_settings *set = &page->result->resolved.set;
+    const struct {
+        bool on;
+        const char *text;
+    } note[] = {
+        {set->restitution_auto, "e auto: from the closing speed, the kind of partner and the share "
+                                "of an end's width that was pressed"},
+        {set->friction_auto, "friction auto: 0.5 between vehicles, 0.1 on objects without one of "
+                             "their own"},
+        {set->elastic_auto, "elastic auto: from the force at the end of the plastic phase"},
+    };
     enum cr_err code = CR_ERR_OK;
-    if (set->restitution_auto) {
-        code = cr_page_paragraph(page, 2, CR_ROLE_DIM,
-                                 "e auto: from the closing speed and the kind of partner", err);
-    }
-    if (set->elastic_auto && code == CR_ERR_OK) {
-        code =
-            cr_page_paragraph(page, 2, CR_ROLE_DIM,
-                              "elastic auto: from the force at the end of the plastic phase", err);
+    for (size_t i = 0; i < sizeof note / sizeof *note && code == CR_ERR_OK; i++) {
+        code = note[i].on ? cr_page_paragraph(page, 2, CR_ROLE_DIM, note[i].text, err) : code;
     }
     return code;
 }

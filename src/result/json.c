@@ -223,6 +223,7 @@ static void put_contacts(const struct cr_result *r, cJSON *json) {
         cJSON_AddStringToObject(one, "stop", cr_stop_word(c->stop));
         put(one, "closing_kmh", cr_kmh(c->closing));
         put(one, "restitution", c->restitution);
+        put(one, "friction", c->mu);
         put(one, "impulse_x_Ns", c->impulse.x);
         put(one, "impulse_y_Ns", c->impulse.y);
         cJSON_AddItemToObject(one, "coe_m", point(c->coe));

@@ -384,7 +384,8 @@ static enum cr_err make_heights(struct making *m) {
 static struct cr_opts make_opts(const struct cr_settings *set) {
     struct cr_opts opts = cr_opts_default();
     opts.dt = set->dt;
-    opts.friction = set->friction;
+    opts.friction = set->friction_auto ? 0 : set->friction;
+    opts.friction_auto = set->friction_auto;
     opts.road_friction = set->road_friction;
     opts.restitution = set->restitution_auto ? 0 : set->restitution;
     opts.restitution_auto = set->restitution_auto;

@@ -24,6 +24,7 @@ struct cr_settings {
     double restitution; /* 0..0.95 */
     bool restitution_auto;
     double friction;      /* between bodies */
+    bool friction_auto;   /* by kind of body */
     double road_friction; /* tyres */
     double dt;            /* s */
     double voxel;         /* m */

@@ -65,9 +65,12 @@ enum cr_end { CR_END_SEPARATION, CR_END_REST };
 struct cr_opts {
     double dt;             /* longest time slice, s */
     double friction;       /* Coulomb coefficient between bodies, 0: force along the normal */
+    bool friction_auto;    /* by kind of body instead: crushing structures hook into each other, on
+                              a rigid object they slide */
     double road_friction;  /* of the tyres */
     double restitution;    /* 0..1, see restitution_auto */
-    bool restitution_auto; /* from closing speed and kind of partner instead (literature.md 6) */
+    bool restitution_auto; /* from closing speed, kind of partner and the share of an end's width
+                              that is pressed instead (stiffness.md 6) */
     double elastic_s;      /* length of the elastic compression, and of the restitution, s; 0: from
                               the force at the end of the plastic phase, which goes on smoothly */
     bool induced;          /* plastic string on the struck face (method.md 5) */

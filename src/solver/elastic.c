@@ -17,6 +17,39 @@ double cr_restitution_auto(double closing, bool rigid_partner) {
     return closing <= 2 ? 0.3 : closing <= 10 ? 0.3 + (closing - 2) / 8 * (0.10 - 0.3) : 0.10;
 }
 
+/* share of an end's width from which it counts as whole: corners and curved ends lag behind */
+static const double whole_width = 0.95;
+
+/* Share of the width of an end that the opponent presses on, of what a flat wall would press on at
+ * that depth; a flank counts as whole, because its tests are narrow. */
+static double width_share(const struct cr_moving *m, const struct cr_losses *losses) {
+    enum cr_face face = losses->face;
+    if (m->left == NULL || !cr_face_is_end(face)) {
+        return 1;
+    }
+    const double *depth = m->depth[face], *outline = m->outline[face];
+    int n = cr_face_lines(&m->body->grid, face);
+    double deepest = 0, reached = 0, h = m->body->grid.h;
+    for (int i = 0; i < n; i++) {
+        deepest = depth[i] > 0 ? fmax(deepest, outline[i] + depth[i]) : deepest;
+    }
+    for (int i = 0; i < n; i++) { /* in lines full of material */
+        reached += outline[i] + h < deepest ? h / m->pitch[face][i] : 0;
+    }
+    double wide = losses->met.hi - losses->met.lo;
+    return reached > 0 ? cr_clamp(wide / (whole_width * reached), 0, 1) : 1;
+}
+
+double cr_restitution_share(const struct cr_solver *s, int a, int b, const struct cr_contact *c) {
+    double energy = 0, pressed = 0;
+    for (int side = 0; side < 2; side++) {
+        double e = c->energy[side] + s->losses[side].energy;
+        energy += e;
+        pressed += e * width_share(&s->m[side == 0 ? a : b], &s->losses[side]);
+    }
+    return energy > 0 ? sqrt(pressed / energy) : 1;
+}
+
 /* the direction along which energy is stored: the force itself while the contact sticks */
 static struct cr_vec2 axis_of(const struct cr_touch *t) {
     return t->sliding ? t->normal : t->direction;

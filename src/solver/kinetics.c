@@ -73,6 +73,9 @@ bool cr_kinetics_slice(struct cr_solver *s, int pair, int a, int b, const struct
     struct cr_contact *c = &s->contact[t->record];
     struct cr_vec2 rel = cr_relative_velocity(s, a, b, f->coe);
     double vn = cr_vec2_dot(rel, f->normal), vf = cr_vec2_dot(rel, f->direction);
+    if (s->cs->opts.restitution_auto) {
+        c->restitution = t->restitution * cr_restitution_share(s, a, b, c);
+    }
     double mass = 1 / cr_vec2_dot(cr_compliance(s, a, b, f->coe, f->direction), f->direction);
     double work = f->energy * vf / (vn * f->cosine), most = 0.5 * mass * vf * vf;
     double whole = work < most ? mass * (vf - sqrt(vf * vf - 2 * work / mass)) : mass * vf;
@@ -103,6 +106,7 @@ bool cr_kinetics_slice(struct cr_solver *s, int pair, int a, int b, const struct
     double fade = exp(-s->dt / cr_force_memory);
     t->energy_recent = t->energy_recent * fade + f->energy;
     t->patch = f->patch;
+    t->thrust = f->thrust;
     t->normal_sum = cr_vec2_axpy(t->normal_sum, lambda * f->energy, f->normal);
     return cr_record_slice(
         s, &(struct cr_slice){.sample = s->samples,

@@ -60,6 +60,7 @@ bool cr_record_contact(struct cr_solver *s, int pair, int a, int b, const struct
     bool rigid = s->cs->body[a].grid.nx == 0 || s->cs->body[b].grid.nx == 0;
     const struct cr_opts *o = &s->cs->opts;
     double e = o->restitution_auto ? cr_restitution_auto(closing, rigid) : o->restitution;
+    t->restitution = e;
     if (t->rubbing && old.rubbing) {
         reopen(s, t, &old, e);
         return true;
@@ -69,6 +70,7 @@ bool cr_record_contact(struct cr_solver *s, int pair, int a, int b, const struct
                                                     .t_begin = s->t - s->dt,
                                                     .closing = closing,
                                                     .restitution = e,
+                                                    .mu = cr_force_friction(s, a, b),
                                                     .phase = CR_PHASE_PLASTIC,
                                                     .coe = f->coe,
                                                     .normal = f->normal,

@@ -388,8 +388,10 @@ static bool crush(struct cr_solver *s, int pair, int a, int b, struct cr_force *
         }
     }
     soften(s, pair, a, b, f);
-    turn_to(s, ma, b, &s->losses[0], cr_string_face(ma, cr_vec2_scale(f->normal, -1)));
-    turn_to(s, mb, a, &s->losses[1], cr_string_face(mb, f->normal));
+    struct cr_vec2 v = cr_relative_velocity(s, a, b, f->coe);
+    struct cr_vec2 back = cr_vec2_scale(v, -1), inward = cr_vec2_scale(f->normal, -1);
+    turn_to(s, ma, b, &s->losses[0], cr_string_face(ma, inward, back));
+    turn_to(s, mb, a, &s->losses[1], cr_string_face(mb, f->normal, v));
     s->touch[pair].face[0] = s->losses[0].face;
     s->touch[pair].face[1] = s->losses[1].face;
     cr_deform_apply(ma, &s->losses[0], 0);

@@ -67,6 +67,7 @@ struct cr_contact {
     enum cr_phase phase;    /* APART once it is over */
     double closing;         /* approach along the normal at first touch, m/s */
     double restitution;     /* used for this contact */
+    double mu;              /* Coulomb friction used */
     double plastic_impulse; /* along the normal, N s */
     double elastic_impulse; /* of compression; restitution has the same, N s */
     struct cr_vec2 impulse; /* whole impulse on b, world, N s */

@@ -96,7 +96,7 @@ struct cr_losses {
     double xx, xy, yy;      /* second moments alike, J m2 */
     double weight;          /* of those in the contact with the string's pull on them, J */
     struct cr_vec2 loaded;  /* sum of such weight x place, J m */
-    struct cr_vec2 normal;  /* sum of energy x surface normal of a rigid partner, its frame, J */
+    struct cr_vec2 normal;  /* what presses on a rigid partner along its normals, its frame, N s */
     double induced;         /* part outside the contact, string included, J */
     double area;            /* m2 */
     double stretch;         /* energy that stretched the string in this slice, J */
@@ -156,6 +156,7 @@ struct cr_touch {
     bool sliding;              /* force on the edge of the friction cone */
     double most;               /* greatest force, N: bodies that have crushed are sprung */
     double spent;              /* crush energy of the pair's contacts that are over, J */
+    double restitution;        /* by closing speed and kind of partner */
     bool rubbing;              /* this touch is too slight to count as part of the crash */
     double force;              /* along direction, mean of the last plastic slices, N */
     double plastic_before;     /* plastic impulse of earlier touches of the same contact, N s */
@@ -169,6 +170,7 @@ struct cr_touch {
     struct cr_vec2 normal_sum; /* energy-weighted, J */
     double energy_recent;      /* of the last slices, older ones fading, J */
     struct cr_moments patch;   /* of the last slices, older ones fading */
+    struct cr_vec2 thrust;     /* likewise */
 };
 
 struct cr_solver {
@@ -310,8 +312,11 @@ void cr_yield_share(struct cr_solver *s, int a, int b);
  * memory is out */
 bool cr_yield_order(struct cr_moving *m, struct cr_losses *losses);
 
-/* string.c: the face that a force acts on; inward: its direction on the body, world */
-enum cr_face cr_string_face(const struct cr_moving *m, struct cr_vec2 inward);
+/* string.c: the face that is crushed by a surface with the normal `inward` that approaches with the
+ * velocity v relative to the body, world: the end where its motion along the body does more of the
+ * work, else the flank. A corner that is driven on is no dent of the flank, however far the normal
+ * has turned. */
+enum cr_face cr_string_face(const struct cr_moving *m, struct cr_vec2 inward, struct cr_vec2 v);
 /* string.c: induced deformation of losses->face, added to the losses of one body and applied
  * (method.md 5) */
 bool cr_string_pull(struct cr_solver *s, struct cr_moving *m, int partner,
@@ -323,6 +328,7 @@ struct cr_force {
     struct cr_vec2 coe;       /* Eq. (3) */
     struct cr_vec2 normal;    /* from a to b */
     struct cr_moments patch;  /* the deformed voxels it comes from */
+    struct cr_vec2 thrust;    /* or what presses on a rigid surface, N s */
     double trust;             /* weight of this slice's normal against those before it, >= 1 */
     struct cr_vec2 direction; /* of the force on b */
     double cosine;            /* between the two */
@@ -362,6 +368,10 @@ double cr_abort_within(const struct cr_solver *s, int pair);
 double cr_abort_weight(const struct cr_solver *s, int pair, int a, int b, const struct cr_force *f);
 /* whether a touch is only rubbing of bodies that have parted */
 bool cr_abort_rubbing(const struct cr_solver *s, int pair, int a, int b, const struct cr_force *f);
+
+/* Factor on the restitution of walls, 0..1, where only part of an end is pressed: the energy that
+ * comes back is stored in the width that is pressed, and goes with the square of the speed. */
+double cr_restitution_share(const struct cr_solver *s, int a, int b, const struct cr_contact *c);
 
 /* step 6, elastic.c; false when memory is out */
 void cr_elastic_begin(struct cr_solver *s, int pair, int a, int b);

@@ -68,12 +68,13 @@ static inline int surface(const struct lines *l, int line) {
     return live.lo < live.hi ? live.lo : -1;
 }
 
-enum cr_face cr_string_face(const struct cr_moving *m, struct cr_vec2 inward) {
-    struct cr_vec2 d = cr_vec2_unrotate(inward, m->c, m->s);
-    if (fabs(d.x) >= fabs(d.y) - 1e-6) { /* a tie is the end's, whatever rounding says */
-        return d.x < 0 ? CR_FACE_FRONT : CR_FACE_REAR;
+enum cr_face cr_string_face(const struct cr_moving *m, struct cr_vec2 inward, struct cr_vec2 v) {
+    struct cr_vec2 n = cr_vec2_unrotate(inward, m->c, m->s), w = cr_vec2_unrotate(v, m->c, m->s);
+    double x = n.x * w.x, y = n.y * w.y, rounding = 1e-6 * (fabs(x) + fabs(y));
+    if (x >= y - rounding) { /* a tie is the end's, whatever rounding says */
+        return n.x < 0 ? CR_FACE_FRONT : CR_FACE_REAR;
     }
-    return d.y < 0 ? CR_FACE_LEFT : CR_FACE_RIGHT;
+    return n.y < 0 ? CR_FACE_LEFT : CR_FACE_RIGHT;
 }
 
 /* A segment, between lines i - 1 and i, is taut where the crush has stretched it beyond its

@@ -261,9 +261,10 @@ static void one_effect_each(void **state) {
     check_near(c->t_elastic_end - c->t_plastic_end, 7e-3, 1e-9);
     check_near(c->t_end - c->t_elastic_end, 7e-3, 1e-9);
     cr_result_free(r);
-    /* head-on at 50 km/h each: 27.8 m/s, far above 10: 0.10 (stiffness.md 6) */
+    /* head-on at 50 km/h each: 27.8 m/s, far above 10: 0.10 (stiffness.md 6); of the width of both
+     * ends 0.41 is pressed, whole from 0.95 on: sqrt(0.41 / 0.95) = 0.66 of it */
     r = solved("\"restitution\":\"auto\"", OFFSET);
-    check_near(r->solution->contact[0].restitution, 0.10, 1e-12);
+    check_near(r->solution->contact[0].restitution, 0.066, 0.007);
     cr_result_free(r);
     r = solved("\"restitution\":\"auto\"", SEDAN(""), WALL);
     check_near(r->solution->contact[0].restitution, 0.16, 1e-12);
@@ -294,7 +295,7 @@ static void paper_is_extended_without_its_settings(void **state) {
     cr_result_free(off);
 }
 
-/* the paper's limitation "no contact friction or snagging": 40 % overlap is not held together */
+/* the paper's limitation "no contact friction or snagging": 30 % overlap is not held together */
 static void offset_without_friction_slides_off(void **state) {
     (void)state;
     static const char big[] =
@@ -302,7 +303,7 @@ static void offset_without_friction_slides_off(void **state) {
         "\"length_m\":5.086,\"width_m\":1.983,\"position_m\":[0,0],"
         "\"heading_deg\":0,\"speed_kmh\":56}";
     static const char small[] = "{\"id\":\"B\",\"kind\":\"vehicle\",\"type\":\"super-compact\","
-                                "\"mass_kg\":1100,\"width_m\":1.627,\"position_m\":[6,1.03],"
+                                "\"mass_kg\":1100,\"width_m\":1.627,\"position_m\":[6,1.21],"
                                 "\"heading_deg\":180,\"speed_kmh\":56}";
     struct cr_result *paper = solved("\"method\":\"paper\"", big, small);
     struct cr_result *rough = solved("\"method\":\"paper\",\"friction\":0.5", big, small);
@@ -322,7 +323,43 @@ static void corner_is_no_dent_of_the_flank(void **state) {
                "{\"id\":\"B\",\"kind\":\"object\",\"shape\":\"pole\",\"radius_m\":0.254,"
                "\"position_m\":[0.4,0.713]}");
     assert_true(r->of[0].energy_induced < 0.5 * r->of[0].energy);
+    /* cars at the edge of a wall show 22 to 39 g (stiffness.md 4.1); the flank's string gave 70 */
+    assert_true(r->of[0].acceleration_max < 39 * CR_G);
     cr_result_free(r);
+}
+
+/* 25 % overlap at 64.4 km/h, edge of 15 cm radius: 80 % of 398 cars lose 31 to 52 km/h within
+ * 100 ms, and go on past the edge (stiffness.md 4.1). A pole of the same overlap, round all over,
+ * leads the car past sooner than the flat side with an edge of 5 cm. */
+static void round_edges_lead_past(void **state) {
+    (void)state;
+    static const char car[] = "{\"id\":\"A\",\"kind\":\"vehicle\",\"type\":\"sedan\","
+                              "\"mass_kg\":1702,\"width_m\":1.83,\"position_m\":[-2.5,0],"
+                              "\"heading_deg\":0,\"speed_kmh\":64.4}";
+    static const char *const edge[] = {
+        "\"shape\":\"box\",\"length_m\":1,\"width_m\":2,\"heading_deg\":180,"
+        "\"position_m\":[0.6,1.458],\"edge_radius_m\":0.05",
+        "\"shape\":\"box\",\"length_m\":1,\"width_m\":2,\"heading_deg\":180,"
+        "\"position_m\":[0.6,1.458],\"edge_radius_m\":0.15",
+        "\"shape\":\"pole\",\"radius_m\":0.254,\"position_m\":[0.4,0.713]"};
+    double forward[3], aside[3];
+    for (int k = 0; k < 3; k++) {
+        char json[300];
+        snprintf(json, sizeof json, "{\"id\":\"B\",\"kind\":\"object\",%s}", edge[k]);
+        struct cr_result *r = solved("", car, json);
+        const struct cr_solution *o = r->solution;
+        double begin = o->contact[0].t_begin;
+        int i = 0;
+        while (i < o->samples - 1 && o->t[i] < begin + 0.1) {
+            i++;
+        }
+        forward[k] = 64.4 - cr_kmh(o->trace[i * o->bodies].vel.x);
+        aside[k] = -cr_kmh(o->trace[i * o->bodies].vel.y);
+        cr_result_free(r);
+    }
+    assert_true(forward[1] > 31 && forward[1] < 52);
+    assert_true(forward[2] < forward[1] && forward[1] < forward[0]);
+    assert_true(aside[2] > aside[1] && aside[1] > 0);
 }
 
 int main(void) {
@@ -339,6 +376,7 @@ int main(void) {
         cmocka_unit_test(paper_is_extended_without_its_settings),
         cmocka_unit_test(offset_without_friction_slides_off),
         cmocka_unit_test(corner_is_no_dent_of_the_flank),
+        cmocka_unit_test(round_edges_lead_past),
     };
     return cmocka_run_group_tests(tests, open_models, close_models);
 }

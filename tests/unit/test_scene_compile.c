@@ -107,13 +107,14 @@ static void test_methods_decide_what_is_not_given(void **state) {
     struct cr_error err;
     scene_of(CAR_A, CAR_B, &s);
     resolve(&s, NULL);
-    check_near(s.set.friction, 0.5, 0);
+    assert_true(s.set.friction_auto);
     assert_true(s.set.induced == 1 && s.set.heights == 1 && s.set.residual_curve == 0);
     cr_scene_fini(&s);
     scene_of(CAR_A, CAR_B, &s);
     assert_int_equal(cr_scene_set(&s, "method", "paper", &err), CR_ERR_OK);
     assert_int_equal(cr_scene_set(&s, "heights", "on", &err), CR_ERR_OK);
     resolve(&s, NULL);
+    assert_false(s.set.friction_auto);
     check_near(s.set.friction, 0, 0);
     check_near(s.set.elastic, 5e-3, 0);
     assert_true(s.set.induced == 0 && s.set.heights == 1 && s.set.residual_curve == 1);

@@ -12,6 +12,41 @@ static struct cr_body block(struct cr_arena *arena, const double *strength, doub
 
 static const struct cr_vec2 box[] = {{-0.5, -1}, {0.5, -1}, {0.5, 1}, {-0.5, 1}};
 
+/* A wide ram with a round edge of radius r goes evenly into a block of strength q that lies over it
+ * with the width b, r of it over the edge: every part of the surface is pressed on with q along its
+ * own normal, so the force is q b against the ram and q r aside, tan = r / b. */
+static void round_edge_pushes_aside(void **state) {
+    (void)state;
+    static const double strength = 150e3, r = 0.3, b = 0.9, v = 10;
+    static const struct cr_vec2 drawn_in[] = {{-0.7, -2.7}, {0.7, -2.7}, {0.7, 2.7}, {-0.7, 2.7}};
+    struct cr_arena arena = {0};
+    struct cr_body ram = polygon_body(length / 2 + 1.05, width / 2 - b + 3, 0, drawn_in, 4);
+    ram.shape.edge_radius = r;
+    struct cr_case cs = case_of(block(&arena, &strength, 1e5, 0, 0, 0, v), ram);
+    cs.body[0].inertia = 0; /* it does not turn, and hardly slows down */
+    cs.opts.friction = 0;
+    struct cr_solver *s = NULL;
+    assert_int_equal(cr_solver_new(&cs, &s, NULL), CR_ERR_OK);
+    struct cr_vec2 sum = {0, 0};
+    int n = 0;
+    for (int i = 0; i < 400; i++) {
+        assert_int_equal(cr_solver_step(s, NULL), CR_STATUS_RUNNING);
+    }
+    const struct cr_solution *o = cr_solver_solution(s);
+    for (int i = 0; i < o->slices; i++) {
+        double depth = o->trace[o->slice[i].sample * o->bodies].pos.x - 0.05;
+        if (o->slice[i].phase == CR_PHASE_PLASTIC && depth > r + 0.1 && depth < 1.2) {
+            sum = cr_vec2_axpy(sum, o->slice[i].force, o->slice[i].direction);
+            n++;
+        }
+    }
+    assert_true(n > 100);
+    check_near(sum.x / n, strength * b, 0.01 * strength * b);
+    check_near(sum.y / n, strength * r, 0.03 * strength * r);
+    cr_solver_free(s);
+    cr_arena_free(&arena);
+}
+
 /* A box of 600 kg into the front of a standing car of 1500 kg: momentum gives m1 V/(m1+m2)(1+e);
  * the car takes all the crush, E = 1/2 m' V^2 (1 - e^2), m' = 428.57 kg. */
 static void movable_box_against_a_standing_car(void **state) {
@@ -234,6 +269,7 @@ static void squeezed_between_two(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(round_edge_pushes_aside),
         cmocka_unit_test(movable_box_against_a_standing_car),
         cmocka_unit_test(deformable_barrier_on_the_ground),
         cmocka_unit_test(the_weaker_of_car_and_barrier_gives_way),

@@ -15,8 +15,9 @@ struct hit {
     enum cr_stop stop;
 };
 
-/* The body comes along x; deg: angle between its course and the normal of the wall. */
-static struct hit hit_wall(double deg, double mu, double e, double dt) {
+/* The body comes along x; deg: angle between its course and the normal of the wall; mu: NAN for the
+ * friction by kind of body; own: friction of the wall's surface, < 0 without. */
+static struct hit hit_surface(double deg, double mu, double own, double e, double dt) {
     struct cr_arena arena = {0};
     double strength = 150e3, heading = cr_rad(180 - deg);
     struct cr_vec2 n = {cos(heading), sin(heading)};
@@ -26,7 +27,9 @@ static struct hit hit_wall(double deg, double mu, double e, double dt) {
     double corner = 0.5 * (length * fabs(n.x) + width * fabs(n.y)) + 0.05;
     struct cr_case cs = case_of(body, wall_body(-corner * n.x, -corner * n.y, heading));
     cs.opts.restitution = e;
-    cs.opts.friction = mu;
+    cs.opts.friction_auto = isnan(mu);
+    cs.opts.friction = isnan(mu) ? 0 : mu;
+    cs.body[1].friction = own;
     cs.opts.dt = dt;
     struct cr_solver *s = solved(&cs);
     const struct cr_solution *o = cr_solver_solution(s);
@@ -42,6 +45,10 @@ static struct hit hit_wall(double deg, double mu, double e, double dt) {
     cr_solver_free(s);
     cr_arena_free(&arena);
     return hit;
+}
+
+static struct hit hit_wall(double deg, double mu, double e, double dt) {
+    return hit_surface(deg, mu, -1, e, dt);
 }
 
 static const double restitutions[] = {0, 0.1, 0.3}, frictions[] = {0.3, 0.6, 1};
@@ -103,6 +110,18 @@ static void energy_split_converges_with_dt(void **state) {
     assert_true(fabs(fine) < 0.35 * fabs(coarse));
 }
 
+/* A wall at 45 degrees takes mu V_n of the tangential speed: 0.1 where nothing else is known, what
+ * its own surface says, and not more than the 0.5 of the car. */
+static void friction_by_kind_of_body(void **state) {
+    (void)state;
+    static const double own[] = {-1, 0.3, 0.9}, mu[] = {0.1, 0.3, 0.5};
+    for (int i = 0; i < 3; i++) {
+        double vn = speed * cos(cr_rad(45));
+        struct hit hit = hit_surface(45, (double)NAN, own[i], 0, 0.5e-3);
+        check_near(hit.tangential, mu[i] * vn, 1e-3 * vn);
+    }
+}
+
 /* Two cars side by side, opposite ways, each with half the lateral approach of 4 m/s; the reduced
  * mass is half a car's. They do not turn. */
 static void sideswipe(double vx, double mu, struct cr_vec2 *dv, double *plastic) {
@@ -148,6 +167,7 @@ int main(void) {
         cmocka_unit_test(sliding_and_sticking),
         cmocka_unit_test(sticking_begins_at_the_angle_of_friction),
         cmocka_unit_test(energy_split_converges_with_dt),
+        cmocka_unit_test(friction_by_kind_of_body),
         cmocka_unit_test(sideswipe_of_two_cars),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

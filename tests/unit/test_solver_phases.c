@@ -118,6 +118,30 @@ static void restitution_by_closing_speed(void **state) {
     cr_arena_free(&arena);
 }
 
+/* A block that meets a box with a share of its width keeps sqrt(share / 0.95) of a wall's 0.24:
+ * the energy that comes back goes with the width that is pressed. */
+static void restitution_by_width(void **state) {
+    (void)state;
+    static const struct cr_vec2 box[] = {{0, 0}, {3, 0}, {3, 3}, {0, 3}};
+    static const double share[] = {0.25, 0.5, 0.97}, strength = 200e3;
+    for (int k = 0; k < 3; k++) {
+        struct cr_arena arena = {0};
+        struct cr_grid grid =
+            block_grid(&arena, length, width, 0.025, constant_strength, &strength);
+        struct cr_body body = block_body(grid, mass, length, width, -0.1 - length / 2, 0, 0, 7.15);
+        body.inertia = 0; /* it does not turn */
+        struct cr_case cs = case_of(body, polygon_body(0, width * (0.5 - share[k]), 0, box, 4));
+        cs.opts.restitution_auto = true;
+        struct cr_solver *s = solved(&cs);
+        const struct cr_solution *o = cr_solver_solution(s);
+        double e = 0.24 * sqrt(fmin(share[k] / 0.95, 1));
+        check_near(o->contact[0].restitution, e, 0.03 * e);
+        check_near(o->body[0].delta_v.x, -(1 + e) * 7.15, 0.01 * 7.15);
+        cr_solver_free(s);
+        cr_arena_free(&arena);
+    }
+}
+
 /* Elastic phases as long as the force asks for: it falls evenly from F = k w V m at the end of the
  * plastic phase, k = sqrt(1 - e^2), to zero, and gives m e V until it is down to F / sqrt(2) and
  * the same after: with t = e/(k w), 2 t / (1 + 1/sqrt(2)) and 2 sqrt(2) t. */
@@ -147,6 +171,7 @@ int main(void) {
         cmocka_unit_test(a_glancing_touch_ends_without_overlap),
         cmocka_unit_test(words),
         cmocka_unit_test(restitution_by_closing_speed),
+        cmocka_unit_test(restitution_by_width),
         cmocka_unit_test(elastic_phases_from_the_force),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
