@@ -24,7 +24,7 @@ def accept(name, k, value):
         faults.append("%s refused: %s" % (name, wrong))
 
 def refuse(name, k, value):
-    if not best(k, value):
+    if kind[k].is_valid(value):
         faults.append("%s was accepted" % name)
 
 def drop(value, *path):
@@ -54,9 +54,10 @@ for line in open(sys.argv[2]):
 for path in sys.argv[3:]:
     got = json.load(open(path))
     accept(path, "solved", got)
+    got.pop("trace")  # optional, and by far the most to go through each time
     cars = [i for i, p in enumerate(got["participants"]) if "kind" not in p]
     for key in got:
-        if key not in ("pair", "contacts", "trace"):
+        if key not in ("pair", "contacts"):
             refuse("%s without %s" % (path, key), "solved", drop(got, key))
     for i in cars[:1]:
         for key in got["participants"][i]:

@@ -9,6 +9,7 @@ libtui_a_SOURCES = \
 	src/tui/overlay.c \
 	src/tui/paint.c \
 	src/tui/play.c \
+	src/tui/pointer.c \
 	src/tui/preview.c \
 	src/tui/prompt.c \
 	src/tui/screen.c \

@@ -28,6 +28,8 @@ enum {
     ESCAPE_MS = 40,
     KEY_ANSWER = 2000,
     KEY_DRAWN,
+    KEY_POINTER,
+    KEY_POINTER_X10,
     ANSWER_MS = 150,
     ANSWER_ESCAPE_MS = 300
 };
@@ -48,6 +50,7 @@ static struct {
     int escape_ms;
     enum cr_ground ground;
     struct cr_ground_reader answer; /* to the question for it, being read */
+    struct cr_pointer pointer;      /* an event of the mouse, being read */
     double asked_at, answered_at;   /* s of the clock; NaN: not asked, or over; answer begun */
 } term = {.wake = {-1, -1}, .stderr_before = -1, .stderr_file = -1};
 
@@ -244,11 +247,12 @@ static bool knows_mouse(void) {
     return s != NULL && s != (char *)-1;
 }
 
-static const char mouse_on[] = "\033[?1002h", mouse_off[] = "\033[?1002l";
+/* clicks and drags, told in decimal figures */
+static const char mouse_on[] = "\033[?1002h\033[?1006h", mouse_off[] = "\033[?1006l\033[?1002l";
 
 static void mouse(bool on) {
     if (knows_mouse()) {
-        fputs(on ? mouse_on : mouse_off, stdout); /* drags; clicks are switched by curses */
+        fputs(on ? mouse_on : mouse_off, stdout);
         fflush(stdout);
     }
 }
@@ -324,8 +328,13 @@ static void set_modes(void) {
     nodelay(term.input, TRUE);
     typeahead(-1); /* a frame is drawn whole */
     intrflush(stdscr, FALSE);
-    mouseinterval(0);
-    mousemask(ALL_MOUSE_EVENTS | REPORT_MOUSE_POSITION, NULL);
+    if (term.console) { /* its mouse (gpm) is known to curses alone */
+        mouseinterval(0);
+        mousemask(ALL_MOUSE_EVENTS | REPORT_MOUSE_POSITION, NULL);
+    } else if (knows_mouse()) {
+        define_key(CR_POINTER_DECIMAL, KEY_POINTER);
+        define_key(CR_POINTER_CHARACTERS, KEY_POINTER_X10);
+    }
     if (has_colors()) {
         start_color();
         use_default_colors();
@@ -500,6 +509,22 @@ static bool is_answer(const struct cr_input *in) {
     }
 }
 
+/* Part of an event of the mouse; *whole: it is the last, and `in` now that event. */
+static bool is_pointer(struct cr_input *in, bool *whole) {
+    *whole = false;
+    if (in->function && (in->code == KEY_POINTER || in->code == KEY_POINTER_X10)) {
+        cr_pointer_begin(&term.pointer, in->code == KEY_POINTER);
+        return true;
+    }
+    if (!term.pointer.on) {
+        return false;
+    }
+    const struct cr_input part = *in;
+    enum cr_pointer_step step = cr_pointer_read(&term.pointer, &part, in);
+    *whole = step == CR_POINTER_DONE;
+    return step != CR_POINTER_NOT;
+}
+
 /* a key with what belongs to it: the place of a mouse event, the escape that stands for Alt */
 static bool read_key(struct cr_input *out) {
     if (!read_one(out)) {
@@ -527,9 +552,16 @@ bool cr_term_read(struct cr_input *out) {
     if (isfinite(term.asked_at) && cr_tui_clock() - term.asked_at > ANSWER_S) {
         ask_no_more();
     }
+    bool whole;
     while (read_key(out)) {
         if (out->function && out->code == KEY_DRAWN) {
             cr_frame_answered(cr_tui_clock());
+            continue;
+        }
+        if (is_pointer(out, &whole)) {
+            if (whole) {
+                return true;
+            }
             continue;
         }
         if (!is_answer(out)) {

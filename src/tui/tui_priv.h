@@ -49,6 +49,24 @@ bool cr_term_read(struct cr_input *out); /* false: no key is waiting */
 /* What libraries have written to standard error since the last call, appended to out. */
 void cr_term_stderr(struct cr_str *out);
 
+/* ---- events of the mouse (pointer.c) ---- */
+
+/* An event being read, after what it begins with. */
+struct cr_pointer {
+    bool on;
+    bool decimal; /* form of mode 1006 (SGR), else the old one (X10) */
+    int n;        /* fields read */
+    int field[3]; /* button, column, row */
+};
+#define CR_POINTER_DECIMAL    "\033[<"
+#define CR_POINTER_CHARACTERS "\033[M"
+enum cr_pointer_step { CR_POINTER_MORE, CR_POINTER_DONE, CR_POINTER_NOT };
+void cr_pointer_begin(struct cr_pointer *p, bool decimal);
+/* The next character. DONE: *out is the event, KEY_MOUSE with buttons of curses (0: none that
+ * matters); NOT: it was none, and `in` is a key of its own. */
+enum cr_pointer_step cr_pointer_read(struct cr_pointer *p, const struct cr_input *in,
+                                     struct cr_input *out);
+
 /* ---- drawing cells (paint.c) ---- */
 
 /* Brings the terminal up to date with the cells, which are of its size. cursor < 0: hidden. */

@@ -15,7 +15,7 @@ ended() {
 
 start_shell
 until_ok on_screen "^shell>$"
-keys "$CRUMPLE" Enter
+keys "\"$CRUMPLE\"" Enter
 until_ok on_screen "F1 help"
 keys "load crash.json" Enter "set dt=0.001ms voxel=5mm" Enter F5
 shows "a long solve" "SOLVING [0-9]+ %.*t [0-9.]+ ms"
@@ -65,9 +65,9 @@ kill -INT "$(cat pid)"
 shows "SIGINT is ^C: the line is given up" "^crumple>$"
 if [ -w "/proc/$(cat pid)/fd/2" ]; then
     echo "a library complains" >"/proc/$(cat pid)/fd/2"
-    keys "list" Enter
+    keys "x"
     shows "standard error is a line of the dialogue" "^a library complains"
-    keys "view log" Enter
+    keys C-c "view log" Enter
     shows "and not on the screen" "│ a library complains +│"
 fi
 rm -f state/crumple/autosave-* # of the session above: this test is not about which is newer

@@ -52,7 +52,7 @@ shows "quit! does not ask" "^status 0"
 # ^Z and fg
 start_shell
 shows "a shell" "^shell>$"
-keys "$CRUMPLE" Enter
+keys "\"$CRUMPLE\"" Enter
 shows "the screen from a shell" "$ready"
 keys "load crash.json" Enter
 shows "a scene is loaded" "crash.json  EDITED"
