@@ -299,17 +299,18 @@ static bool collect_side(struct cr_solver *s, int me, int other, struct cr_losse
     struct motion motion = motion_of(m, o, s->dt);
     struct cr_reach reach;
     cr_reach_begin(&reach, m, o);
+    int voxels = cr_reach_rows(&reach, s->met);
+    s->visits += voxels;
+    if (!cr_losses_reserve(losses, voxels)) {
+        return false;
+    }
     for (int iy = reach.rows.lo; iy < reach.rows.hi; iy++) {
-        struct cr_span span = cr_reach_row(&reach, iy);
+        struct cr_span span = s->met[iy];
+        int first = iy * g->nx;
+        struct row row = {iy, first, m->left + first, losses->unit + first};
         if (span.lo >= span.hi) {
             continue;
         }
-        if (!cr_losses_reserve(losses, span.hi - span.lo)) {
-            return false;
-        }
-        s->visits += span.hi - span.lo;
-        int first = iy * g->nx;
-        struct row row = {iy, first, m->left + first, losses->unit + first};
         if (o->left == NULL) {
             meet_shape(&reach, span, &row, &motion, losses);
         } else {

@@ -92,8 +92,8 @@ static inline double first_met(const struct cr_reach *r, double along, double ac
     if (here >= near->lo && here <= near->hi) {
         return x;
     }
-    bool up = way * per_line > 0;
-    double end = (k - 2 + up - across) * per_line, there = along + slope * end;
+    int next = way * per_line > 0 ? 1 : -1; /* of the opponent's lines */
+    double end = (k - 2 + (next > 0) - across) * per_line, there = along + slope * end;
     double step = way * fabs(per_line), rise = slope * step;
     while ((rise > 0 ? there < near->lo || here > near->hi : here < near->lo || there > near->hi) &&
            way * x <= way * to) {
@@ -101,7 +101,7 @@ static inline double first_met(const struct cr_reach *r, double along, double ac
         here = there;
         end += step;
         there += rise;
-        near += up ? 1 : -1;
+        near += next;
     }
     if (way * x > way * to || (here >= near->lo && here <= near->hi)) {
         return x;
@@ -116,8 +116,8 @@ static inline void clip(double *lo, double *hi, double at, const struct cr_cours
     *hi = last < *hi ? last : *hi;
 }
 
-struct cr_span cr_reach_row(const struct cr_reach *r, int iy) {
-    struct cr_span none = {0, 0}, row = r->me->row[iy];
+static inline struct cr_span reach_row(const struct cr_reach *r, struct cr_span row, int iy) {
+    struct cr_span none = {0, 0};
     double lo = row.lo, hi = row.hi - 1; /* voxels from the row's first one */
     double along = r->along.at + r->along.per_row * iy;
     double across = r->across.at + r->across.per_row * iy;
@@ -132,6 +132,17 @@ struct cr_span cr_reach_row(const struct cr_reach *r, int iy) {
     }
     int first = (int)lo;
     return (struct cr_span){first + (first < lo), (int)hi + 1};
+}
+
+int cr_reach_rows(const struct cr_reach *reach, struct cr_span *met) {
+    const struct cr_reach r = *reach;
+    int voxels = 0;
+    for (int iy = r.rows.lo; iy < r.rows.hi; iy++) {
+        struct cr_span span = reach_row(&r, r.me->row[iy], iy);
+        met[iy] = span;
+        voxels += span.hi > span.lo ? span.hi - span.lo : 0;
+    }
+    return voxels;
 }
 
 /* of lines k and k + 1: a place takes part in voxels within one edge of it */

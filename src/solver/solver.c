@@ -252,10 +252,11 @@ static bool new_scratch(struct cr_solver *s) {
     st->taut = cr_arena_take(&s->arena, n, sizeof *st->taut);
     s->yield.more = cr_arena_take(&s->arena, n + 1, sizeof(double));
     s->yield.all = cr_arena_take(&s->arena, n + 1, sizeof(double));
+    s->met = cr_arena_take(&s->arena, n, sizeof *s->met);
     s->freed = cr_arena_take(&s->arena, 1, sizeof *s->freed);
     return st->w != NULL && st->bend != NULL && st->more != NULL && st->surface != NULL &&
            st->held != NULL && st->taut != NULL && s->yield.more != NULL && s->yield.all != NULL &&
-           s->freed != NULL;
+           s->met != NULL && s->freed != NULL;
 }
 
 /* the bodies of a checked case in their places; NULL when memory is out */

@@ -178,6 +178,7 @@ struct cr_solver {
     struct cr_arena arena;
     struct cr_moving m[CR_BODY_MAX];
     struct cr_losses losses[2]; /* of the pair being worked */
+    struct cr_span *met;        /* scratch: voxels of each row that the opponent can meet */
     struct cr_string string;
     struct cr_yield yield;
     struct cr_touch touch[CR_PAIR_MAX];
@@ -278,8 +279,8 @@ bool cr_reach_new(struct cr_solver *s, struct cr_moving *m);
 /* the live span of a row or column has shrunk */
 void cr_reach_renew(struct cr_moving *m, bool row, int line);
 void cr_reach_begin(struct cr_reach *reach, struct cr_moving *me, struct cr_moving *other);
-/* voxels of a row that the opponent can meet */
-struct cr_span cr_reach_row(const struct cr_reach *reach, int iy);
+/* voxels that the opponent can meet, of each of the rows; how many they are */
+int cr_reach_rows(const struct cr_reach *reach, struct cr_span *met);
 
 /* step 1, deform.c: losses of both bodies of a pair at their present places (nothing changes);
  * false when memory is out */

@@ -207,11 +207,6 @@ static bool take_inward(struct cr_moving *m, struct cr_losses *losses, int i, in
     struct cr_loss *l = &losses->loss[i];
     int nx = m->body->grid.nx, own_x = l->ix, own_y = l->iy;
     double want = l->amount;
-    if (n == 0) {
-        l->beside = m->left[l->voxel];
-        m->left[l->voxel] -= want;
-        return true;
-    }
     for (; n >= 0 && want > 0; n--) {
         l->ix = own_x + n * dx;
         l->iy = own_y + n * dy;
@@ -238,16 +233,21 @@ bool cr_yield_order(struct cr_moving *m, struct cr_losses *losses) {
     bool up = losses->face == CR_FACE_FRONT || losses->face == CR_FACE_LEFT;
     int out = up ? 1 : -1, dx = row ? out : 0, dy = row ? 0 : out, step = dy * g->nx + dx;
     int end = row ? g->nx : g->ny, n = losses->n;
-    bool ok = true;
-    for (int k = 0; ok && k < n; k++) { /* the outer ones of a line first */
+    for (int k = 0; k < n; k++) { /* the outer ones of a line first */
         int i = up ? n - 1 - k : k;
-        const struct cr_loss *l = &losses->loss[i];
+        struct cr_loss *l = &losses->loss[i];
         int along = row ? l->ix : l->iy, beyond = up ? end - 1 - along : along;
-        ok = take_inward(m, losses, i, crumbs_beyond(m, l->voxel, beyond, step), dx, dy);
+        int crumbs = crumbs_beyond(m, l->voxel, beyond, step);
+        if (crumbs == 0) {
+            l->beside = m->left[l->voxel];
+            m->left[l->voxel] -= l->amount;
+        } else if (!take_inward(m, losses, i, crumbs, dx, dy)) {
+            return false;
+        }
     }
     for (int i = 0; i < losses->n; i++) { /* nothing has changed yet */
         double *left = &m->left[losses->loss[i].voxel], before = losses->loss[i].beside;
         *left = before > *left ? before : *left;
     }
-    return ok;
+    return true;
 }
