@@ -107,6 +107,18 @@ static void time_process(char *program, char *path, struct times *t, long *peak_
     sort(t);
 }
 
+/* slices in which something is pressed in: they take most of the time */
+static int plastic_slices(const struct cr_solution *sol) {
+    int n = 0, last = -1;
+    for (int i = 0; i < sol->slices; i++) {
+        if (sol->slice[i].phase == CR_PHASE_PLASTIC && sol->slice[i].sample != last) {
+            last = sol->slice[i].sample;
+            n++;
+        }
+    }
+    return n;
+}
+
 static void bench_scene(const char *name, char *path, char *program, const struct cr_context *ctx) {
     struct cr_error err;
     struct cr_scene scene;
@@ -121,10 +133,10 @@ static void bench_scene(const char *name, char *path, char *program, const struc
     time_results(&scene, ctx, &whole);
     time_process(program, path, &process, &peak_kb);
     const struct cr_solution *sol = result->solution;
-    printf("%-6s %8.2f %6.2f %9.2f %6.2f %8.2f %6.2f %6d %7ld %8.1f %6.1f\n", name,
+    printf("%-6s %8.2f %6.2f %9.2f %6.2f %8.2f %6.2f %6d %7d %7ld %8.1f %6.1f\n", name,
            1e3 * solve.s[0], 1e3 * solve.s[solve.n / 2], 1e3 * whole.s[0],
            1e3 * whole.s[whole.n / 2], 1e3 * process.s[0], 1e3 * process.s[process.n / 2],
-           sol->samples, sol->deformed,
+           sol->samples, plastic_slices(sol), sol->deformed,
            sol->deformed > 0 ? (double)sol->visits / (double)sol->deformed : 0.0,
            (double)peak_kb / 1024);
     cr_result_free(result);
@@ -199,8 +211,10 @@ int main(void) {
     }
     ctx.models = models;
     ctx.irf = irf;
-    printf("            solver ms  scene-result ms    process ms  slices  voxels  visits/   peak\n"
-           "scene    best median     best median     best median           hit   voxel     MB\n");
+    printf("            solver ms  scene-result ms    process ms  slices    with  voxels  visits/ "
+           "  peak\n"
+           "scene    best median     best median     best median           crush     hit   voxel "
+           "    MB\n");
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
         snprintf(path, sizeof path, "%s/%s", src, scenes[i].path);
         bench_scene(scenes[i].name, path, program, &ctx);
