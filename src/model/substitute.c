@@ -68,24 +68,50 @@ static double inward(const struct work *w, double y) {
     return cr_model_face_energy(side, w->q->curve, side->own_metres ? own : ref);
 }
 
-/* Interval of the vehicle in cells of the plan. */
-static void to_cells(const struct cr_model_map *map, double edge, int n, double lo, double hi,
-                     double out[2]) {
-    out[0] = cr_clamp(cr_model_map_ref(map, lo) / edge, 0, n - 1e-6);
-    out[1] = cr_clamp(cr_model_map_ref(map, hi) / edge, out[0] + 1e-6, n);
+/* Cells of the plan that an interval of the vehicle takes its values from. */
+struct cells {
+    double lo, hi;   /* the interval in cells, never empty */
+    int first, last; /* of n; what would lie beyond the ends is the end's */
+    int n;
+};
+
+static struct cells to_cells(const struct cr_model_map *map, double edge, int n, double lo,
+                             double hi) {
+    struct cells c = {.n = n};
+    c.lo = cr_clamp(cr_model_map_ref(map, lo) / edge, 0, n - 1e-6);
+    c.hi = cr_clamp(cr_model_map_ref(map, hi) / edge, c.lo + 1e-6, n);
+    c.first = (int)fmax(floor(c.lo - 0.5), 0);
+    c.last = (int)fmin(floor(c.hi + 0.5), n - 1);
+    return c;
 }
 
-/* Mean of the plan's columns over [lo, hi] in cells along x, one value per row, into mean. */
-static void mean_rows(const double *v, int nx, int ny, const double cells[2], double *mean) {
-    for (int j = 0; j < ny; j++) {
-        mean[j] = 0;
+/* Integral of a cell's part in the field, t cells from the cell's middle on: a hat that falls to 0
+ * at the middles of its neighbours, level beyond the first and the last cell. */
+static double part_up_to(double t, bool first, bool last) {
+    if ((first && t < 0) || (last && t > 0)) {
+        return 0.5 + t;
     }
-    for (int i = (int)cells[0]; i < nx && i < cells[1]; i++) {
-        double a = i > cells[0] ? i : cells[0], b = i + 1 < cells[1] ? i + 1 : cells[1];
-        double share = (b - a) / (cells[1] - cells[0]);
+    double up = cr_clamp(1 + t, 0, 1), down = cr_clamp(1 - t, 0, 1);
+    return t < 0 ? 0.5 * up * up : 1 - 0.5 * down * down;
+}
+
+/* Weight of a cell in the mean over the interval, of a field that is linear between the middles of
+ * cells: structures do not end at the cells' edges, and with steps there the split of the energy
+ * between two cars would hang on the solver's voxel by some percent. */
+static double weight_of(const struct cells *c, int i) {
+    bool first = i == 0, last = i == c->n - 1;
+    double lo = c->lo - 0.5 - i, hi = c->hi - 0.5 - i;
+    return (part_up_to(hi, first, last) - part_up_to(lo, first, last)) / (c->hi - c->lo);
+}
+
+/* Mean of the plan's columns over an interval along x, one value per row, into mean. */
+static void mean_rows(const double *v, int ny, const struct cells *cells, double *mean) {
+    memset(mean, 0, (size_t)ny * sizeof *mean);
+    for (int i = cells->first; i <= cells->last; i++) {
+        double weight = weight_of(cells, i);
         const double *row = v + (size_t)i * (size_t)ny;
         for (int j = 0; j < ny; j++) {
-            mean[j] += share * row[j];
+            mean[j] += weight * row[j];
         }
     }
 }
@@ -93,13 +119,13 @@ static void mean_rows(const double *v, int nx, int ny, const double cells[2], do
 static void resample_x(struct work *w, const struct cr_model_plan *p, const double *const *from) {
     double before = 0;
     for (int k = 0; k < w->nx; k++) {
-        double to = (k + 1) * w->h < w->length ? (k + 1) * w->h : w->length, cells[2];
-        to_cells(&w->stretch->x, p->edge, p->nx, k * w->h, to, cells);
+        double to = (k + 1) * w->h < w->length ? (k + 1) * w->h : w->length;
+        struct cells cells = to_cells(&w->stretch->x, p->edge, p->nx, k * w->h, to);
         for (int v = 0; v < 5; v++) {
             if (from[v] == NULL) {
                 continue;
             }
-            mean_rows(from[v], p->nx, p->ny, cells, w->mean);
+            mean_rows(from[v], p->ny, &cells, w->mean);
             for (int j = 0; j < p->ny; j++) {
                 w->slab[v][(size_t)j * (size_t)w->nx + (size_t)k] = w->mean[j];
             }
@@ -112,22 +138,18 @@ static void resample_x(struct work *w, const struct cr_model_plan *p, const doub
 
 static void resample_y(struct work *w, const struct cr_model_plan *p, const double *const *from,
                        double y_lo, double y_hi) {
-    double cells[2];
-    to_cells(&w->stretch->y, p->edge, p->ny, y_lo, y_hi, cells);
+    struct cells cells = to_cells(&w->stretch->y, p->edge, p->ny, y_lo, y_hi);
     for (int v = 0; v < 5; v++) {
         double *line = w->line[v];
         if (from[v] == NULL) {
             continue;
         }
-        for (int k = 0; k < w->nx; k++) {
-            line[k] = 0;
-        }
-        for (int j = (int)cells[0]; j < p->ny && j < cells[1]; j++) {
-            double a = j > cells[0] ? j : cells[0], b = j + 1 < cells[1] ? j + 1 : cells[1];
-            double share = (b - a) / (cells[1] - cells[0]);
+        memset(line, 0, (size_t)w->nx * sizeof *line);
+        for (int j = cells.first; j <= cells.last; j++) {
+            double weight = weight_of(&cells, j);
             const double *slab = w->slab[v] + (size_t)j * (size_t)w->nx;
             for (int k = 0; k < w->nx; k++) {
-                line[k] += share * slab[k];
+                line[k] += weight * slab[k];
             }
         }
     }

@@ -1,8 +1,9 @@
 /* Step 4 of the paper: velocities and places, by semi-implicit Euler with an adapted slice. */
 #include "solver/solver_priv.h"
 
-/* share of a voxel that two bodies may approach each other by in one slice */
-static const double approach_max = 0.5;
+/* Share of a voxel that two bodies may approach each other by in one slice: half of one on an exact
+ * outline; of two that deform each crushes the other's voxels. */
+static const double approach_max = 0.5, approach_both = 0.25;
 /* half the size of a contact patch: what turns about the COE within it, m */
 static const double patch_reach = 0.75;
 /* free motion after a contact: slices up to this many times longer */
@@ -128,8 +129,8 @@ static double approach_speed(const struct cr_solver *s, int pair, int a, int b) 
     return fmin(bound, at_coe + patch_reach * fabs(ma->yaw_rate - mb->yaw_rate));
 }
 
-/* Longest slice in which a pair that may touch approaches by no more than half a voxel: a whole
- * part of `most`, so that the slices of a crash are of one length. */
+/* Longest slice in which a pair that may touch approaches by no more than its share of a voxel: a
+ * whole part of `most`, so that the slices of a crash are of one length. */
 static double within_reach(const struct cr_solver *s, int pair, int a, int b, double most) {
     const struct cr_moving *ma = &s->m[a], *mb = &s->m[b];
     double fast = approach_speed(s, pair, a, b), h = fmax(ma->body->grid.h, mb->body->grid.h);
@@ -137,7 +138,9 @@ static double within_reach(const struct cr_solver *s, int pair, int a, int b, do
         gap(ma, mb) > fast * most) {
         return most;
     }
-    return most / fmax(ceil(fast * most / (approach_max * h) - 1e-9), 1);
+    bool both = ma->body->grid.nx > 0 && mb->body->grid.nx > 0;
+    double step = (both ? approach_both : approach_max) * h;
+    return most / fmax(ceil(fast * most / step - 1e-9), 1);
 }
 
 double cr_kinematics_slice_length(const struct cr_solver *s) {

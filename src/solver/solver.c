@@ -246,15 +246,15 @@ static bool new_scratch(struct cr_solver *s) {
     size_t n = (size_t)longest;
     st->w = cr_arena_take(&s->arena, n, sizeof *st->w);
     st->bend = cr_arena_take(&s->arena, n, sizeof *st->bend);
-    st->more = cr_arena_take(&s->arena, n + 1, sizeof *st->more);
+    st->spread = cr_arena_take(&s->arena, n, sizeof *st->spread);
     st->surface = cr_arena_take(&s->arena, n, sizeof *st->surface);
     st->held = cr_arena_take(&s->arena, n + 2, sizeof *st->held);
     st->taut = cr_arena_take(&s->arena, n, sizeof *st->taut);
-    s->yield.more = cr_arena_take(&s->arena, n + 1, sizeof(double));
-    s->yield.all = cr_arena_take(&s->arena, n + 1, sizeof(double));
+    s->yield.more = cr_arena_take(&s->arena, n, sizeof(double));
+    s->yield.all = cr_arena_take(&s->arena, n, sizeof(double));
     s->met = cr_arena_take(&s->arena, n, sizeof *s->met);
     s->freed = cr_arena_take(&s->arena, 1, sizeof *s->freed);
-    return st->w != NULL && st->bend != NULL && st->more != NULL && st->surface != NULL &&
+    return st->w != NULL && st->bend != NULL && st->spread != NULL && st->surface != NULL &&
            st->held != NULL && st->taut != NULL && s->yield.more != NULL && s->yield.all != NULL &&
            s->met != NULL && s->freed != NULL;
 }

@@ -113,7 +113,7 @@ struct cr_hold {
     double slope; /* of the hull between the hold before and this one, m a line */
 };
 
-/* Scratch of yield.c: running sums over the lines of a face. */
+/* Scratch of yield.c: sums about the lines of a face. */
 struct cr_yield {
     double *more, *all;
 };
@@ -132,7 +132,7 @@ struct cr_string {
     double *bend;           /* h^2 q / N0: second difference of the bow, m */
     struct cr_range met;    /* lines that the opponent presses on */
     struct cr_edge edge[2]; /* its lower and its upper end */
-    double *more;           /* what a line's share of the resistance is more than the one before */
+    double *spread;         /* scratch of what is spread over lines */
     int *surface;          /* place of the surface along the line, -1: the string is nailed there */
     bool *taut;            /* segment between lines i - 1 and i is stretched */
     struct cr_hold *held;  /* a stack */
@@ -299,9 +299,11 @@ void cr_deform_apply(struct cr_moving *m, const struct cr_losses *losses, int fr
 void cr_deform_settle(struct cr_solver *s, struct cr_moving *m, struct cr_losses *losses,
                       double lambda);
 
-/* step 1, yield.c: half of the reach along the contact over which strength is a mean, m, and the
- * time over which it is one, s */
-extern const double cr_yield_reach, cr_yield_memory;
+/* step 1, yield.c: time over which strength is a mean, s */
+extern const double cr_yield_memory;
+/* Each of n lines of width h with what the lines beside it add, which fades with their distance:
+ * the weights by which strength is a mean along the contact. */
+void cr_yield_spread(const double *of, int n, double h, double *to);
 /* Which lines of its face the opponent presses on, into losses->met. The contact ends where the
  * material pressed on lately amounts to less than half of a line's worth, and half a line further
  * out: that is the edge of a box wherever it lies in a line, and no jump where a line is just

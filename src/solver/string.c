@@ -13,9 +13,9 @@
 
 #include <string.h>
 
-/* Inside a contact the string leaves lines this far behind, in voxels: less is the ripple that the
+/* Inside a contact the string leaves lines this far behind, m: less is the ripple that the
  * opponent's voxels press into them, and would be pulled to the deepest slice after slice. */
-static const double ripple = 0.5;
+static const double ripple = 0.0125;
 /* distance of an edge from a line, in lines, below which they are one */
 static const double tie = 1e-6;
 
@@ -259,7 +259,7 @@ static bool take(struct cr_string *st, const struct lines *l, int line, struct c
     const struct cr_grid *g = &l->m->body->grid;
     int along = st->surface[line], k = voxel_at(l, line, along);
     double depth = l->depth[line], pitch = l->pitch[line];
-    double slack = line > st->met.lo && line < st->met.hi ? ripple * g->h : 0;
+    double slack = line > st->met.lo && line < st->met.hi ? ripple : 0;
     double deeper = st->w[line] - depth - slack, left = l->m->left[k];
     double want = deeper > 0 ? deeper / pitch : 0, amount = left - want < cr_crumb ? left : want;
     st->w[line] = depth + amount * pitch;
@@ -308,27 +308,33 @@ static double gain(const struct cr_string *st, int i, int j) {
     return st->taut[i > j ? i : j] ? st->w[i] - st->w[j] : 0;
 }
 
+/* Part of a line that lies within the contact, 0..1; a contact narrower than a line has only one.
+ */
+static double met_part(const struct cr_string *st, int line) {
+    return fmin(line + 0.5, st->met.hi) - fmax(line - 0.5, st->met.lo);
+}
+
 /* What the string resists with on each line that is met, per unit of material. The force of each
  * line is spread over the reach of strength, because the kinks of single lines are chance. */
 static void note_pull(struct cr_string *st, const struct lines *l, double tension, double *pull) {
-    double h = l->m->body->grid.h, sum = 0;
+    double h = l->m->body->grid.h, *at = st->spread;
     int first = (int)ceil(st->met.lo), last = (int)floor(st->met.hi);
     first = first > last ? (int)lround(0.5 * (st->met.lo + st->met.hi)) : first;
     last = first > last ? first : last;
-    int wide = (int)lround(cr_yield_reach / h), lo = st->window.lo, hi = st->window.hi;
-    memset(st->more + lo, 0, (size_t)(hi + 2 - lo) * sizeof *st->more);
+    int n = last - first + 1;
+    memset(pull + st->window.lo, 0, (size_t)(st->window.hi + 1 - st->window.lo) * sizeof *pull);
+    for (int i = first; i <= last; i++) {
+        at[i - first] = met_part(st, i);
+    }
+    cr_yield_spread(at, n, h, pull + first); /* how much of the contact each line spreads over */
     for (int i = first; i <= last; i++) {
         double slopes = i == first ? slope_outside(st, l, st->edge[0]) : gain(st, i, i - 1);
         slopes += i == last ? slope_outside(st, l, st->edge[1]) : gain(st, i, i + 1);
-        int from = i - wide > first ? i - wide : first, to = i + wide < last ? i + wide : last;
-        double length =
-            (to == last ? st->met.hi : to + 0.5) - (from == first ? st->met.lo : from - 0.5);
-        st->more[from] += slopes / length;
-        st->more[to + 1] -= slopes / length;
+        at[i - first] = slopes / pull[i];
     }
-    for (int i = lo; i <= hi; i++) {
-        sum += st->more[i];
-        pull[i] = tension / h * l->pitch[i] * sum;
+    cr_yield_spread(at, n, h, pull + first);
+    for (int i = first; i <= last; i++) {
+        pull[i] *= tension / h * l->pitch[i];
     }
 }
 

@@ -7,7 +7,11 @@
  * the depth of the deepest, and the energies would not settle however fine the grid. */
 #include "solver/solver_priv.h"
 
-const double cr_yield_reach = 0.075; /* a rail or a headlamp */
+/* Distance along the contact over which a line's weight in such a mean falls to 1/e, m: about a
+ * rail or a headlamp either way. Weights that fade see every wavelength and none the wrong way
+ * round, as those of a window do; along such a one neighbouring lines part, and the split of the
+ * energy hangs on the voxel. */
+static const double yield_reach = 0.06;
 
 /* time over which it is one, s: which voxels are pressed on in a slice is chance of where the grids
  * lie, and strengths that answer at once to the string's pull would overshoot and swing */
@@ -128,27 +132,37 @@ static void fade(const struct cr_moving *m, const struct cr_losses *losses, doub
     }
 }
 
-/* Share of the excess that each line of a body takes, 0..1. It does not change where nothing has
- * been pressed on within reach. */
+void cr_yield_spread(const double *of, int n, double h, double *to) {
+    double keep = exp(-h / yield_reach), sum = 0;
+    for (int k = 0; k < n; k++) {
+        to[k] = sum;
+        sum = keep * (sum + of[k]);
+    }
+    sum = 0;
+    for (int k = n - 1; k >= 0; k--) {
+        to[k] = of[k] + (to[k] + sum);
+        sum = keep * (sum + of[k]);
+    }
+}
+
+/* Share of the excess that each line of a body takes, 0..1. It does not change far from where
+ * anything has been pressed on. */
 static void share_lines(struct cr_solver *s, const struct cr_moving *m,
                         const struct cr_losses *mine) {
     struct cr_yield *y = &s->yield;
-    const double *more = mine->press->more, *all = mine->press->all;
-    double *lean = mine->press->lean, *share = mine->press->share;
-    int wide = (int)lround(cr_yield_reach / m->body->grid.h), n = lines_of(m, mine);
+    const double *all = mine->press->all;
+    double *lean = mine->press->lean, *share = mine->press->share, h = m->body->grid.h, total = 0;
+    int far = (int)ceil(2 * yield_reach / h), n = lines_of(m, mine);
     struct cr_span lines = held(all, n);
-    y->more[lines.lo] = y->all[lines.lo] = 0;
     for (int k = lines.lo; k < lines.hi; k++) {
-        y->more[k + 1] = y->more[k] + more[k];
-        y->all[k + 1] = y->all[k] + all[k];
+        total += all[k];
     }
-    double least = trace * y->all[lines.hi];
-    int end = lines.hi + wide < n ? lines.hi + wide : n;
-    for (int k = lines.lo - wide > 0 ? lines.lo - wide : 0; k < end; k++) {
-        int from = k - wide > lines.lo ? k - wide : lines.lo;
-        int to = k + wide + 1 < lines.hi ? k + wide + 1 : lines.hi;
-        double sum = y->all[to] - y->all[from];
-        double weaker = sum > least ? (y->more[to] - y->more[from]) / (share_band * sum) : 0;
+    lines.lo = lines.lo > far ? lines.lo - far : 0;
+    lines.hi = lines.hi + far < n ? lines.hi + far : n;
+    cr_yield_spread(mine->press->more + lines.lo, lines.hi - lines.lo, h, y->more + lines.lo);
+    cr_yield_spread(all + lines.lo, lines.hi - lines.lo, h, y->all + lines.lo);
+    for (int k = lines.lo; k < lines.hi; k++) {
+        double weaker = y->all[k] > trace * total ? y->more[k] / (share_band * y->all[k]) : 0;
         lean[k] = cr_clamp(lean[k] + weaker * s->dt / lean_time, -1, 1);
         share[k] = cr_clamp(0.5 * (1 + lean[k] + weaker), 0, 1);
     }
