@@ -112,6 +112,7 @@ void cr_elastic_begin(struct cr_solver *s, int pair, int a, int b) {
         return;
     }
     struct cr_vec2 normal, tangent = cr_vec2_unit(tangential(t, &normal), cr_vec2(0, 0));
+    t->rubbed = 0;
     t->slip = fmax(cr_vec2_dot(cr_relative_velocity(s, a, b, t->coe), tangent), 0);
     c->phase = CR_PHASE_COMPRESSION;
     t->elastic_plan = v / give;
@@ -146,23 +147,64 @@ static struct cr_vec2 sliding_direction(const struct cr_solver *s, int a, int b,
     return cr_vec2_axpy(normal, share, tangent);
 }
 
+/* One slice's impulse in a direction f. */
+struct push {
+    struct cr_vec2 f, yield;
+    double j, along;
+    double stored; /* energy taken up along the axis, negative where it is given back, J */
+    double rubbed; /* work of the tangential part, J */
+};
+
+static struct push push_of(const struct cr_solver *s, int a, int b, struct cr_vec2 f,
+                           double planned, bool last) {
+    const struct cr_touch *t = &s->touch[cr_pair(s, a, b)];
+    struct cr_vec2 axis = axis_of(t), rel = cr_relative_velocity(s, a, b, t->coe);
+    struct push p = {
+        .f = f, .yield = cr_compliance(s, a, b, t->coe, f), .along = cr_vec2_dot(f, axis)};
+    double v = cr_vec2_dot(rel, axis), give = cr_vec2_dot(p.yield, axis);
+    double most =
+        give > 0 ? last_impulse(&s->contact[t->record], v, give, p.along) : (double)INFINITY;
+    p.j = last && give > 0 ? most : fmin(planned, most);
+    p.stored = p.along * p.j * (v - 0.5 * give * p.j);
+    p.rubbed = p.j * (cr_vec2_dot(rel, f) - 0.5 * cr_vec2_dot(p.yield, f) * p.j) - p.stored;
+    return p;
+}
+
+/* of the compression, which the restitution follows, or of that */
+static void end_phase(struct cr_solver *s, struct cr_touch *t, struct cr_contact *c, double along) {
+    if (c->phase == CR_PHASE_COMPRESSION) {
+        c->elastic_impulse += t->elastic_done * along;
+        c->t_elastic_end = s->t;
+        c->phase = CR_PHASE_RESTITUTION;
+        t->elastic_plan = t->elastic_done;
+        begin_phase(s, t, c->phase);
+        return;
+    }
+    s->friction += c->stored; /* what an eccentric force could not give back */
+    c->friction += c->stored;
+    c->stored = 0;
+    finish(s, t, c);
+}
+
 bool cr_elastic_slice(struct cr_solver *s, int pair, int a, int b) {
     struct cr_touch *t = &s->touch[pair];
     struct cr_contact *c = &s->contact[t->record];
-    struct cr_vec2 axis = axis_of(t), rel = cr_relative_velocity(s, a, b, t->coe);
-    double v = cr_vec2_dot(rel, axis), planned = planned_impulse(s, t, c->phase);
-    struct cr_vec2 f = sliding_direction(s, a, b, t, rel, planned);
-    struct cr_vec2 yield = cr_compliance(s, a, b, t->coe, f);
-    double give = cr_vec2_dot(yield, axis), along = cr_vec2_dot(f, axis);
+    struct cr_vec2 rel = cr_relative_velocity(s, a, b, t->coe);
+    double planned = planned_impulse(s, t, c->phase);
     bool last = t->elastic_left - s->dt <= 1e-12;
-    double most = give > 0 ? last_impulse(c, v, give, along) : (double)INFINITY;
-    double j = last && give > 0 ? most : fmin(planned, most);
-    double stored = along * j * (v - 0.5 * give * j);
-    double work = j * (cr_vec2_dot(rel, f) - 0.5 * cr_vec2_dot(yield, f) * j);
+    struct push p = push_of(s, a, b, sliding_direction(s, a, b, t, rel, planned), planned, last);
+    if (t->sliding && t->rubbed + p.rubbed < 0) { /* a third body has turned the slip round */
+        struct cr_vec2 normal;
+        tangential(t, &normal);
+        p = push_of(s, a, b, normal, planned, last);
+    }
+    t->rubbed += p.rubbed;
+    struct cr_vec2 f = p.f;
+    double v = cr_vec2_dot(rel, axis_of(t)), j = p.j;
     cr_impulse_apply(s, a, b, t->coe, cr_vec2_scale(f, j));
-    c->stored += stored;
-    c->friction += work - stored;
-    s->friction += work - stored;
+    c->stored += p.stored;
+    c->friction += p.rubbed;
+    s->friction += p.rubbed;
     c->impulse = cr_vec2_axpy(c->impulse, j, f);
     t->moment_coe = cr_vec2_axpy(t->moment_coe, j, t->coe);
     t->moment_weight += j;
@@ -179,23 +221,11 @@ bool cr_elastic_slice(struct cr_solver *s, int pair, int a, int b) {
                                               .path = v * s->dt,
                                               .force = j * size / s->dt,
                                               .impulse = j * size,
-                                              .mass_eff = size * size / cr_vec2_dot(yield, f),
-                                              .friction = work - stored});
+                                              .mass_eff = size * size / cr_vec2_dot(p.yield, f),
+                                              .friction = p.rubbed});
     t->elastic_left -= s->dt;
-    if (!last) {
-        return kept;
-    }
-    if (c->phase == CR_PHASE_COMPRESSION) {
-        c->elastic_impulse += t->elastic_done * along;
-        c->t_elastic_end = s->t;
-        c->phase = CR_PHASE_RESTITUTION;
-        t->elastic_plan = t->elastic_done;
-        begin_phase(s, t, c->phase);
-    } else {
-        s->friction += c->stored; /* what an eccentric force could not give back */
-        c->friction += c->stored;
-        c->stored = 0;
-        finish(s, t, c);
+    if (last) {
+        end_phase(s, t, c, p.along);
     }
     return kept;
 }

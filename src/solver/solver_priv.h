@@ -161,6 +161,7 @@ struct cr_touch {
     double force;              /* along direction, mean of the last plastic slices, N */
     double plastic_before;     /* plastic impulse of earlier touches of the same contact, N s */
     double slip;               /* against the tangential force when the elastic phases began, m/s */
+    double rubbed;             /* work of the tangential force in the elastic phases so far, J */
     double elastic_time;       /* length of the elastic phase, s */
     double elastic_left;       /* what is left of it, s */
     double elastic_plan;       /* impulse the phase is to give, N s */

@@ -40,16 +40,20 @@ static int lines_of(const struct cr_moving *m, const struct cr_losses *losses) {
     return cr_face_lines(&m->body->grid, losses->face);
 }
 
-/* the lines of a face between which a memory holds anything: few of a face in a contact */
-static struct cr_span held(const double *memory, int n) {
-    struct cr_span lines = {0, n};
-    while (lines.lo < lines.hi && memory[lines.lo] == 0) {
+/* those of the lines between which a memory holds more than `least` */
+static struct cr_span above(const double *memory, struct cr_span lines, double least) {
+    while (lines.lo < lines.hi && memory[lines.lo] <= least) {
         lines.lo++;
     }
-    while (lines.lo < lines.hi && memory[lines.hi - 1] == 0) {
+    while (lines.lo < lines.hi && memory[lines.hi - 1] <= least) {
         lines.hi--;
     }
     return lines;
+}
+
+/* the lines of a face between which a memory holds anything: few of a face in a contact */
+static struct cr_span held(const double *memory, int n) {
+    return above(memory, (struct cr_span){0, n}, 0);
 }
 
 /* Place at which the sum of amounts over the lines from the k-th on, counted from one end, reaches
@@ -157,12 +161,16 @@ static void share_lines(struct cr_solver *s, const struct cr_moving *m,
     for (int k = lines.lo; k < lines.hi; k++) {
         total += all[k];
     }
+    lines = above(all, lines, trace * total);
+    if (lines.lo == lines.hi) {
+        return;
+    }
     lines.lo = lines.lo > far ? lines.lo - far : 0;
     lines.hi = lines.hi + far < n ? lines.hi + far : n;
     cr_yield_spread(mine->press->more + lines.lo, lines.hi - lines.lo, h, y->more + lines.lo);
     cr_yield_spread(all + lines.lo, lines.hi - lines.lo, h, y->all + lines.lo);
     for (int k = lines.lo; k < lines.hi; k++) {
-        double weaker = y->all[k] > trace * total ? y->more[k] / (share_band * y->all[k]) : 0;
+        double weaker = y->more[k] / (share_band * y->all[k]);
         lean[k] = cr_clamp(lean[k] + weaker * s->dt / lean_time, -1, 1);
         share[k] = cr_clamp(0.5 * (1 + lean[k] + weaker), 0, 1);
     }

@@ -316,8 +316,8 @@ static struct cr_result *demo(const char *voxel_mm, const char *dt_ms) {
     return r;
 }
 
-/* Two real structures against each other. The SUV takes a fifth of the energy: what the lines of two
- * coarse grids do to each other is 0.4 % of the whole, and 2 to 3 % of its EES. */
+/* Two real structures against each other. The SUV takes a fifth of the energy: what the lines of
+ * two coarse grids do to each other is 0.4 % of the whole, and 2 to 3 % of its EES. */
 static void defaults_are_near_the_limit_of_the_demo(void **state) {
     (void)state;
     struct cr_result *got = demo("25", "0.5"), *want = demo("8", "0.1");

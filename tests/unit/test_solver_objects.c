@@ -228,7 +228,7 @@ static void chain_of_three(void **state) {
     double p = 0, crushed = 0;
     for (int i = 0; i < 3; i++) {
         check_near(o->body[i].rest.vel.x, v / 3, 0.35); /* the last touches are rubbing */
-        check_near(o->body[i].rest.vel.y, 0, 1e-3);    /* a row that pushes is unstable */
+        check_near(o->body[i].rest.vel.y, 0, 1e-3);     /* a row that pushes is unstable */
         p += m * o->body[i].rest.vel.x;
         crushed += o->body[i].energy;
     }
