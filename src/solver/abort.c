@@ -10,7 +10,7 @@ static const double reached = 1e-4;
 
 /* Cars that turn away from each other rub: a touch whose energy of approach is below this share of
  * what the pair has crushed so far is not the crash any more. */
-static const double rubbing_share = 0.005;
+static const double rubbing_share = 0.001;
 
 double cr_abort_weight(const struct cr_solver *s, int pair, int a, int b,
                        const struct cr_force *f) {
