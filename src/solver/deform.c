@@ -21,21 +21,6 @@ bool cr_losses_reserve(struct cr_losses *losses, int n) {
     return true;
 }
 
-bool cr_deform_add(struct cr_losses *losses, const struct cr_grid *g, int ix, int iy, double amount,
-                   double energy) {
-    if (!cr_losses_reserve(losses, 1)) {
-        return false;
-    }
-    struct cr_loss *l = &losses->loss[losses->n++];
-    l->voxel = iy * g->nx + ix;
-    l->ix = ix;
-    l->iy = iy;
-    l->amount = amount;
-    l->energy = energy;
-    losses->energy += energy;
-    return true;
-}
-
 const double cr_crumb = 1e-6;
 
 /* what does not fit of a voxel's material beside the share phi */
@@ -438,15 +423,20 @@ void cr_deform_settle(struct cr_solver *s, struct cr_moving *m, struct cr_losses
         take_out(m, losses, 0, lambda - 1);
         cr_deform_scale(losses, lambda);
     }
-    for (int i = 0; i < losses->n; i++) {
-        const struct cr_loss *l = &losses->loss[i];
-        area += l->amount * h2;
-        m->t_sum[l->voxel] += s->t * l->amount;
-        if (l->amount > 0) {
-            m->how[l->voxel] |= i < losses->contact ? CR_CRUSH_CONTACT : CR_CRUSH_INDUCED;
+    const struct cr_loss *loss = losses->loss;
+    const double *left = m->left;
+    double *t_sum = m->t_sum, t = s->t;
+    uint8_t *how = m->how;
+    for (int i = 0, n = losses->n, contact = losses->contact; i < n; i++) {
+        int k = loss[i].voxel;
+        double amount = loss[i].amount;
+        area += amount * h2;
+        t_sum[k] += t * amount;
+        if (amount > 0) {
+            how[k] |= i < contact ? CR_CRUSH_CONTACT : CR_CRUSH_INDUCED;
         }
-        if (m->left[l->voxel] <= 0) {
-            shrink(m, l);
+        if (left[k] <= 0) {
+            shrink(m, &loss[i]);
         }
     }
     m->membrane[losses->face] += losses->stretch;

@@ -291,9 +291,6 @@ extern const double cr_crumb; /* material below this share of a voxel goes with 
 bool cr_losses_reserve(struct cr_losses *losses, int n);
 /* take only a share of the losses */
 void cr_deform_scale(struct cr_losses *losses, double share);
-/* add a loss outside the contact */
-bool cr_deform_add(struct cr_losses *losses, const struct cr_grid *g, int ix, int iy, double amount,
-                   double energy);
 /* take the losses [from, n) out of the body; what is taken back is settled below */
 void cr_deform_apply(struct cr_moving *m, const struct cr_losses *losses, int from);
 /* give back the share 1 - lambda of the losses, and book the rest */

@@ -255,16 +255,20 @@ static void relax(struct cr_string *st, const struct lines *l, struct cr_span de
 
 /* Take the material between the old and the new depth of a line, within its surface voxel: the next
  * one has another strength, and the next slice will know it. */
-static bool take(struct cr_string *st, const struct lines *l, int line, struct cr_losses *losses) {
-    const struct cr_grid *g = &l->m->body->grid;
+static void take(struct cr_string *st, const struct lines *l, int line, struct cr_losses *losses) {
     int along = st->surface[line], k = voxel_at(l, line, along);
     double depth = l->depth[line], pitch = l->pitch[line];
     double slack = line > st->met.lo && line < st->met.hi ? ripple : 0;
     double deeper = st->w[line] - depth - slack, left = l->m->left[k];
     double want = deeper > 0 ? deeper / pitch : 0, amount = left - want < cr_crumb ? left : want;
     st->w[line] = depth + amount * pitch;
-    return cr_deform_add(losses, g, l->row ? along : line, l->row ? line : along, amount,
-                         amount * l->unit[k]);
+    struct cr_loss *loss = &losses->loss[losses->n++];
+    loss->voxel = k;
+    loss->ix = l->row ? along : line;
+    loss->iy = l->row ? line : along;
+    loss->amount = amount;
+    loss->energy = amount * l->unit[k];
+    losses->energy += loss->energy;
 }
 
 /* of the segments in the window; those beyond are as they were made */
@@ -353,9 +357,12 @@ bool cr_string_pull(struct cr_solver *s, struct cr_moving *m, int partner,
     st->edge[1] = upper_edge(st->met);
     relax(st, &l, m->dented[face], tension);
     double before = losses->energy;
+    if (!cr_losses_reserve(losses, st->window.hi - st->window.lo + 1)) {
+        return false;
+    }
     for (int i = st->window.lo; i <= st->window.hi; i++) {
-        if (moved(st, &l, i) && !take(st, &l, i, losses)) {
-            return false;
+        if (moved(st, &l, i)) {
+            take(st, &l, i, losses);
         }
     }
     double stretched = membrane_energy(st, &l, tension);
