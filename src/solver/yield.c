@@ -104,17 +104,48 @@ void cr_yield_range(struct cr_solver *s, struct cr_moving *m, struct cr_losses *
     losses->met.hi = n - 0.5 - fmax(0, behind - 0.5);
 }
 
+/* The way outwards along the lines of the struck face. */
+struct outwards {
+    bool row, up;
+    int dx, dy, step; /* to the next voxel outwards, in voxels and in the grid's order */
+    int end;          /* voxels of a line */
+};
+
+static struct outwards outwards(const struct cr_moving *m, const struct cr_losses *losses) {
+    const struct cr_grid *g = &m->body->grid;
+    bool row = by_row(losses), up = losses->face == CR_FACE_FRONT || losses->face == CR_FACE_LEFT;
+    int out = up ? 1 : -1, dx = row ? out : 0, dy = row ? 0 : out;
+    return (struct outwards){row, up, dx, dy, dy * g->nx + dx, row ? g->nx : g->ny};
+}
+
+/* From the voxel of a loss on outwards: how many of those hit before are there without a gap? They
+ * give way before it does. */
+static int crumbs_beyond(const struct cr_moving *m, const struct outwards *o,
+                         const struct cr_loss *l) {
+    const double *left = m->left + l->voxel, *fill = m->body->grid.fill + l->voxel;
+    int along = o->row ? l->ix : l->iy, beyond = o->up ? o->end - 1 - along : along, n = 0;
+    while (n < beyond && left[o->step] > 0 && left[o->step] < fill[o->step]) {
+        left += o->step;
+        fill += o->step;
+        n++;
+    }
+    return n;
+}
+
 /* Into the memory of the lines of both bodies goes by how much the opponent is stronger on the
- * voxels of `losses`; other: the opponent's losses. */
-static void remember(const struct cr_losses *losses, const struct cr_losses *other) {
+ * voxels of `losses`; other: the opponent's losses. A voxel is as strong as what gives way for it:
+ * by its own strength each car would seem stronger by a voxel's step, and the less deeply crushed
+ * one by the greater part of its strength. */
+static void remember(const struct cr_moving *m, const struct cr_losses *losses,
+                     const struct cr_losses *other) {
     double *more = losses->press->more, *all = losses->press->all;
     double *their_more = other->press->more, *their_all = other->press->all;
     const double *pulls = losses->press->pull;
-    bool row = by_row(losses);
+    struct outwards o = outwards(m, losses);
     for (int i = 0; i < losses->n; i++) {
         const struct cr_loss *l = &losses->loss[i];
-        int line = row ? l->iy : l->ix;
-        double unit = losses->unit[l->voxel], pull = pulls[line];
+        int line = o.row ? l->iy : l->ix, outermost = l->voxel + crumbs_beyond(m, &o, l) * o.step;
+        double unit = losses->unit[outermost], pull = pulls[line];
         double stronger = l->amount * (l->beside - unit - pull);
         double both = l->amount * (l->beside + unit + fabs(pull));
         more[line] += stronger;
@@ -200,25 +231,13 @@ void cr_yield_share(struct cr_solver *s, int a, int b) {
     struct cr_losses *la = &s->losses[0], *lb = &s->losses[1];
     fade(ma, la, s->t);
     fade(mb, lb, s->t);
-    remember(la, lb);
-    remember(lb, la);
+    remember(ma, la, lb);
+    remember(mb, lb, la);
     share_lines(s, ma, la);
     share_lines(s, mb, lb);
     const double *share_a = la->press->share, *share_b = lb->press->share;
     keep_share(la, share_a, share_b);
     keep_share(lb, share_b, share_a);
-}
-
-/* From a voxel on outwards: how many of those hit before are there without a gap? */
-static int crumbs_beyond(const struct cr_moving *m, int voxel, int beyond, int step) {
-    const double *left = m->left + voxel, *fill = m->body->grid.fill + voxel;
-    int n = 0;
-    while (n < beyond && left[step] > 0 && left[step] < fill[step]) {
-        left += step;
-        fill += step;
-        n++;
-    }
-    return n;
 }
 
 /* Makes up a loss from the n-th voxel beyond its own on inward, ending at its own, dx or dy apart;
@@ -250,20 +269,16 @@ static bool take_inward(struct cr_moving *m, struct cr_losses *losses, int i, in
 }
 
 bool cr_yield_order(struct cr_moving *m, struct cr_losses *losses) {
-    const struct cr_grid *g = &m->body->grid;
-    bool row = by_row(losses);
-    bool up = losses->face == CR_FACE_FRONT || losses->face == CR_FACE_LEFT;
-    int out = up ? 1 : -1, dx = row ? out : 0, dy = row ? 0 : out, step = dy * g->nx + dx;
-    int end = row ? g->nx : g->ny, n = losses->n;
+    struct outwards o = outwards(m, losses);
+    int n = losses->n;
     for (int k = 0; k < n; k++) { /* the outer ones of a line first */
-        int i = up ? n - 1 - k : k;
+        int i = o.up ? n - 1 - k : k;
         struct cr_loss *l = &losses->loss[i];
-        int along = row ? l->ix : l->iy, beyond = up ? end - 1 - along : along;
-        int crumbs = crumbs_beyond(m, l->voxel, beyond, step);
+        int crumbs = crumbs_beyond(m, &o, l);
         if (crumbs == 0) {
             l->beside = m->left[l->voxel];
             m->left[l->voxel] -= l->amount;
-        } else if (!take_inward(m, losses, i, crumbs, dx, dy)) {
+        } else if (!take_inward(m, losses, i, crumbs, o.dx, o.dy)) {
             return false;
         }
     }
