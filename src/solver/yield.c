@@ -124,7 +124,7 @@ static int crumbs_beyond(const struct cr_moving *m, const struct outwards *o,
                          const struct cr_loss *l) {
     const double *left = m->left + l->voxel, *fill = m->body->grid.fill + l->voxel;
     int along = o->row ? l->ix : l->iy, beyond = o->up ? o->end - 1 - along : along, n = 0;
-    while (n < beyond && left[o->step] > 0 && left[o->step] < fill[o->step]) {
+    while (n < beyond && left[o->step] > 0 && fill[o->step] - left[o->step] > cr_crumb) {
         left += o->step;
         fill += o->step;
         n++;
