@@ -4,7 +4,7 @@
 . "$SRC/tests/tap.sh"
 tmp=$(mktemp -d) || exit 99
 trap 'rm -rf "$tmp"' EXIT
-mkdir "$tmp/tree" "$tmp/bare" "$tmp/apt" "$tmp/root" "$tmp/user" "$tmp/sudo"
+mkdir "$tmp/tree" "$tmp/whole" "$tmp/bare" "$tmp/apt" "$tmp/root" "$tmp/user" "$tmp/sudo"
 cp "$SRC/bootstrap" "$tmp/tree/"
 for tool in sh dirname cat grep find head env mkdir rm sed; do
     ln -s "$(command -v "$tool")" "$tmp/bare/$tool"
@@ -16,6 +16,10 @@ printf 'echo "sudo $*" >>"$LOG"\nexec "$@"\n' >"$tmp/sudo/sudo"
 for file in root/id user/id apt/apt-get sudo/sudo; do
     sed -i '1s|^|#!/bin/sh\n|' "$tmp/$file"
     chmod +x "$tmp/$file"
+done
+for tool in gcc make pkg-config automake autoreconf; do
+    printf '#!/bin/sh\n[ %s != autoreconf ]\n' $tool >"$tmp/whole/$tool"
+    chmod +x "$tmp/whole/$tool"
 done
 LOG=$tmp/log
 export LOG
@@ -54,6 +58,20 @@ has "it says what it installs" "$out" 'installing with apt-get: .*gcc.* libcjson
 on "bare user apt sudo" build
 has "others install by way of sudo" "$log" \
     '^sudo env DEBIAN_FRONTEND=noninteractive apt-get .*install .*gcc'
+
+# a machine that has everything but an autoreconf that works, and a clock that was set back
+for file in late build/late; do
+    mkdir -p "$tmp/tree/build"
+    touch -t 209901010000 "$tmp/tree/$file"
+done
+ln -s "$(command -v touch)" "$tmp/bare/"
+on "bare root whole" build
+has "a step that fails is told" "$out" 'failed: autoreconf'
+touch "$tmp/now"
+same "before it, files of the future are made those of today" \
+    "$(find "$tmp/tree" -newer "$tmp/now")" ""
+[ ! -e "$tmp/tree/build/late" ]
+report $? "and what was built in the future goes"
 
 on "bare root" --help
 same "--help succeeds" "$status" 0
