@@ -42,7 +42,7 @@ sed 's/2000 kg  x=0.00/1000 kg  x=9/; s/^~ all @ slices/~ at @ all slices/
 mv "$folder/right.test" "$tmp/right"
 
 play() { # WORD
-    SRC=$tmp "${SHELL:-/bin/sh}" "$folder/run.sh" "$@"
+    SRC=$tmp sh "$folder/run.sh" "$@"
 }
 play >"$tmp/out" 2>&1
 has "it fails before" "$(cat "$tmp/out")" '^not ok 3'
