@@ -140,69 +140,73 @@ static double edge_depth(const struct lines *l, const double *depth, struct cr_e
     return fmax(depth[i] + fabs(e.at - i) * rise, here + (e.at - k) * (next - here));
 }
 
-/* put a point on the stack of those that hold, and take away those that it relieves */
-static inline int hold(struct cr_hold *held, int n, double line, double over, bool nailed) {
-    double ahead = 0;
-    for (; n > 0; n--) {
-        const struct cr_hold *last = &held[n - 1];
+/* Puts a point on the stack of those that hold, from `first` on below `top`, and takes away those
+ * that it relieves; level: the slope of the hull ahead of the first. Returns the new top. */
+static inline struct cr_hold *hold(struct cr_hold *first, struct cr_hold *top, double line,
+                                   double over, double level) {
+    double ahead = level;
+    while (top > first) {
+        const struct cr_hold *last = top - 1;
         ahead = (over - last->over) / (line - last->line);
         if (ahead < last->slope) {
             break;
         }
+        ahead = level;
+        top--;
     }
-    if (n == 0) { /* ahead of a line that hangs free the hull is level */
-        ahead = nailed ? (double)INFINITY : 0;
-    }
-    held[n] = (struct cr_hold){line, over, ahead};
-    return n + 1;
+    top->line = line;
+    top->over = over;
+    top->slope = ahead;
+    return top + 1;
 }
 
 /* The places that hold a piece of the string, into st->held, each with the slope of the hull ahead
- * of it; returns how many. Puts the bow of the piece into st->w, and its slope behind the last line
- * into slope. */
-static int hull(struct cr_string *st, const struct lines *l, struct cr_span piece, double *slope) {
-    bool nailed = st->surface[piece.lo] < 0;
-    const double *depth = l->depth;
-    double bow = 0, bow_slope = 0;
-    int n = 0;
+ * of it; returns the end of them. Puts the bow of the piece into st->w, and its slope behind the
+ * last line into slope. */
+static const struct cr_hold *hull(struct cr_string *st, const struct lines *l, struct cr_span piece,
+                                  double *slope) {
+    /* ahead of a line that hangs free the hull is level */
+    double level = st->surface[piece.lo] < 0 ? (double)INFINITY : 0, bow = 0, bow_slope = 0;
+    const double *depth = l->depth, *bend = st->bend;
+    struct cr_hold *first = st->held, *top = first;
+    int lower = st->edge[0].above, upper = st->edge[1].above;
     for (int i = piece.lo; i <= piece.hi; i++) {
-        for (int k = 0; k < 2; k++) {
+        for (int k = 0; (i == lower || i == upper) && i > piece.lo && k < 2; k++) {
             const struct cr_edge *e = &st->edge[k];
-            if (i == e->above && i > piece.lo) {
+            if (i == e->above) {
                 double over = edge_depth(l, depth, *e) - (bow - (i - e->at) * bow_slope);
-                n = hold(st->held, n, e->at, over, nailed);
+                top = hold(first, top, e->at, over, level);
             }
         }
-        n = hold(st->held, n, i, depth[i] - bow, nailed);
+        top = hold(first, top, i, depth[i] - bow, level);
         st->w[i] = bow;
-        bow_slope += st->bend[i];
+        bow_slope += bend[i];
         bow += bow_slope;
     }
     /* a string that hangs free leaves its last line level */
-    while (st->surface[piece.hi] >= 0 && n > 1 && st->held[n - 1].slope < -bow_slope) {
-        n--;
+    while (st->surface[piece.hi] >= 0 && top > first + 1 && top[-1].slope < -bow_slope) {
+        top--;
     }
     *slope = bow_slope;
-    return n;
+    return top;
 }
 
 /* depths of a piece of the string whose segments are all taut, both end lines included */
 static void settle(struct cr_string *st, const struct lines *l, struct cr_span piece) {
-    double slope;
-    int n = hull(st, l, piece, &slope), i = piece.lo;
-    for (int j = 0; j < n; j++) {
-        struct cr_hold at = st->held[j];
-        for (; i < at.line; i++) {
-            st->w[i] += at.over - at.slope * (at.line - i);
+    double slope, *w = st->w;
+    const struct cr_hold *top = hull(st, l, piece, &slope);
+    int i = piece.lo;
+    for (const struct cr_hold *at = st->held; at < top; at++) {
+        for (; i < at->line; i++) {
+            w[i] += at->over - at->slope * (at->line - i);
         }
-        if (i == at.line) {
-            st->w[i] = l->depth[i];
+        if (i == at->line) {
+            w[i] = l->depth[i];
             i++;
         }
     }
-    struct cr_hold last = st->held[n - 1];
     for (; i <= piece.hi; i++) {
-        st->w[i] += last.over - slope * (i - last.line);
+        w[i] += top[-1].over - slope * (i - top[-1].line);
     }
 }
 
