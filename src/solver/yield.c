@@ -167,16 +167,27 @@ static void fade(const struct cr_moving *m, const struct cr_losses *losses, doub
     }
 }
 
+/* From both ends at once: each sum waits for its last step. */
 void cr_yield_spread(const double *of, int n, double h, double *to) {
-    double keep = exp(-h / yield_reach), sum = 0;
-    for (int k = 0; k < n; k++) {
-        to[k] = sum;
-        sum = keep * (sum + of[k]);
+    double keep = exp(-h / yield_reach), below = 0, above = 0;
+    int k = 0, j = n - 1;
+    for (; k < j; k++, j--) {
+        to[k] = below;
+        below = keep * (below + of[k]);
+        to[j] = above;
+        above = keep * (above + of[j]);
     }
-    sum = 0;
-    for (int k = n - 1; k >= 0; k--) {
-        to[k] = of[k] + (to[k] + sum);
-        sum = keep * (sum + of[k]);
+    if (k == j) {
+        to[k] = below;
+        below = keep * (below + of[k++]);
+    }
+    for (; j >= 0; k++, j--) {
+        to[j] = of[j] + (to[j] + above);
+        above = keep * (above + of[j]);
+        if (k < n) {
+            to[k] = of[k] + (below + to[k]);
+            below = keep * (below + of[k]);
+        }
     }
 }
 
