@@ -120,8 +120,8 @@ static struct outwards outwards(const struct cr_moving *m, const struct cr_losse
 
 /* From the voxel of a loss on outwards: how many of those hit before are there without a gap? They
  * give way before it does. */
-static int crumbs_beyond(const struct cr_moving *m, const struct outwards *o,
-                         const struct cr_loss *l) {
+static inline int crumbs_beyond(const struct cr_moving *m, const struct outwards *o,
+                                const struct cr_loss *l) {
     const double *left = m->left + l->voxel, *fill = m->body->grid.fill + l->voxel;
     int along = o->row ? l->ix : l->iy, beyond = o->up ? o->end - 1 - along : along, n = 0;
     while (n < beyond && left[o->step] > 0 && fill[o->step] - left[o->step] > cr_crumb) {
