@@ -277,10 +277,10 @@ static void one_effect_each(void **state) {
 static void paper_is_extended_without_its_settings(void **state) {
     (void)state;
     struct cr_result *paper = solved("\"method\":\"paper\"", OFFSET);
-    struct cr_result *off =
-        solved("\"friction\":0,\"induced\":false,\"heights\":false,\"dive\":false,"
-               "\"residual_curve\":true,\"elastic_ms\":5",
-               OFFSET);
+    struct cr_result *off = solved(
+        "\"restitution\":0.1,\"friction\":0,\"induced\":false,\"heights\":false,\"dive\":false,"
+        "\"residual_curve\":true,\"elastic_ms\":5",
+        OFFSET);
     const struct cr_solution *a = paper->solution, *b = off->solution;
     assert_int_equal(a->samples, b->samples);
     assert_int_equal(a->slices, b->slices);
