@@ -247,8 +247,9 @@ static bool knows_mouse(void) {
     return s != NULL && s != (char *)-1;
 }
 
-/* clicks and drags, told in decimal figures */
-static const char mouse_on[] = "\033[?1002h\033[?1006h", mouse_off[] = "\033[?1006l\033[?1002l";
+/* clicks, on newer terminals drags too, and on those told in decimal figures */
+static const char mouse_on[] = "\033[?1000h\033[?1002h\033[?1006h";
+static const char mouse_off[] = "\033[?1006l\033[?1002l\033[?1000l";
 
 static void mouse(bool on) {
     if (knows_mouse()) {
