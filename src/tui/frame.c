@@ -1,6 +1,7 @@
 #include "tui/frame.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <math.h>
 #include <poll.h>
 #include <stdlib.h>
@@ -9,8 +10,9 @@
 
 static const char begin_mark[] = "\033[?2026h", end_mark[] = "\033[?2026l", question[] = "\033[5n";
 enum {
-    SENT_MAX = 6, /* frames on their way on a fast line, however long */
-    TELLING = 400 /* bytes of a frame that tells how fast the line is */
+    SENT_MAX = 6,  /* frames on their way on a fast line, however long */
+    TELLING = 400, /* bytes of a frame that tells how fast the line is */
+    ROOM = 1 << 20 /* bytes kept for one; a terminal of 400 x 200 in colour takes about that */
 };
 static const double fast = 0.1;     /* s such a frame may take beyond the way of an empty one */
 static const double given_up = 3.0; /* s after which no answer is expected any more */
@@ -31,12 +33,23 @@ static struct {
     double least; /* s that any has taken: there and back */
 } frame;
 
+/* A file with room for a frame from the start: a disk that fills up later must not blank the
+ * screen. NULL: there is no such room. */
+static FILE *file_with_room(void) {
+    FILE *file = tmpfile();
+    if (file != NULL && posix_fallocate(fileno(file), 0, ROOM) != 0) {
+        fclose(file);
+        file = NULL;
+    }
+    return file;
+}
+
 FILE *cr_frame_open(bool asks) {
     memset(&frame, 0, sizeof frame);
     frame.asks = asks;
     frame.took = frame.least = INFINITY; /* not known yet */
     int fd = dup(STDOUT_FILENO);
-    frame.file = tmpfile();
+    frame.file = file_with_room();
     frame.stream = fd >= 0 ? fdopen(fd, "w") : NULL;
     if (frame.stream == NULL && fd >= 0) {
         close(fd);
@@ -136,9 +149,7 @@ void cr_frame_end(double now) {
         note_sent(now, n);
     }
     lseek(file, 0, SEEK_SET);
-    if (ftruncate(file, 0) == 0) {
-        send(frame.bytes, n);
-    }
+    send(frame.bytes, n);
 }
 
 void cr_frame_ask(void) {
