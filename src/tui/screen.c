@@ -290,6 +290,9 @@ void cr_tui_draw(struct cr_tui *t) {
     struct cr_error err;
     struct cr_look look = cr_tui_look(t);
     int x;
+    if (cr_tui_continued) {
+        cr_term_redraw(); /* who sees the screen types: the line must not be the shell's any more */
+    }
     t->dirty = false;
     t->drawn_at = cr_tui_clock();
     if (cr_tui_compose(t, &x, &err) != CR_ERR_OK) {
