@@ -7,7 +7,7 @@ static const double horizon = 0.3;
 /* step of the look ahead, s */
 static const double probe_step = 0.01;
 /* A touch foreseen is waited for if its energy of approach is this share of the crash so far. */
-static const double strike_share = 0.02;
+static const double strike_share = 0.003;
 /* a touch this far from the last one is another, m */
 static const double elsewhere = 0.75;
 /* slower than this a body is at rest (literature.md 7.5) */
