@@ -276,6 +276,11 @@ static const char *word(const cJSON *json, const char *key) {
     return s ? s : "";
 }
 
+static double number(const cJSON *json, const char *key) {
+    const cJSON *x = cJSON_GetObjectItemCaseSensitive(json, key);
+    return cJSON_IsNumber(x) ? x->valuedouble : NONE;
+}
+
 static enum cr_err bad_expectation(const char *path, const char *what, struct cr_error *err) {
     cr_err_set(err, CR_ERR_NAME, "x_expect: %s", what);
     cr_err_place(err, path, 0, 0);
@@ -333,18 +338,15 @@ static enum cr_err scene_case(const cJSON *json, const cJSON *expect, const char
     if (type < 0) {
         return bad_expectation(path, expect->string, err);
     }
-    const cJSON *speed = cJSON_GetObjectItemCaseSensitive(p, "speed_kmh");
     c->type = (enum cr_type)type;
-    c->speed_kmh = cJSON_IsNumber(speed) ? speed->valuedouble : NONE;
+    c->speed_kmh = number(p, "speed_kmh");
     snprintf(c->id, sizeof c->id, "%s", word(json, "name"));
     snprintf(c->part, sizeof c->part, "%s", expect->string);
     snprintf(c->title, sizeof c->title, "%s", word(json, "x_title"));
     cr_file_dir(path, c->dir, sizeof c->dir);
     read_pulse(json, c);
-    const cJSON *at = cJSON_GetObjectItemCaseSensitive(json, "x_at_ms");
-    c->at = cJSON_IsNumber(at) ? 1e-3 * at->valuedouble : NONE;
-    const cJSON *normal = cJSON_GetObjectItemCaseSensitive(json, "x_planar_normal_deg");
-    c->normal = cJSON_IsNumber(normal) ? cr_rad(normal->valuedouble) : NONE;
+    c->at = 1e-3 * number(json, "x_at_ms");
+    c->normal = cr_rad(number(json, "x_planar_normal_deg"));
     struct cr_str copy = {0};
     cr_str_add(&copy, text);
     enum cr_err rc = set_scene(c, &copy, err);

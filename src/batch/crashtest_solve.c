@@ -32,10 +32,8 @@ static void take_measures(const struct cr_severity *s, double *to) {
 /* Motion as it was read in the test, some time after the first contact: tyres and rubbing have
  * turned the cars on since they parted. */
 static void take_motion(const struct cr_solution *sol, int body, double at, double *to) {
-    const struct cr_sample *before = &sol->body[body].before, *then = before;
-    for (int i = 0; i < sol->samples && sol->t[i] <= sol->t_contact + at; i++) {
-        then = &sol->trace[(size_t)i * (size_t)sol->bodies + (size_t)body];
-    }
+    const struct cr_sample *before = &sol->body[body].before;
+    const struct cr_sample *then = cr_result_motion_at(sol, body, sol->t_contact + at);
     struct cr_vec2 dv = cr_vec2_sub(then->vel, before->vel);
     struct cr_vec2 own = cr_vec2_unrotate(dv, cos(before->heading), sin(before->heading));
     to[CR_MEASURE_DELTA_V] = cr_kmh(cr_vec2_len(dv));

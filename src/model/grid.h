@@ -25,5 +25,12 @@ static inline bool cr_face_is_end(enum cr_face face) {
 static inline int cr_face_lines(const struct cr_grid *g, enum cr_face face) {
     return cr_face_is_end(face) ? g->ny : g->nx;
 }
+/* voxels of a line, and whether the outermost is its last: front and left */
+static inline int cr_face_line_length(const struct cr_grid *g, enum cr_face face) {
+    return cr_face_is_end(face) ? g->nx : g->ny;
+}
+static inline bool cr_face_from_high(enum cr_face face) {
+    return face == CR_FACE_FRONT || face == CR_FACE_LEFT;
+}
 
 #endif

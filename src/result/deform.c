@@ -133,19 +133,14 @@ double cr_deform_max(const struct cr_deform *d, struct cr_vec2 inward) {
 /* index of place i, counted from the face, in column k */
 static int place(const struct cr_grid *g, enum cr_face face, int k, int i) {
     bool along = cr_face_is_end(face);
-    bool from_high = face == CR_FACE_FRONT || face == CR_FACE_LEFT;
-    int j = from_high ? (along ? g->nx : g->ny) - 1 - i : i;
+    int j = cr_face_from_high(face) ? cr_face_line_length(g, face) - 1 - i : i;
     // left to right means falling y
     return along ? (g->ny - 1 - k) * g->nx + j : j * g->nx + k;
 }
 
-static int places(const struct cr_grid *g, enum cr_face face) {
-    return cr_face_is_end(face) ? g->nx : g->ny;
-}
-
 double cr_deform_column(const struct cr_deform *d, enum cr_face face, int k, bool contact_only) {
     const struct cr_grid *g = d->grid;
-    int n = places(g, face);
+    int n = cr_face_line_length(g, face);
     double sum = 0, intact = 0;
     for (int i = 0; i < n; i++) {
         int at = place(g, face, k, i);
@@ -168,7 +163,7 @@ void cr_deform_relax(const struct cr_deform *d, enum cr_face face, double *left)
         double back = (lost - cr_deform_residual(lost, g->springback[face])) / g->h;
         int deep = 0;
         // the place in which the last of the column's loss lies
-        for (int i = 0; sum * g->h < lost - NOTHING && i < places(g, face); i++) {
+        for (int i = 0; sum * g->h < lost - NOTHING && i < cr_face_line_length(g, face); i++) {
             int at = place(g, face, k, i);
             sum += fmax(0, g->fill[at] - left[at]);
             deep = i;

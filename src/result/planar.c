@@ -32,33 +32,23 @@ struct cr_vec2 cr_planar_impulse(const struct cr_planar_body b[2], struct cr_vec
                    (m.xx * change.y - m.xy * change.x) / det);
 }
 
-/* index of the last sample no later than t */
-static int sample_at(const struct cr_solution *sol, double t) {
-    int i = 0;
-    while (i + 1 < sol->samples && sol->t[i + 1] <= t + 1e-9) {
-        i++;
-    }
-    return i;
-}
-
 double cr_planar_yaw_change(const struct cr_result *result, int body, struct cr_vec2 normal) {
     const struct cr_solution *sol = result->solution;
     int main = cr_result_main_contact(sol, body);
-    if (main < 0 || sol->samples == 0) {
+    if (main < 0) {
         return (double)NAN;
     }
     const struct cr_contact *c = &sol->contact[main];
-    const struct cr_sample *then =
-        &sol->trace[(size_t)sample_at(sol, c->t_plastic_end) * (size_t)sol->bodies];
     const int of[2] = {c->a, c->b};
     struct cr_planar_body b[2];
     for (int i = 0; i < 2; i++) {
         const struct cr_body *own = &result->compiled.cs.body[of[i]];
         const struct cr_sample *before = &sol->body[of[i]].before;
-        b[i] = (struct cr_planar_body){own->mass > 0 ? 1 / own->mass : 0,
-                                       own->mass > 0 && own->inertia > 0 ? 1 / own->inertia : 0,
-                                       cr_vec2_sub(c->coe, then[of[i]].pos), before->vel,
-                                       before->yaw_rate};
+        const struct cr_sample *then = cr_result_motion_at(sol, of[i], c->t_plastic_end);
+        b[i] =
+            (struct cr_planar_body){own->mass > 0 ? 1 / own->mass : 0,
+                                    own->mass > 0 && own->inertia > 0 ? 1 / own->inertia : 0,
+                                    cr_vec2_sub(c->coe, then->pos), before->vel, before->yaw_rate};
     }
     struct cr_vec2 j = cr_planar_impulse(b, normal, c->restitution);
     int own = of[0] == body ? 0 : 1;

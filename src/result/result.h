@@ -124,6 +124,10 @@ CR_MUST_CHECK enum cr_err cr_result_csv(const struct cr_result *result,
                                         const struct cr_result_opts *opts, struct cr_str *out,
                                         struct cr_error *err);
 
+/* Motion of a body at the end of the last time slice no later than t, s; at first contact before
+ * the first one. */
+const struct cr_sample *cr_result_motion_at(const struct cr_solution *sol, int body, double t);
+
 /* Traces as functions of time, for plots, tables and metrics: the quantities of "trace" in
  * formats.md plus derived ones. X(NAME, key, unit, factor from SI) */
 #define CR_QUANTITY_LIST(X)                                                                        \

@@ -6,6 +6,14 @@ static const double FACTOR[CR_QUANTITIES] = {
 #undef X
 };
 
+const struct cr_sample *cr_result_motion_at(const struct cr_solution *sol, int body, double t) {
+    const struct cr_sample *then = &sol->body[body].before;
+    for (int i = 0; i < sol->samples && sol->t[i] <= t; i++) {
+        then = &sol->trace[(size_t)i * (size_t)sol->bodies + (size_t)body];
+    }
+    return then;
+}
+
 double cr_result_quantity(const struct cr_solution *sol, int sample, int body,
                           enum cr_quantity quantity) {
     const struct cr_sample *s = &sol->trace[(long)sample * sol->bodies + body];

@@ -14,7 +14,7 @@ static const double rubbing_share = 0.001;
 
 double cr_abort_weight(const struct cr_solver *s, int pair, int a, int b,
                        const struct cr_force *f) {
-    double closing = cr_vec2_dot(cr_relative_velocity(s, a, b, f->coe), f->normal);
+    double closing = cr_force_approach(s, a, b, f);
     double mass = 1 / cr_vec2_dot(cr_compliance(s, a, b, f->coe, f->normal), f->normal);
     double spent = s->touch[pair].spent;
     return spent > 0 ? 0.5 * mass * closing * closing / spent : (double)INFINITY;

@@ -281,7 +281,10 @@ static bool collect_side(struct cr_solver *s, int me, int other, struct cr_losse
                               .row = cr_face_is_end(their_face),
                               .solid = o->solid[me],
                               .weigh = !s->probing};
-    struct motion motion = motion_of(m, o, s->dt);
+    struct motion motion = {{0, 0}, 0, 0};
+    if (o->left == NULL) {
+        motion = motion_of(m, o, s->dt);
+    }
     struct cr_reach reach;
     cr_reach_begin(&reach, m, o);
     int voxels = cr_reach_rows(&reach, s->met);
@@ -316,25 +319,34 @@ static void choose_faces(struct cr_solver *s, int a, int b) {
     s->losses[1].press = &s->m[b].press[a][s->losses[1].face];
 }
 
+/* what of the excess each of the two gives; false when memory is out */
+static bool share_out(struct cr_solver *s, int a, int b) {
+    struct cr_losses *la = &s->losses[0], *lb = &s->losses[1];
+    bool both = s->m[a].left != NULL && s->m[b].left != NULL;
+    if (s->probing && both) {
+        cr_deform_scale(la, 0.5);
+        cr_deform_scale(lb, 0.5);
+    }
+    if (s->probing) {
+        return true;
+    }
+    cr_yield_range(s, &s->m[a], la);
+    cr_yield_range(s, &s->m[b], lb);
+    if (!both) {
+        return true;
+    }
+    cr_yield_share(s, a, b);
+    return cr_yield_order(&s->m[a], la) && cr_yield_order(&s->m[b], lb);
+}
+
 bool cr_deform_collect(struct cr_solver *s, int a, int b) {
     struct cr_losses *la = &s->losses[0], *lb = &s->losses[1];
     choose_faces(s, a, b);
     if (!collect_side(s, a, b, la, lb->face) || !collect_side(s, b, a, lb, la->face)) {
         return false;
     }
-    bool both = s->m[a].left != NULL && s->m[b].left != NULL;
-    if (s->probing && both) {
-        cr_deform_scale(la, 0.5);
-        cr_deform_scale(lb, 0.5);
-    } else if (!s->probing) {
-        cr_yield_range(s, &s->m[a], la);
-        cr_yield_range(s, &s->m[b], lb);
-    }
-    if (both && !s->probing) {
-        cr_yield_share(s, a, b);
-        if (!cr_yield_order(&s->m[a], la) || !cr_yield_order(&s->m[b], lb)) {
-            return false;
-        }
+    if (!share_out(s, a, b)) {
+        return false;
     }
     sum_losses(&s->m[a], la);
     sum_losses(&s->m[b], lb);
@@ -363,8 +375,8 @@ static const double dust = 1e-12;
 static void take_out(struct cr_moving *m, const struct cr_losses *losses, int from, double share) {
     const struct cr_grid *g = &m->body->grid;
     enum cr_face face = losses->face;
-    bool row = cr_face_is_end(face), far = face == CR_FACE_FRONT || face == CR_FACE_LEFT;
-    int length = row ? g->nx : g->ny;
+    bool row = cr_face_is_end(face), far = cr_face_from_high(face);
+    int length = cr_face_line_length(g, face);
     const double *pitch = m->pitch[face];
     double *depth = m->depth[face];
     struct cr_span span = m->dented[face];

@@ -134,6 +134,10 @@ double cr_force_friction(const struct cr_solver *s, int a, int b) {
     return fmin(friction_of(s, a), friction_of(s, b)); /* the smoother one decides */
 }
 
+double cr_force_approach(const struct cr_solver *s, int a, int b, const struct cr_force *force) {
+    return cr_vec2_dot(cr_relative_velocity(s, a, b, force->coe), force->normal);
+}
+
 /* tilt n towards the unit vector v until their cosine is cosine_min */
 static struct cr_vec2 tilt(struct cr_vec2 n, struct cr_vec2 v) {
     double dot = cr_vec2_dot(n, v);

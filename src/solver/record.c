@@ -47,7 +47,7 @@ bool cr_record_contact(struct cr_solver *s, int pair, int a, int b, const struct
         s->contact = p;
     }
     struct cr_touch *t = &s->touch[pair], old = *t;
-    double closing = cr_vec2_dot(cr_relative_velocity(s, a, b, f->coe), f->normal);
+    double closing = cr_force_approach(s, a, b, f);
     bool rubbing = cr_abort_rubbing(s, pair, a, b, f);
     *t = (struct cr_touch){.record = s->contacts,
                            .last = s->contacts,

@@ -350,7 +350,7 @@ static bool held_elsewhere(const struct cr_solver *s, int a, int b) {
  * within a slice: they are sprung, and take some ms. */
 static void soften(struct cr_solver *s, int pair, int a, int b, struct cr_force *f) {
     struct cr_touch *t = &s->touch[pair];
-    double speed = cr_vec2_dot(cr_relative_velocity(s, a, b, f->coe), f->normal);
+    double speed = cr_force_approach(s, a, b, f);
     if (!(t->spent > 0) || !(speed > 0) || held_elsewhere(s, a, b)) {
         return;
     }
@@ -406,10 +406,6 @@ static bool crush(struct cr_solver *s, int pair, int a, int b, struct cr_force *
     return cr_kinetics_slice(s, pair, a, b, f);
 }
 
-static double approach(const struct cr_solver *s, int a, int b, const struct cr_force *f) {
-    return cr_vec2_dot(cr_relative_velocity(s, a, b, f->coe), f->normal);
-}
-
 static bool work_pair(struct cr_solver *s, int pair, int a, int b) {
     struct cr_moving *ma = &s->m[a], *mb = &s->m[b];
     struct cr_touch *t = &s->touch[pair];
@@ -424,7 +420,7 @@ static bool work_pair(struct cr_solver *s, int pair, int a, int b) {
     }
     struct cr_force f;
     bool deformed = s->losses[0].n + s->losses[1].n > 0 && cr_force_find(s, pair, a, b, &f);
-    deformed = deformed && (t->record >= 0 || approach(s, a, b, &f) > begin_speed);
+    deformed = deformed && (t->record >= 0 || cr_force_approach(s, a, b, &f) > begin_speed);
     if (deformed && !crush(s, pair, a, b, &f)) {
         return false;
     }

@@ -330,7 +330,7 @@ struct cr_force {
     struct cr_vec2 normal;    /* from a to b */
     struct cr_moments patch;  /* the deformed voxels it comes from */
     struct cr_vec2 thrust;    /* or what presses on a rigid surface, N s */
-    double trust;             /* weight of this slice's normal against those before it, >= 1 */
+    double trust;             /* weight of this slice's normal against those before it */
     struct cr_vec2 direction; /* of the force on b */
     double cosine;            /* between the two */
     double energy;            /* Eq. (1), J */
@@ -340,6 +340,8 @@ bool cr_force_find(struct cr_solver *s, int pair, int a, int b, struct cr_force 
 /* energy and COE again once the string has added its losses */
 void cr_force_update(struct cr_solver *s, int pair, int a, int b, struct cr_force *force);
 double cr_force_friction(const struct cr_solver *s, int a, int b);
+/* approach along the normal at the COE, m/s */
+double cr_force_approach(const struct cr_solver *s, int a, int b, const struct cr_force *force);
 
 /* step 3, kinetics.c */
 struct cr_vec2 cr_relative_velocity(const struct cr_solver *s, int a, int b, struct cr_vec2 p);

@@ -41,11 +41,11 @@ static struct lines lines_of(const struct cr_moving *m, const double *unit, enum
                           .outline = m->outline[face],
                           .pitch = m->pitch[face],
                           .span = row ? m->row : m->col,
-                          .n = row ? g->ny : g->nx,
+                          .n = cr_face_lines(g, face),
                           .row = row,
                           .next = row ? g->nx : 1,
                           .along = row ? 1 : g->nx,
-                          .from_end = face == CR_FACE_FRONT || face == CR_FACE_LEFT};
+                          .from_end = cr_face_from_high(face)};
 }
 
 static int voxel_at(const struct lines *l, int line, int along) {

@@ -113,9 +113,10 @@ struct outwards {
 
 static struct outwards outwards(const struct cr_moving *m, const struct cr_losses *losses) {
     const struct cr_grid *g = &m->body->grid;
-    bool row = by_row(losses), up = losses->face == CR_FACE_FRONT || losses->face == CR_FACE_LEFT;
+    bool row = by_row(losses), up = cr_face_from_high(losses->face);
     int out = up ? 1 : -1, dx = row ? out : 0, dy = row ? 0 : out;
-    return (struct outwards){row, up, dx, dy, dy * g->nx + dx, row ? g->nx : g->ny};
+    return (struct outwards){
+        row, up, dx, dy, dy * g->nx + dx, cr_face_line_length(g, losses->face)};
 }
 
 /* From the voxel of a loss on outwards: how many of those hit before are there without a gap? They
