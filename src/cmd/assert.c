@@ -234,24 +234,11 @@ static int find_id(const struct cr_scene *scene, const cJSON *id) {
 
 /* measured values, none of them known yet */
 static void clear_reference(const struct cr_scene *scene, struct cr_reference *ref) {
-    const double none = NAN;
-    int n;
-    const struct cr_measure *table = cr_measures(&n);
     *ref = (struct cr_reference){.n = scene->n};
     for (int i = 0; i < scene->n; i++) {
-        struct cr_severity *of = &ref->of[i];
         snprintf(ref->id[i], sizeof ref->id[i], "%s", scene->part[i].id);
-        of->t_max = of->area_induced = of->vpi = of->phd = none; /* no measures of a file */
-        for (int k = 0; k < n; k++) {
-            memcpy((char *)of + table[k].at, &none, sizeof none);
-        }
+        cr_measures_clear(&ref->of[i]);
     }
-}
-
-static void remember_value(struct cr_reference *ref, int part, const struct cr_measure *m,
-                           double shown) {
-    double si = cr_unit_to_si(cr_measure_unit(m), shown);
-    memcpy((char *)&ref->of[part] + m->at, &si, sizeof si);
 }
 
 /* all numbers of the file that this program has too */
@@ -273,7 +260,8 @@ static enum cr_err compare_all(struct cr_session *s, const cJSON *list, double *
             int part = find_id(&s->result->resolved, id);
             if (cJSON_IsNumber(x) && isfinite(x->valuedouble) && part >= 0) {
                 compare_one(s, &table[i], part, x->valuedouble, &c, worst);
-                remember_value(ref, part, &table[i], x->valuedouble);
+                cr_measure_set(&table[i], &ref->of[part],
+                               cr_unit_to_si(cr_measure_unit(&table[i]), x->valuedouble));
                 compared++;
             }
         }

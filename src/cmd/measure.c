@@ -71,6 +71,18 @@ double cr_measure_get(const struct cr_measure *m, const struct cr_severity *seve
     return x;
 }
 
+void cr_measure_set(const struct cr_measure *m, struct cr_severity *severity, double si) {
+    memcpy((char *)severity + m->at, &si, sizeof si);
+}
+
+void cr_measures_clear(struct cr_severity *severity) {
+    const double none = NAN;
+    for (int i = 0; i < MEASURES; i++) {
+        cr_measure_set(&measures[i], severity, none);
+    }
+    severity->t_max = severity->area_induced = severity->vpi = severity->phd = none;
+}
+
 const struct cr_unit *cr_measure_unit(const struct cr_measure *m) {
     return cr_unit_find(m->unit, m->dim);
 }

@@ -18,6 +18,9 @@ const struct cr_measure *cr_measures(int *n);
 /* By name, key or short word ("dv", "depth"); NULL if there is none. */
 const struct cr_measure *cr_measure_find(const char *name);
 double cr_measure_get(const struct cr_measure *m, const struct cr_severity *severity); /* SI */
+void cr_measure_set(const struct cr_measure *m, struct cr_severity *severity, double si);
+/* All measures NaN, and what a table shows beside them. */
+void cr_measures_clear(struct cr_severity *severity);
 const struct cr_unit *cr_measure_unit(const struct cr_measure *m);
 /* In its unit, and as text with its decimals. */
 double cr_measure_shown(const struct cr_measure *m, const struct cr_severity *severity);

@@ -104,14 +104,14 @@ static double weight_of(const struct cells *c, int i) {
     return (part_up_to(hi, first, last) - part_up_to(lo, first, last)) / (c->hi - c->lo);
 }
 
-/* Mean of the plan's columns over an interval along x, one value per row, into mean. */
-static void mean_rows(const double *v, int ny, const struct cells *cells, double *mean) {
-    memset(mean, 0, (size_t)ny * sizeof *mean);
+/* Mean over an interval of lines of cells, n values each, which follow each other in v. */
+static void mean_line(const double *v, int n, const struct cells *cells, double *mean) {
+    memset(mean, 0, (size_t)n * sizeof *mean);
     for (int i = cells->first; i <= cells->last; i++) {
         double weight = weight_of(cells, i);
-        const double *row = v + (size_t)i * (size_t)ny;
-        for (int j = 0; j < ny; j++) {
-            mean[j] += weight * row[j];
+        const double *line = v + (size_t)i * (size_t)n;
+        for (int k = 0; k < n; k++) {
+            mean[k] += weight * line[k];
         }
     }
 }
@@ -125,7 +125,7 @@ static void resample_x(struct work *w, const struct cr_model_plan *p, const doub
             if (from[v] == NULL) {
                 continue;
             }
-            mean_rows(from[v], p->ny, &cells, w->mean);
+            mean_line(from[v], p->ny, &cells, w->mean);
             for (int j = 0; j < p->ny; j++) {
                 w->slab[v][(size_t)j * (size_t)w->nx + (size_t)k] = w->mean[j];
             }
@@ -140,17 +140,8 @@ static void resample_y(struct work *w, const struct cr_model_plan *p, const doub
                        double y_lo, double y_hi) {
     struct cells cells = to_cells(&w->stretch->y, p->edge, p->ny, y_lo, y_hi);
     for (int v = 0; v < 5; v++) {
-        double *line = w->line[v];
-        if (from[v] == NULL) {
-            continue;
-        }
-        memset(line, 0, (size_t)w->nx * sizeof *line);
-        for (int j = cells.first; j <= cells.last; j++) {
-            double weight = weight_of(&cells, j);
-            const double *slab = w->slab[v] + (size_t)j * (size_t)w->nx;
-            for (int k = 0; k < w->nx; k++) {
-                line[k] += weight * slab[k];
-            }
+        if (from[v] != NULL) {
+            mean_line(w->slab[v], w->nx, &cells, w->line[v]);
         }
     }
 }

@@ -26,7 +26,7 @@ const double cr_crumb = 1e-6;
 /* what does not fit of a voxel's material beside the share phi */
 static inline double excess_of(double left, double phi) {
     double excess = phi >= 1 - cr_crumb ? left : left + phi - 1;
-    return excess <= cr_crumb * left ? 0 : left - excess < cr_crumb ? left : excess;
+    return excess <= cr_crumb * left ? 0 : cr_with_crumb(left, excess);
 }
 
 /* One row of a body, worked against its opponent. */
@@ -311,12 +311,11 @@ static bool collect_side(struct cr_solver *s, int me, int other, struct cr_losse
 /* the faces that the force acted on last; before there was one, those that approach each other */
 static void choose_faces(struct cr_solver *s, int a, int b) {
     const struct cr_touch *t = &s->touch[cr_pair(s, a, b)];
-    struct cr_vec2 v = cr_vec2_sub(s->m[a].vel, s->m[b].vel), back = cr_vec2_scale(v, -1);
+    struct cr_moving *ma = &s->m[a], *mb = &s->m[b];
+    struct cr_vec2 v = cr_vec2_sub(ma->vel, mb->vel), back = cr_vec2_scale(v, -1);
     bool touched = t->record >= 0;
-    s->losses[0].face = touched ? t->face[0] : cr_string_face(&s->m[a], back, back);
-    s->losses[1].face = touched ? t->face[1] : cr_string_face(&s->m[b], v, v);
-    s->losses[0].press = &s->m[a].press[b][s->losses[0].face];
-    s->losses[1].press = &s->m[b].press[a][s->losses[1].face];
+    cr_losses_face(&s->losses[0], ma, b, touched ? t->face[0] : cr_string_face(ma, back, back));
+    cr_losses_face(&s->losses[1], mb, a, touched ? t->face[1] : cr_string_face(mb, v, v));
 }
 
 /* what of the excess each of the two gives; false when memory is out */

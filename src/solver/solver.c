@@ -369,8 +369,7 @@ static void soften(struct cr_solver *s, int pair, int a, int b, struct cr_force 
 static void turn_to(struct cr_solver *s, struct cr_moving *m, int partner, struct cr_losses *losses,
                     enum cr_face face) {
     if (losses->face != face) {
-        losses->face = face;
-        losses->press = &m->press[partner][face];
+        cr_losses_face(losses, m, partner, face);
         cr_yield_range(s, m, losses);
     }
 }

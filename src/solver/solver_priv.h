@@ -286,7 +286,10 @@ int cr_reach_rows(const struct cr_reach *reach, struct cr_span *met);
 /* step 1, deform.c: losses of both bodies of a pair at their present places (nothing changes);
  * false when memory is out */
 bool cr_deform_collect(struct cr_solver *s, int a, int b);
-extern const double cr_crumb; /* material below this share of a voxel goes with the rest */
+extern const double cr_crumb; /* material below this share of a voxel goes with the rest: */
+static inline double cr_with_crumb(double left, double amount) {
+    return left - amount < cr_crumb ? left : amount;
+}
 /* room for n more losses */
 bool cr_losses_reserve(struct cr_losses *losses, int n);
 /* take only a share of the losses */
@@ -296,6 +299,13 @@ void cr_deform_apply(struct cr_moving *m, const struct cr_losses *losses, int fr
 /* give back the share 1 - lambda of the losses, and book the rest */
 void cr_deform_settle(struct cr_solver *s, struct cr_moving *m, struct cr_losses *losses,
                       double lambda);
+
+/* the face that the opponent strikes, and with it what is remembered of its pressing there */
+static inline void cr_losses_face(struct cr_losses *losses, struct cr_moving *m, int opponent,
+                                  enum cr_face face) {
+    losses->face = face;
+    losses->press = &m->press[opponent][face];
+}
 
 /* step 1, yield.c: time over which strength is a mean, s */
 extern const double cr_yield_memory;
@@ -378,6 +388,7 @@ double cr_restitution_share(const struct cr_solver *s, int a, int b, const struc
 
 /* step 6, elastic.c; false when memory is out */
 void cr_elastic_begin(struct cr_solver *s, int pair, int a, int b);
+void cr_elastic_end(struct cr_solver *s, struct cr_touch *t); /* the contact is over */
 bool cr_elastic_slice(struct cr_solver *s, int pair, int a, int b);
 
 /* ending.c */

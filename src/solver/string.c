@@ -264,7 +264,7 @@ static void take(struct cr_string *st, const struct lines *l, int line, struct c
     double depth = l->depth[line], pitch = l->pitch[line];
     double slack = line > st->met.lo && line < st->met.hi ? ripple : 0;
     double deeper = st->w[line] - depth - slack, left = l->m->left[k];
-    double want = deeper > 0 ? deeper / pitch : 0, amount = left - want < cr_crumb ? left : want;
+    double amount = cr_with_crumb(left, deeper > 0 ? deeper / pitch : 0);
     st->w[line] = depth + amount * pitch;
     struct cr_loss *loss = &losses->loss[losses->n++];
     loss->voxel = k;

@@ -264,7 +264,7 @@ static bool take_inward(struct cr_moving *m, struct cr_losses *losses, int i, in
         l->ix = own_x + n * dx;
         l->iy = own_y + n * dy;
         l->voxel = l->iy * nx + l->ix;
-        double left = m->left[l->voxel], amount = left - want < cr_crumb ? left : want;
+        double left = m->left[l->voxel], amount = cr_with_crumb(left, want);
         l->amount = amount;
         l->energy = amount * losses->unit[l->voxel];
         l->beside = left;

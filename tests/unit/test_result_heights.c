@@ -348,13 +348,9 @@ static void round_edges_lead_past(void **state) {
         snprintf(json, sizeof json, "{\"id\":\"B\",\"kind\":\"object\",%s}", edge[k]);
         struct cr_result *r = solved("", car, json);
         const struct cr_solution *o = r->solution;
-        double begin = o->contact[0].t_begin;
-        int i = 0;
-        while (i < o->samples - 1 && o->t[i] < begin + 0.1) {
-            i++;
-        }
-        forward[k] = 64.4 - cr_kmh(o->trace[i * o->bodies].vel.x);
-        aside[k] = -cr_kmh(o->trace[i * o->bodies].vel.y);
+        struct cr_vec2 vel = cr_result_motion_at(o, 0, o->t_contact + 0.1)->vel;
+        forward[k] = 64.4 - cr_kmh(vel.x);
+        aside[k] = -cr_kmh(vel.y);
         cr_result_free(r);
     }
     assert_true(forward[1] > 31 && forward[1] < 52);

@@ -6,7 +6,6 @@
 #include "render/picture.h"
 
 #include <curses.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -51,13 +50,7 @@ void tui_double_compare(struct tui_double *d) {
     assert_non_null(ref);
     *ref = (struct cr_reference){.n = 2, .id = {"A", "B"}};
     for (int i = 0; i < 2; i++) {
-        const double none = NAN;
-        int n;
-        const struct cr_measure *table = cr_measures(&n);
-        for (int k = 0; k < n; k++) {
-            memcpy((char *)&ref->of[i] + table[k].at, &none, sizeof none);
-        }
-        ref->of[i].t_max = ref->of[i].area_induced = ref->of[i].vpi = ref->of[i].phd = none;
+        cr_measures_clear(&ref->of[i]);
     }
     ref->of[0].ees = 40 / 3.6;
     ref->of[0].delta_v = 35 / 3.6;
