@@ -55,7 +55,8 @@ static struct cr_vec2 axis_of(const struct cr_touch *t) {
     return t->sliding ? t->normal : t->direction;
 }
 
-static void finish(struct cr_solver *s, struct cr_touch *t, struct cr_contact *c) {
+void cr_elastic_end(struct cr_solver *s, struct cr_touch *t) {
+    struct cr_contact *c = &s->contact[t->record];
     c->phase = CR_PHASE_APART;
     c->t_end = s->t;
     c->coe = t->moment_weight > 0 ? cr_vec2_scale(t->moment_coe, 1 / t->moment_weight) : t->coe;
@@ -108,7 +109,7 @@ void cr_elastic_begin(struct cr_solver *s, int pair, int a, int b) {
     c->t_plastic_end = c->t_elastic_end = s->t;
     /* without overlap there is nothing to press against, without approach nothing to store */
     if (c->stop != CR_STOP_MOMENTUM || v <= 0 || give <= 0 || c->restitution <= 0) {
-        finish(s, t, c);
+        cr_elastic_end(s, t);
         return;
     }
     struct cr_vec2 normal, tangent = cr_vec2_unit(tangential(t, &normal), cr_vec2(0, 0));
@@ -183,7 +184,7 @@ static void end_phase(struct cr_solver *s, struct cr_touch *t, struct cr_contact
     s->friction += c->stored; /* what an eccentric force could not give back */
     c->friction += c->stored;
     c->stored = 0;
-    finish(s, t, c);
+    cr_elastic_end(s, t);
 }
 
 bool cr_elastic_slice(struct cr_solver *s, int pair, int a, int b) {

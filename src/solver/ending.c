@@ -107,13 +107,14 @@ static double touch_ahead(struct cr_solver *s) {
 
 /* bodies may rub on: what is still open ends here */
 static void close_contacts(struct cr_solver *s) {
-    for (int i = 0; i < s->contacts; i++) {
-        struct cr_contact *c = &s->contact[i];
-        c->phase = CR_PHASE_APART;
-        c->stop = c->stop == CR_STOP_NONE ? CR_STOP_SEPARATION : c->stop;
-        c->t_plastic_end = isnan(c->t_plastic_end) ? s->t : c->t_plastic_end;
-        c->t_elastic_end = isnan(c->t_elastic_end) ? s->t : c->t_elastic_end;
-        c->t_end = isnan(c->t_end) ? s->t : c->t_end;
+    for (int p = 0; p < s->cs->n * (s->cs->n - 1) / 2; p++) {
+        struct cr_touch *t = &s->touch[p];
+        if (t->record >= 0) {
+            struct cr_contact *c = &s->contact[t->record];
+            c->stop = CR_STOP_SEPARATION;
+            c->t_plastic_end = c->t_elastic_end = s->t;
+            cr_elastic_end(s, t);
+        }
     }
 }
 

@@ -100,11 +100,35 @@ static void check_balance(const struct cr_solution *o, int number) {
     assert_true(b->friction >= -1e-9 * b->kinetic_before);
 }
 
+/* The COE of a contact that is over is the mean of its slices', whatever has ended it, weighted by
+ * impulse; of the elastic ones the part along the normal counts, as in the plastic slice before. */
+static void check_contacts(const struct cr_solution *o, int number) {
+    for (int k = 0; k < o->contacts; k++) {
+        struct cr_vec2 sum = {0, 0};
+        double weight = 0, cosine = 1;
+        for (int i = 0; i < o->slices; i++) {
+            const struct cr_slice *x = &o->slice[i];
+            double along = cr_vec2_dot(x->direction, x->normal);
+            if (x->contact == k) {
+                cosine = x->phase == CR_PHASE_PLASTIC ? along : cosine;
+                sum = cr_vec2_axpy(sum, x->impulse * along / cosine, x->coe);
+                weight += x->impulse * along / cosine;
+            }
+        }
+        const struct cr_contact *c = &o->contact[k];
+        double off = cr_vec2_len(cr_vec2_axpy(c->coe, -1 / weight, sum));
+        if (c->phase == CR_PHASE_APART && !(off < 1e-6)) {
+            fail_msg("case %d, contact %d: stop %s, COE off by %g m", number, k,
+                     cr_stop_word(c->stop), off);
+        }
+    }
+}
+
 static void random_sample(void **state) {
     (void)state;
     uint64_t seed = 20260704;
     int met = 0, rested = 0, contacts = 0;
-    for (int i = 0; i < 40; i++) {
+    for (int i = 0; i < 130; i++) {
         struct cr_arena arena = {0};
         struct cr_case cs = random_case(&arena, &seed);
         struct cr_error err = {0};
@@ -114,6 +138,7 @@ static void random_sample(void **state) {
         if (code == CR_ERR_OK) {
             const struct cr_solution *o = cr_solver_solution(s);
             check_balance(o, i);
+            check_contacts(o, i);
             met++;
             contacts += o->contacts;
             rested += isfinite(o->body[0].t_rest);
@@ -124,9 +149,9 @@ static void random_sample(void **state) {
         cr_arena_free(&arena);
     }
     /* the sample is what it claims to be */
-    assert_true(met > 36);
-    assert_true(contacts > 80);
-    assert_true(rested > 5);
+    assert_true(met > 120);
+    assert_true(contacts > 400);
+    assert_true(rested > 15);
 }
 
 /* Without ground and tyres the books can be checked from outside: sums over the bodies of m v,
