@@ -208,10 +208,7 @@ static enum cr_err front_round(struct fit *f, struct cr_error *err) {
         struct cr_model_face front = *cr_model_face(f->lib, (enum cr_type)t, CR_MODEL_FRONT);
         scale_face(&front, 1 / (u[t] * slope_of(&front)));
         front.springback = s[t] + f->shift;
-        struct cr_model_face rear = front;
-        scale_face(&rear, sqrt(0.8)); /* of the front's force: stiffness.md 4.4 */
         cr_model_set_face(f->lib, (enum cr_type)t, CR_MODEL_FRONT, &front);
-        cr_model_set_face(f->lib, (enum cr_type)t, CR_MODEL_REAR, &rear);
     }
     return CR_ERR_OK;
 }
@@ -240,15 +237,20 @@ static enum cr_err side_round(struct fit *f, struct cr_error *err) {
     }
     double n, all = pole_ratio(f, CR_TYPES, &n), area[CR_CALIBRATE_TESTS];
     memcpy(area, f->sim[2], (size_t)f->data->poles * sizeof *area);
-    /* E ~ sqrt(q N) w^1.5 and damaged length ~ sqrt(N w / q): depth from the product of flank and
-     * tension, area from their quotient (literature.md 3.2, closed form) */
-    double quotient = pole_area / cr_stats_median(area, f->data->poles);
+    /* E = q A and A = b w + w^2 / k for a steady flank q, slope k and a pole of the width b: flank
+     * from the area of all, slope from the depth of all, flank of a type from its own depths */
+    const double b = 0.2;
+    double damaged = cr_stats_median(area, f->data->poles);
+    memcpy(area, f->sim[1], (size_t)f->data->poles * sizeof *area);
+    double deep = cr_stats_median(area, f->data->poles), want = deep * exp(-all);
+    double slope = want * want / (pole_area - b * want) / (deep * deep / (damaged - b * deep));
+    slope = cr_clamp(slope, 0.6, 1.6);
     for (int t = 0; t < CR_TYPES; t++) {
         double ratio = pole_ratio(f, t, &n);
-        double force = exp(1.5 * (all + (ratio - all) * n / (n + prior_poles)));
+        double force = damaged / pole_area * exp(1.6 * (ratio - all) * n / (n + prior_poles));
         struct cr_model_face side = *cr_model_face(f->lib, (enum cr_type)t, CR_MODEL_SIDE);
-        scale_face(&side, sqrt(force / quotient));
-        side.tension_per_kg *= force * quotient;
+        scale_face(&side, sqrt(force));
+        side.drag *= slope;
         cr_model_set_face(f->lib, (enum cr_type)t, CR_MODEL_SIDE, &side);
     }
     return CR_ERR_OK;
@@ -382,8 +384,8 @@ static void print_fit(const struct fit *f, struct cr_str *out) {
                             face->springback);
             } else {
                 double depth = face->ees.x[2], v = face->ees.y[2];
-                cr_str_addf(out, "%24s flank %.0f N/kg, tension %.1f N/kg\n", "", v * v / 2 / depth,
-                            face->tension_per_kg);
+                cr_str_addf(out, "%24s flank %.0f N/kg, drag slope %.3f\n", "", v * v / 2 / depth,
+                            face->drag);
             }
         }
     }

@@ -34,8 +34,8 @@ static void add_face(const struct cr_model_face *f, const char *name, struct cr_
     }
     cr_str_addf(out,
                 "],\n      \"springback_m\": %.3g,\n      \"residual_spread_m\": %.3g,\n"
-                "      \"tension_N_per_kg\": %.3g\n    }",
-                f->springback, f->spread, f->tension_per_kg);
+                "      \"drag_slope\": %.3g\n    }",
+                f->springback, f->spread, f->drag);
 }
 
 static void add_number(struct cr_str *out, const char *key, double x) {

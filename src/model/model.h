@@ -68,7 +68,7 @@ struct cr_model_face {
     bool own_metres;           /* depth in m of the vehicle itself, not of the reference vehicle */
     double springback;         /* dynamic minus residual depth, m */
     double spread;             /* of the residual curve: it takes here what springs back, m */
-    double tension_per_kg;     /* string of the induced deformation, N/kg */
+    double drag;               /* greatest slope of the depth beside a contact */
 };
 
 struct cr_model_lib;

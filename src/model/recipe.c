@@ -86,7 +86,7 @@ static void read_face(struct cr_model_json *j, const cJSON *faces, const char *k
     f->energy_linear = cr_model_json_word(j, o, "between", between, 2) == 1;
     f->springback = cr_model_json_number(j, o, "springback_m", 0, 0.6);
     f->spread = cr_model_json_number(j, o, "residual_spread_m", 0.01, 0.6);
-    f->tension_per_kg = cr_model_json_number(j, o, "tension_N_per_kg", 0, 1000);
+    f->drag = cr_model_json_number(j, o, "drag_slope", 0, 100);
     cr_model_json_leave(j);
 }
 

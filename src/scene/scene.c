@@ -29,6 +29,7 @@ void cr_scene_part_init(struct cr_participant *part, enum cr_kind kind) {
             cr_scene_value_reset(&row[i], part, 0);
         }
     }
+    part->model.blend = kind == CR_KIND_VEHICLE;
 }
 
 void cr_scene_part_fini(struct cr_participant *part) {
