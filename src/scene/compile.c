@@ -262,7 +262,7 @@ struct range {
 
 /* Ends of participant k's box from its CG, body frame. */
 static void box_of(const struct cr_participant *p, double x[2], double *half) {
-    double front = p->kind == CR_KIND_VEHICLE ? p->cg_behind_front_axle + p->front_overhang : NAN;
+    double front = p->kind == CR_KIND_VEHICLE ? p->cg_behind_front_axle + p->front_overhang : (double)NAN;
     double length = p->kind == CR_KIND_VEHICLE || p->shape == CR_OBJECT_BOX ? p->length : 2 * p->radius;
     double width = p->kind == CR_KIND_VEHICLE || p->shape == CR_OBJECT_BOX ? p->width : 2 * p->radius;
     length = isfinite(length) ? length : 0.5;

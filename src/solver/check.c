@@ -1,5 +1,5 @@
 /* What a case must hold before it is solved: numbers, extents, options. */
-#include "solver/solver_priv.h"
+#include "solver/setup.h"
 
 /* Faster than this, or spinning faster, a slice could not be made short enough: m/s and rad/s.
  * Far beyond what the scene reader lets through. */

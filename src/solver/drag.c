@@ -1,189 +1,188 @@
-/* Induced deformation: a struck face drags along what lies beside the contact.
+/* Step 1, induced deformation: a struck face drags along what lies beside the contact.
  *
- * The depth w of neighbouring lines of a face falls by no more than the slope k beside the contact:
- *     w[i] >= w[j] - k |y[i] - y[j]|.
- * The least such depths are found exactly by a pass up and a pass down the lines. What is dragged in
- * is material like any other, and costs what its voxels hold; the force of it acts in the contact. */
-#include "solver/solver_priv.h"
+ * The depth w of a face, along its lines, falls by no more than the slope k beside the contact:
+ *     w[i] >= w[j] - k |y[i] - y[j]| - (o[i] - o[j])+,
+ * o being how far the undeformed outline of a line lies back: a wall on a rounded front drags
+ * nothing. Where the surface of the contact itself recedes with the slope s, the limit is k + s: a
+ * corner that is driven on obliquely does not drag the flank. The least such depths come from a pass
+ * up and a pass down the lines. A stamp of the width b on a uniform face q: E = q (b d + d^2 / k). */
+#include "solver/crush.h"
+#include "solver/tuning.h"
 
-#include <string.h>
-
-/* The beam of an end and what stands on it hangs together between its rails: up to this share of the
- * half width; beyond, wing and wheel house are dragged along less, by this slope: frontal poles
- * against the edge of a barrier with 25 % overlap. */
-static const double rails = 0.43, beyond_rails = 3;
-
-/* Lines of one face: line i runs inward from the outline. */
-struct lines {
-    const struct cr_moving *m;
-    const double *unit;
-    const double *depth, *outline, *pitch; /* of the face */
-    const struct cr_span *span;
-    double drop; /* by which the depth may fall from line to line, m */
-    double drop_beyond; /* and beyond the rails of an end */
-    double slant; /* by which the surface of the contact recedes from line to line, m */
-    int n;
-    bool row;      /* lines are rows of the grid, else columns */
-    int next;      /* from a voxel to its neighbour in the next line */
-    int along;     /* to the next voxel of the line */
-    bool from_end; /* inward is towards lower indices */
+/* One face while it is dragged. */
+struct face {
+    struct cr_side *k;
+    enum cr_face face;
+    struct cr_lines lines;
+    double up, down; /* slope of the contact where it recedes towards the next and the last line */
+    double faces;    /* how far the force is on this face, 0..1 */
+    int lo, hi;      /* lines that the contact presses on */
 };
 
-static struct lines lines_of(const struct cr_moving *m, const struct cr_losses *losses) {
-    const struct cr_grid *g = &m->body->grid;
-    enum cr_face face = losses->face;
-    bool row = cr_face_is_end(face);
-    return (struct lines){.m = m,
-                          .unit = losses->unit,
-                          .depth = m->depth[face],
-                          .outline = m->outline[face],
-                          .pitch = m->pitch[face],
-                          .span = row ? m->row : m->col,
-                          .drop = g->drag[face] * g->h,
-                          .drop_beyond = fmax(g->drag[face], row ? beyond_rails : 0) * g->h,
-                          .slant = losses->slant * g->h,
-                          .n = cr_face_lines(g, face),
-                          .row = row,
-                          .next = row ? g->nx : 1,
-                          .along = row ? 1 : g->nx,
-                          .from_end = cr_face_from_high(face)};
+/* slope of the structure between the lines i and i + 1 */
+static double slope_at(const struct face *f, int i) {
+    double k = f->k->m->surface.grid->drag[f->face];
+    double out = fabs(2.0 * (i + 1) / f->lines.n - 1);
+    return cr_face_is_end(f->face) && out > cr_rails_share ? fmax(k, cr_beyond_rails) : k;
 }
 
-enum cr_face cr_struck_face(const struct cr_moving *m, struct cr_vec2 inward, struct cr_vec2 v) {
-    struct cr_vec2 n = cr_vec2_unrotate(inward, m->c, m->s), w = cr_vec2_unrotate(v, m->c, m->s);
-    double x = n.x * w.x, y = n.y * w.y, rounding = 1e-6 * (fabs(x) + fabs(y));
-    if (x >= y - rounding) { /* a tie is the end's, whatever rounding says */
-        return n.x < 0 ? CR_FACE_FRONT : CR_FACE_REAR;
+/* How deep a place lies below the undeformed outline of the body, m. */
+static double rest_depth(const struct cr_surface *s, struct cr_vec2 place) {
+    double least = INFINITY;
+    for (int face = 0; face < CR_FACES; face++) {
+        struct cr_lines l = cr_surface_lines(s->grid, face);
+        struct cr_vec2 r = cr_vec2_sub(place, l.corner);
+        int line = (int)cr_clamp(floor(cr_vec2_dot(r, l.along) / s->grid->h), 0, l.n - 1);
+        least = fmin(least, cr_vec2_dot(r, l.in) - s->outline[face][line]);
     }
-    return n.y < 0 ? CR_FACE_LEFT : CR_FACE_RIGHT;
+    return least;
 }
 
-static const double steepest = 10;
-
-void cr_losses_turn(const struct cr_moving *m, struct cr_losses *losses, struct cr_vec2 inward,
-                    struct cr_vec2 v) {
-    struct cr_vec2 n = cr_vec2_unrotate(inward, m->c, m->s);
-    losses->face = cr_struck_face(m, inward, v);
-    bool end = cr_face_is_end(losses->face);
-    double into = fabs(end ? n.x : n.y), along = end ? n.y : n.x;
-    losses->slant = cr_clamp(along / fmax(into, 1e-6), -steepest, steepest);
+/* What holds the lines about a place of the contact's surface with the normal n there. A place of the
+ * surface belongs to the face that it looks at, unless it is much closer to another: the side of a
+ * dent in an end is no dent of the flank. One behind material that still stands in its line holds
+ * nothing. */
+static void hold(struct face *f, struct cr_vec2 place, struct cr_hold *hold) {
+    const struct cr_surface *s = &f->k->m->surface;
+    double h = s->grid->h, faces = f->faces;
+    double deepness = cr_vec2_dot(cr_vec2_sub(place, f->lines.corner), f->lines.in);
+    faces *= cr_clamp(2 - deepness / (4 * fmax(rest_depth(s, place), h)), 0, 1);
+    if (!(faces > 0)) {
+        return;
+    }
+    struct cr_vec2 r = cr_vec2_sub(place, f->lines.corner);
+    double at = cr_vec2_dot(r, f->lines.along) / h - 0.5, deep = cr_vec2_dot(r, f->lines.in);
+    struct cr_hold here = {.in = faces};
+    int line = (int)cr_clamp(floor(at), 0, f->lines.n - 2);
+    for (int i = line; i <= line + 1; i++) {
+        double hidden = fmax(deep - (s->first[f->face][i] + 1.5) * h, 0);
+        double slope = (i > at ? f->up : f->down) + slope_at(f, line) / here.in;
+        here.depth = deep - 2 * hidden - slope * fabs(i - at) * h;
+        hold[i] = here.depth > hold[i].depth ? here : hold[i];
+    }
+    f->lo = line < f->lo ? line : f->lo;
+    f->hi = line + 1 > f->hi ? line + 1 : f->hi;
 }
 
-/* place along a line of its first voxel from outside that still has material, -1 if none has */
-static inline int surface(const struct lines *l, int line) {
-    const double *left = l->m->left + line * l->next;
-    struct cr_span live = l->span[line];
-    if (l->from_end) {
-        while (live.lo < live.hi && left[(live.hi - 1) * l->along] <= 0) {
-            live.hi--;
-        }
-        return live.lo < live.hi ? live.hi - 1 : -1;
-    }
-    while (live.lo < live.hi && left[live.lo * l->along] <= 0) {
-        live.lo++;
-    }
-    return live.lo < live.hi ? live.lo : -1;
-}
-
-static inline bool beyond(const struct lines *l, int line) {
-    return fabs(line - 0.5 * (l->n - 1)) > 0.5 * rails * l->n;
-}
-
-/* A line is dragged along by line `by` beside it. An outline that recedes leaves it behind: a wall
- * that flattens a rounded end drags nothing. */
-static inline void drag(struct cr_drag *d, const struct lines *l, int line, int by) {
-    double back = l->outline[line] - l->outline[by], away = (line - by) * l->slant;
-    double drop = beyond(l, line) && beyond(l, by) ? l->drop_beyond : l->drop;
-    double w = d->w[by] - drop - (back > 0 ? back : 0) - (away > 0 ? away : 0);
-    if (w > d->w[line]) {
-        d->w[line] = w;
-    }
-}
-
-/* least depths w of all lines that no slope is too steep for */
-static void settle(struct cr_drag *d, const struct lines *l) {
-    for (int i = 1; i < l->n; i++) {
-        drag(d, l, i, i - 1);
-    }
-    for (int i = l->n - 2; i >= 0; i--) {
-        drag(d, l, i, i + 1);
-    }
-}
-
-static bool drags(const struct cr_solver *s, const struct cr_moving *m,
-                  const struct cr_losses *losses) {
-    return s->cs->opts.induced && losses->n > 0 && m->body->grid.nx > 0 &&
-           m->body->grid.drag[losses->face] > 0;
-}
-
-double cr_drag_energy(struct cr_solver *s, const struct cr_moving *m,
-                      const struct cr_losses *losses) {
-    if (!drags(s, m, losses)) {
-        return 0;
-    }
-    struct lines l = lines_of(m, losses);
-    struct cr_drag *d = &s->drag;
-    double sum = 0;
-    memcpy(d->w, l.depth, (size_t)l.n * sizeof *d->w);
-    for (int i = 0; i < losses->n; i++) {
-        int line = l.row ? losses->loss[i].iy : losses->loss[i].ix;
-        d->w[line] += losses->loss[i].amount * l.pitch[line];
-    }
-    memcpy(d->own, d->w, (size_t)l.n * sizeof *d->own);
-    settle(d, &l);
-    for (int i = 0; i < l.n; i++) {
-        if (d->w[i] > d->own[i]) {
-            int k = surface(&l, i);
-            sum += k < 0 ? 0
-                         : (d->w[i] - d->own[i]) / l.pitch[i] *
-                               l.unit[i * l.next + k * l.along];
+/* the places on the surface of the contact */
+static void hold_all(struct face *f, struct cr_hold *lines) {
+    const struct cr_side *k = f->k;
+    const struct cr_surface *s = &k->m->surface;
+    for (int i = 0; i < k->cells; i++) {
+        const struct cr_cell *c = &k->cell[i];
+        double phi = s->phi[c->at];
+        if (c->met > 0 && fabs(phi) < s->grid->h) {
+            hold(f, cr_vec2_axpy(c->place, phi, c->normal), lines);
         }
     }
-    return sum;
 }
 
-/* Takes `deeper` m out of a line, from its surface inward; false when memory is out. */
-static bool take(const struct lines *l, int line, double deeper, struct cr_losses *losses) {
-    double want = deeper / l->pitch[line];
-    struct cr_span live = l->span[line];
-    int k = surface(l, line), step = l->from_end ? -1 : 1;
-    for (; k >= live.lo && k < live.hi && want > cr_crumb; k += step) {
-        int voxel = line * l->next + k * l->along;
-        double left = l->m->left[voxel], amount = cr_with_crumb(left, want);
-        if (left <= 0) {
-            continue;
+/* No slope is too steep: a pass up and a pass down the lines. What drags a line hands on to the next
+ * how its own surface recedes. */
+static void limit_slopes(const struct face *f, struct cr_hold *l) {
+    const double *o = f->k->m->surface.outline[f->face];
+    double h = f->k->m->surface.grid->h;
+    for (int i = f->lo; i + 1 < f->lines.n; i++) {
+        double fall = fmax(o[i] - o[i + 1], 0) + (f->up + slope_at(f, i) / l[i].in) * h;
+        if (l[i].depth - fall > l[i + 1].depth) {
+            l[i + 1] = (struct cr_hold){l[i].depth - fall, l[i].in, true};
         }
-        if (!cr_losses_reserve(losses, 1)) {
+    }
+    for (int i = f->hi; i > 0; i--) {
+        double fall = fmax(o[i] - o[i - 1], 0) + (f->down + slope_at(f, i - 1) / l[i].in) * h;
+        if (l[i].depth - fall > l[i - 1].depth) {
+            l[i - 1] = (struct cr_hold){l[i].depth - fall, l[i].in, true};
+        }
+    }
+}
+
+/* the voxels of a line down to a depth of a surface that slants with the slope k */
+static bool crush_line(struct face *f, int line, double depth, double k) {
+    struct cr_surface *s = &f->k->m->surface;
+    double h = s->grid->h, open = depth - s->outline[f->face][line];
+    double wide = fmin(1 + k, 1 + 2 * open / h), lean = wide - 1, steep = 1 / sqrt(1 + lean * lean);
+    struct cr_vec2 n = cr_vec2_scale(cr_vec2_axpy(f->lines.in, lean, f->lines.along), steep);
+    for (int i = s->first[f->face][line]; i < f->lines.length; i++) {
+        double phi = (depth - (i + 0.5) * h) * steep;
+        if (phi < -2 * h) {
+            break;
+        }
+        int voxel = f->lines.first + line * f->lines.next + i * f->lines.inward;
+        int at = cr_surface_at(s, voxel % s->grid->nx, voxel / s->grid->nx);
+        if (!cr_crush_voxel(f->k, voxel, at, phi, n)) {
             return false;
         }
-        struct cr_loss *loss = &losses->loss[losses->n++];
-        loss->voxel = voxel;
-        loss->ix = l->row ? k : line;
-        loss->iy = l->row ? line : k;
-        loss->amount = amount;
-        loss->energy = amount * l->unit[voxel];
-        losses->energy += loss->energy;
-        want -= amount;
     }
     return true;
 }
 
-bool cr_drag_along(struct cr_solver *s, struct cr_moving *m, struct cr_losses *losses) {
-    if (!drags(s, m, losses)) {
+/* force with which a line resists at a depth, N */
+static double strength_of(const struct face *f, int line, double depth) {
+    const struct cr_surface *s = &f->k->m->surface;
+    double n = depth / s->grid->h - 0.5;
+    int i = (int)cr_clamp(floor(n), 0, f->lines.length - 2);
+    double u = cr_clamp(n - i, 0, 1);
+    int k = f->lines.first + line * f->lines.next + i * f->lines.inward, next = k + f->lines.inward;
+    double here = f->k->unit[k] * s->dense[k], there = f->k->unit[next] * s->dense[next];
+    return (here + u * (there - here)) / s->grid->h;
+}
+
+/* Lines that are dragged to their limit pull on the contact: what of a line is taut, and how far. */
+static void pull_line(struct cr_duo *d, int side, struct face *f, int line, double held,
+                      double depth) {
+    struct cr_surface *s = &f->k->m->surface;
+    double *limit = &s->limit[f->face][line], h = s->grid->h;
+    *limit = fmax(*limit, depth);
+    double taut = cr_clamp(1 - (*limit - held) / h, 0, 1);
+    d->touch->taut[side] += taut * strength_of(f, line, depth);
+}
+
+static bool drag_face(struct cr_duo *d, int side, enum cr_face face) {
+    struct cr_side *k = &d->s->side[side];
+    const struct cr_surface *s = &k->m->surface;
+    struct face f = {.k = k, .face = face, .lines = cr_surface_lines(s->grid, face), .hi = -1};
+    struct cr_hold *line = d->s->hold;
+    struct cr_vec2 n = cr_vec2_unit(k->pressure, cr_vec2(0, 0));
+    double in = cr_vec2_dot(n, f.lines.in), aside = cr_vec2_dot(n, f.lines.along);
+    f.faces = cr_clamp((in - 0.5) / 0.25, 0, 1);
+    if (!(s->grid->drag[face] > 0) || !(f.faces > 0) || f.lines.n < 2) {
         return true;
     }
-    struct lines l = lines_of(m, losses);
-    struct cr_drag *d = &s->drag;
-    double before = losses->energy;
-    memcpy(d->w, l.depth, (size_t)l.n * sizeof *d->w);
-    settle(d, &l);
-    for (int i = 0; i < l.n; i++) {
-        double deeper = d->w[i] - l.depth[i];
-        if (deeper > 0 && !take(&l, i, deeper, losses)) {
+    f.up = fmax(aside, 0) / in;
+    f.down = fmax(-aside, 0) / in;
+    f.lo = f.lines.n;
+    for (int i = 0; i < f.lines.n; i++) {
+        line[i] = (struct cr_hold){.depth = -INFINITY, .in = 1};
+    }
+    hold_all(&f, line);
+    if (f.hi < 0) {
+        return true;
+    }
+    limit_slopes(&f, line);
+    for (int i = 0; i < f.lines.n; i++) {
+        if (!line[i].dragged || !(line[i].depth > s->outline[face][i])) {
+            continue;
+        }
+        /* it comes along with the contact, and hardly faster */
+        double stands = fmax(s->limit[face][i], s->first[face][i] * s->grid->h);
+        double depth = fmin(line[i].depth, stands + cr_pass_most * k->advance / in);
+        if (!crush_line(&f, i, depth, slope_at(&f, i))) {
+            return false;
+        }
+        pull_line(d, side, &f, i, line[i].depth, depth);
+    }
+    return true;
+}
+
+bool cr_drag_along(struct cr_duo *d, int side) {
+    struct cr_side *k = &d->s->side[side];
+    double before = k->energy;
+    d->touch->taut[side] = 0;
+    for (int f = 0; f < CR_FACES && k->m->soft && k->cells > 0; f++) {
+        if (!drag_face(d, side, f)) {
             return false;
         }
     }
-    losses->induced = losses->energy - before;
-    cr_deform_apply(m, losses, losses->contact);
+    k->induced += k->energy - before;
     return true;
 }

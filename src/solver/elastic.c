@@ -5,70 +5,15 @@
  *
  * What the compression stores of the motion along the normal the restitution gives back to the
  * last joule; where the contact slides, the tangential part is friction as before. */
-#include "solver/solver_priv.h"
-
-double cr_restitution_auto(double closing, bool rigid_partner) {
-    /* stiffness.md 6, the rule through the read points; closing in m/s */
-    if (rigid_partner) {
-        return closing <= 4.3  ? 0.33
-               : closing <= 10 ? 0.33 + (closing - 4.3) / (10 - 4.3) * (0.15 - 0.33)
-                               : 0.16;
-    }
-    return closing <= 2 ? 0.3 : closing <= 10 ? 0.3 + (closing - 2) / 8 * (0.10 - 0.3) : 0.10;
-}
-
-/* share of an end's width from which it counts as whole: corners and curved ends lag behind */
-static const double whole_width = 0.95;
-
-/* Share of the width of an end that the opponent presses on, of what a flat wall would press on at
- * that depth; a flank counts as whole, because its tests are narrow. */
-static double width_share(const struct cr_moving *m, const struct cr_losses *losses) {
-    enum cr_face face = losses->face;
-    if (m->left == NULL || !cr_face_is_end(face)) {
-        return 1;
-    }
-    const double *depth = m->depth[face], *outline = m->outline[face];
-    int n = cr_face_lines(&m->body->grid, face);
-    double deepest = 0, reached = 0, h = m->body->grid.h;
-    for (int i = 0; i < n; i++) {
-        deepest = depth[i] > 0 ? fmax(deepest, outline[i] + depth[i]) : deepest;
-    }
-    double wide = 0;
-    for (int i = 0; i < n; i++) { /* in lines full of material */
-        double full = h / m->pitch[face][i], whole = deepest - outline[i];
-        reached += whole > h ? full : 0;
-        wide += whole > h ? fmin(1, depth[i] / whole) * full : 0;
-    }
-    return reached > 0 ? cr_clamp(wide / (whole_width * reached), 0, 1) : 1;
-}
-
-double cr_restitution_share(const struct cr_solver *s, int a, int b, const struct cr_contact *c) {
-    double energy = 0, pressed = 0;
-    for (int side = 0; side < 2; side++) {
-        double e = c->energy[side] + s->losses[side].energy;
-        energy += e;
-        pressed += e * width_share(&s->m[side == 0 ? a : b], &s->losses[side]);
-    }
-    return energy > 0 ? sqrt(pressed / energy) : 1;
-}
+#include "solver/phases.h"
+#include "solver/record.h"
+#include "solver/tuning.h"
 
 /* the direction along which energy is stored: the force itself while the contact sticks */
 static struct cr_vec2 axis_of(const struct cr_touch *t) {
     return t->sliding ? t->normal : t->direction;
 }
 
-void cr_elastic_end(struct cr_solver *s, struct cr_touch *t) {
-    struct cr_contact *c = &s->contact[t->record];
-    c->phase = CR_PHASE_APART;
-    c->t_end = s->t;
-    c->coe = t->moment_weight > 0 ? cr_vec2_scale(t->moment_coe, 1 / t->moment_weight) : t->coe;
-    c->normal = cr_vec2_unit(t->normal_sum, t->normal);
-    t->record = -1;
-    t->spent += c->energy[0] + c->energy[1];
-}
-
-/* limits of the elastic phases where the force decides, s; the paper takes 5 ms */
-static const double elastic_least = 5e-3, elastic_most = 0.03;
 /* A force that falls evenly to zero has given half of its impulse when it is down to 1/sqrt(2). */
 static const double half_way = 0.70710678118654752;
 
@@ -77,7 +22,7 @@ static void begin_phase(const struct cr_solver *s, struct cr_touch *t, enum cr_p
     double time = s->cs->opts.elastic_s, dt = s->cs->opts.dt;
     if (!(time > 0)) {
         double shape = phase == CR_PHASE_COMPRESSION ? 2 / (1 + half_way) : 2 / half_way;
-        time = cr_clamp(shape * t->elastic_plan / fmax(t->force, 1), elastic_least, elastic_most);
+        time = cr_clamp(shape * t->elastic_plan / fmax(t->force, 1), cr_elastic_least, cr_elastic_most);
         time = ceil(time / dt) * dt;
     }
     t->elastic_time = t->elastic_left = time;
@@ -102,21 +47,22 @@ static struct cr_vec2 tangential(const struct cr_touch *t, struct cr_vec2 *norma
     return cr_vec2_sub(t->direction, *normal);
 }
 
-void cr_elastic_begin(struct cr_solver *s, int pair, int a, int b) {
-    struct cr_touch *t = &s->touch[pair];
+void cr_elastic_begin(struct cr_duo *d) {
+    struct cr_solver *s = d->s;
+    struct cr_touch *t = d->touch;
     struct cr_contact *c = &s->contact[t->record];
     struct cr_vec2 axis = axis_of(t);
-    double v = cr_vec2_dot(cr_relative_velocity(s, a, b, t->coe), axis);
-    double give = cr_vec2_dot(cr_compliance(s, a, b, t->coe, t->direction), axis);
+    double v = cr_vec2_dot(cr_relative_velocity(d, t->coe), axis);
+    double give = cr_vec2_dot(cr_impulse_compliance(d, t->coe, t->direction), axis);
     c->t_plastic_end = c->t_elastic_end = s->t;
     /* without overlap there is nothing to press against, without approach nothing to store */
     if (c->stop != CR_STOP_MOMENTUM || v <= 0 || give <= 0 || c->restitution <= 0) {
-        cr_elastic_end(s, t);
+        cr_touch_end(s, t);
         return;
     }
     struct cr_vec2 normal, tangent = cr_vec2_unit(tangential(t, &normal), cr_vec2(0, 0));
     t->rubbed = 0;
-    t->slip = fmax(cr_vec2_dot(cr_relative_velocity(s, a, b, t->coe), tangent), 0);
+    t->slip = fmax(cr_vec2_dot(cr_relative_velocity(d, t->coe), tangent), 0);
     c->phase = CR_PHASE_COMPRESSION;
     t->elastic_plan = v / give;
     begin_phase(s, t, c->phase);
@@ -135,8 +81,8 @@ static double last_impulse(const struct cr_contact *c, double v, double give, do
 /* Direction of the force over an impulse j, not longer than 1. Sliding friction may turn the slip
  * round to as much as it was when the elastic phases began, as Poisson's impulse does at the limit
  * of sticking (literature.md 2.1), but not further: it would give back more than it took. */
-static struct cr_vec2 sliding_direction(const struct cr_solver *s, int a, int b,
-                                        const struct cr_touch *t, struct cr_vec2 rel, double j) {
+static struct cr_vec2 sliding_direction(const struct cr_duo *d, struct cr_vec2 rel, double j) {
+    const struct cr_touch *t = d->touch;
     struct cr_vec2 normal, tangent = tangential(t, &normal);
     double size = cr_vec2_len(tangent);
     if (!t->sliding || size < 1e-9 || !(j > 0)) {
@@ -144,8 +90,8 @@ static struct cr_vec2 sliding_direction(const struct cr_solver *s, int a, int b,
     }
     struct cr_vec2 unit = cr_vec2_scale(tangent, 1 / size);
     double spare = cr_vec2_dot(rel, unit) + t->slip;
-    double by_normal = cr_vec2_dot(cr_compliance(s, a, b, t->coe, normal), unit);
-    double by_tangent = cr_vec2_dot(cr_compliance(s, a, b, t->coe, tangent), unit);
+    double by_normal = cr_vec2_dot(cr_impulse_compliance(d, t->coe, normal), unit);
+    double by_tangent = cr_vec2_dot(cr_impulse_compliance(d, t->coe, tangent), unit);
     double share = spare > 0 ? cr_clamp((spare / j - by_normal) / by_tangent, 0, 1) : 0;
     return cr_vec2_axpy(normal, share, tangent);
 }
@@ -158,22 +104,22 @@ struct push {
     double rubbed; /* work of the tangential part, J */
 };
 
-static struct push push_of(const struct cr_solver *s, int a, int b, struct cr_vec2 f,
-                           double planned, bool last) {
-    const struct cr_touch *t = &s->touch[cr_pair(s, a, b)];
-    struct cr_vec2 axis = axis_of(t), rel = cr_relative_velocity(s, a, b, t->coe);
+static struct push push_of(const struct cr_duo *d, struct cr_vec2 f, double planned, bool last) {
+    const struct cr_touch *t = d->touch;
+    struct cr_vec2 axis = axis_of(t), rel = cr_relative_velocity(d, t->coe);
     struct push p = {
-        .f = f, .yield = cr_compliance(s, a, b, t->coe, f), .along = cr_vec2_dot(f, axis)};
+        .f = f, .yield = cr_impulse_compliance(d, t->coe, f), .along = cr_vec2_dot(f, axis)};
     double v = cr_vec2_dot(rel, axis), give = cr_vec2_dot(p.yield, axis);
     double most =
-        give > 0 ? last_impulse(&s->contact[t->record], v, give, p.along) : (double)INFINITY;
+        give > 0 ? last_impulse(&d->s->contact[t->record], v, give, p.along) : (double)INFINITY;
     p.j = last && give > 0 ? most : fmin(planned, most);
     p.stored = p.along * p.j * (v - 0.5 * give * p.j);
     p.rubbed = p.j * (cr_vec2_dot(rel, f) - 0.5 * cr_vec2_dot(p.yield, f) * p.j) - p.stored;
     return p;
 }
 
-/* of the compression, which the restitution follows, or of that */
+/* Ends the running elastic phase: compression goes over into restitution, restitution ends the
+ * contact. */
 static void end_phase(struct cr_solver *s, struct cr_touch *t, struct cr_contact *c, double along) {
     if (c->phase == CR_PHASE_COMPRESSION) {
         c->elastic_impulse += t->elastic_done * along;
@@ -186,25 +132,26 @@ static void end_phase(struct cr_solver *s, struct cr_touch *t, struct cr_contact
     s->friction += c->stored; /* what an eccentric force could not give back */
     c->friction += c->stored;
     c->stored = 0;
-    cr_elastic_end(s, t);
+    cr_touch_end(s, t);
 }
 
-bool cr_elastic_slice(struct cr_solver *s, int pair, int a, int b) {
-    struct cr_touch *t = &s->touch[pair];
+bool cr_elastic_slice(struct cr_duo *d) {
+    struct cr_solver *s = d->s;
+    struct cr_touch *t = d->touch;
     struct cr_contact *c = &s->contact[t->record];
-    struct cr_vec2 rel = cr_relative_velocity(s, a, b, t->coe);
+    struct cr_vec2 rel = cr_relative_velocity(d, t->coe);
     double planned = planned_impulse(s, t, c->phase);
     bool last = t->elastic_left - s->dt <= 1e-12;
-    struct push p = push_of(s, a, b, sliding_direction(s, a, b, t, rel, planned), planned, last);
+    struct push p = push_of(d, sliding_direction(d, rel, planned), planned, last);
     if (t->sliding && t->rubbed + p.rubbed < 0) { /* a third body has turned the slip round */
         struct cr_vec2 normal;
         tangential(t, &normal);
-        p = push_of(s, a, b, normal, planned, last);
+        p = push_of(d, normal, planned, last);
     }
     t->rubbed += p.rubbed;
     struct cr_vec2 f = p.f;
     double v = cr_vec2_dot(rel, axis_of(t)), j = p.j;
-    cr_impulse_apply(s, a, b, t->coe, cr_vec2_scale(f, j));
+    cr_impulse_apply(d, t->coe, cr_vec2_scale(f, j));
     c->stored += p.stored;
     c->friction += p.rubbed;
     s->friction += p.rubbed;
@@ -231,4 +178,10 @@ bool cr_elastic_slice(struct cr_solver *s, int pair, int a, int b) {
         end_phase(s, t, c, p.along);
     }
     return kept;
+}
+
+double cr_elastic_within(const struct cr_solver *s, const struct cr_touch *t) {
+    enum cr_phase phase = s->contact[t->record].phase;
+    bool elastic = phase == CR_PHASE_COMPRESSION || phase == CR_PHASE_RESTITUTION;
+    return elastic ? t->elastic_left : (double)INFINITY;
 }

@@ -1,22 +1,13 @@
 /* The end of a solve: after the last contact, or where everything has come to rest. */
-#include "solver/solver_priv.h"
-
-/* How long after a contact another touch belongs to the same crash, s: the other end of a car that
- * was struck off its CG slaps after 50 to 250 ms. */
-static const double horizon = 0.3;
-/* step of the look ahead, s */
-static const double probe_step = 0.01;
-/* A touch foreseen is waited for if its energy of approach is this share of the crash so far. */
-static const double strike_share = 0.003;
-/* a touch this far from the last one is another, m */
-static const double elsewhere = 0.75;
-/* slower than this a body is at rest (literature.md 7.5) */
-static const double rest_speed = 0.05, rest_yaw = 0.02;
+#include "solver/crush.h"
+#include "solver/motion.h"
+#include "solver/phases.h"
+#include "solver/tuning.h"
 
 void cr_ending_rest(struct cr_solver *s, const bool in_contact[]) {
     for (int i = 0; i < s->cs->n; i++) {
         struct cr_moving *m = &s->m[i];
-        bool slow = cr_vec2_len(m->vel) < rest_speed && fabs(m->yaw_rate) < rest_yaw;
+        bool slow = cr_vec2_len(m->vel) < cr_rest_speed && fabs(m->yaw_rate) < cr_rest_yaw;
         if (m->at_rest || m->driven || in_contact[i] || !slow || m->inv_mass == 0 ||
             isnan(m->t_first)) {
             continue;
@@ -69,38 +60,37 @@ static void fly(struct cr_solver *s, double time) {
 }
 
 /* Whether two bodies as they stand press on each other in earnest, and elsewhere than where they
- * last did: there they rub while they turn away, and flying on freely sinks them into each other.
- */
-static bool strikes(struct cr_solver *s, int pair, int a, int b, struct cr_vec2 last) {
+ * last did: there they rub while they turn away, and flying on freely sinks them into each other. */
+static bool strikes(struct cr_duo *d) {
     struct cr_force f;
-    if (!cr_deform_collect(s, a, b) || s->losses[0].n + s->losses[1].n == 0 ||
-        !cr_force_find(s, pair, a, b, &f)) {
+    bool met;
+    if (!cr_overlap_find(d, &met) || !met) {
         return false;
     }
-    return cr_vec2_len(cr_vec2_sub(f.coe, last)) > elsewhere &&
-           cr_abort_weight(s, pair, a, b, &f) > strike_share;
+    cr_yield_share(d);
+    bool found = cr_crush_contact(d) && cr_force_find(d, &f);
+    cr_crush_settle(d, 0);
+    double way = d->touch->spent > 0 ? cr_vec2_len(cr_vec2_sub(f.coe, d->touch->coe)) : (double)INFINITY;
+    return found && way > cr_elsewhere && cr_touch_weight(d, &f) > cr_strike_share;
 }
 
-/* Time until any two bodies strike again if they fly on freely, infinite beyond the horizon. */
+/* Time until any two bodies strike again if they fly on freely, infinite beyond the cr_horizon. */
 static double touch_ahead(struct cr_solver *s) {
     struct cr_snapshot now;
     remember(s, &now);
     long visits = s->visits;
     double ahead = INFINITY;
-    s->probing = true;
-    for (int k = 1; k * probe_step <= horizon && isinf(ahead); k++) {
-        fly(s, probe_step);
-        for (int p = 0, a = 0; a < s->cs->n; a++) {
-            for (int b = a + 1; b < s->cs->n; b++, p++) {
-                bool fixed = s->m[a].inv_mass == 0 && s->m[b].inv_mass == 0;
-                bool met = s->touch[p].spent > 0;
-                struct cr_vec2 last = met ? s->touch[p].coe : cr_vec2(INFINITY, INFINITY);
-                ahead = !fixed && strikes(s, p, a, b, last) ? fmin(ahead, k * probe_step) : ahead;
+    for (int k = 1; k * cr_probe_step <= cr_horizon && isinf(ahead); k++) {
+        fly(s, cr_probe_step);
+        for (int a = 0; a < s->cs->n; a++) {
+            for (int b = a + 1; b < s->cs->n; b++) {
+                struct cr_duo d = cr_duo(s, a, b);
+                bool fixed = d.ma->inv_mass == 0 && d.mb->inv_mass == 0;
+                ahead = !fixed && strikes(&d) ? fmin(ahead, k * cr_probe_step) : ahead;
             }
         }
     }
     go_back(s, &now);
-    s->probing = false;
     s->visits = visits;
     return ahead;
 }
@@ -113,7 +103,7 @@ static void close_contacts(struct cr_solver *s) {
             struct cr_contact *c = &s->contact[t->record];
             c->stop = CR_STOP_SEPARATION;
             c->t_plastic_end = c->t_elastic_end = s->t;
-            cr_elastic_end(s, t);
+            cr_touch_end(s, t);
         }
     }
 }
@@ -126,8 +116,8 @@ static void look_ahead(struct cr_solver *s) {
         remember(s, s->freed);
     }
     if (s->t >= s->t_look) {
-        double ahead = s->t - s->t_struck < horizon ? touch_ahead(s) : (double)INFINITY;
-        s->t_look = s->t + ahead + probe_step;
+        double ahead = s->t - s->t_struck < cr_horizon ? touch_ahead(s) : (double)INFINITY;
+        s->t_look = s->t + ahead + cr_probe_step;
         s->done = isinf(ahead);
     }
     if (s->done) {

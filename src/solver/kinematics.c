@@ -1,13 +1,7 @@
 /* Step 4 of the paper: velocities and places, by semi-implicit Euler with an adapted slice. */
-#include "solver/solver_priv.h"
-
-/* Share of a voxel that two bodies may approach each other by in one slice: half of one on an exact
- * outline; of two that deform each crushes the other's voxels. */
-static const double approach_max = 0.5, approach_both = 0.35;
-/* half the size of a contact patch: what turns about the COE within it, m */
-static const double patch_reach = 0.75;
-/* free motion after a contact: slices up to this many times longer */
-static const double free_stretch = 4;
+#include "solver/motion.h"
+#include "solver/phases.h"
+#include "solver/tuning.h"
 
 void cr_kinematics_place(struct cr_moving *m, struct cr_vec2 pos, double heading) {
     m->pos = pos;
@@ -118,42 +112,41 @@ static double gap(const struct cr_moving *a, const struct cr_moving *b) {
 
 /* Approach speed of a pair that matters for the slice: where they are in contact that of the COE
  * and of the patch about it, else the bound over both bodies. */
-static double approach_speed(const struct cr_solver *s, int pair, int a, int b) {
-    const struct cr_touch *t = &s->touch[pair];
-    const struct cr_moving *ma = &s->m[a], *mb = &s->m[b];
+static double approach_speed(const struct cr_duo *d) {
+    const struct cr_touch *t = d->touch;
+    const struct cr_moving *ma = d->ma, *mb = d->mb;
     double bound = closing_bound(ma, mb);
     if (t->record < 0) {
         return bound;
     }
-    double at_coe = cr_vec2_len(cr_relative_velocity(s, a, b, t->coe));
-    return fmin(bound, at_coe + patch_reach * fabs(ma->yaw_rate - mb->yaw_rate));
+    double at_coe = cr_vec2_len(cr_relative_velocity(d, t->coe));
+    return fmin(bound, at_coe + cr_patch_reach * fabs(ma->yaw_rate - mb->yaw_rate));
 }
 
-/* Longest slice in which a pair that may touch approaches by no more than its share of a voxel: a
- * whole part of `most`, so that the slices of a crash are of one length. */
-static double within_reach(const struct cr_solver *s, int pair, int a, int b, double most) {
-    const struct cr_moving *ma = &s->m[a], *mb = &s->m[b];
-    double fast = approach_speed(s, pair, a, b), h = fmax(ma->body->grid.h, mb->body->grid.h);
+/* Longest slice in which a pair that may touch approaches by no more than one voxel: a whole part of
+ * `most`, so that the slices of a crash are of one length. */
+static double within_reach(const struct cr_duo *d, double most) {
+    const struct cr_moving *ma = d->ma, *mb = d->mb;
+    double fast = approach_speed(d), h = fmax(ma->body->grid.h, mb->body->grid.h);
     if ((ma->inv_mass == 0 && mb->inv_mass == 0) || !(fast > 0) || !(h > 0) ||
         gap(ma, mb) > fast * most) {
         return most;
     }
-    bool both = ma->body->grid.nx > 0 && mb->body->grid.nx > 0;
-    double step = (both ? approach_both : approach_max) * h;
-    return most / fmax(ceil(fast * most / step - 1e-9), 1);
+    return most / fmax(ceil(fast * most / (cr_approach_voxels * h) - 1e-9), 1);
 }
 
-double cr_kinematics_slice_length(const struct cr_solver *s) {
+double cr_kinematics_slice_length(struct cr_solver *s) {
     bool free = s->touched && !isnan(s->t_free);
     for (int i = 0; i < s->cs->n; i++) {
         free = free && !s->m[i].driven;
     }
-    double most = s->cs->opts.dt * (free ? free_stretch : 1), dt = most;
-    for (int p = 0, a = 0; a < s->cs->n; a++) {
-        for (int b = a + 1; b < s->cs->n; b++, p++) {
-            dt = fmin(dt, within_reach(s, p, a, b, most));
-            if (s->touch[p].record >= 0) {
-                dt = fmin(dt, cr_abort_within(s, p));
+    double most = s->cs->opts.dt * (free ? cr_free_stretch : 1), dt = most;
+    for (int a = 0; a < s->cs->n; a++) {
+        for (int b = a + 1; b < s->cs->n; b++) {
+            struct cr_duo d = cr_duo(s, a, b);
+            dt = fmin(dt, within_reach(&d, most));
+            if (d.touch->record >= 0) {
+                dt = fmin(dt, cr_elastic_within(s, d.touch));
             }
         }
     }

@@ -1,5 +1,5 @@
 /* What a solve leaves behind: contacts, trace, slices, and the ledger of energy and momentum. */
-#include "solver/solver_priv.h"
+#include "solver/record.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -13,32 +13,7 @@ static void *grown(void *list, int *size, size_t item) {
     return p;
 }
 
-/* a pair that has parted can touch slice after slice: that is one contact */
-static void reopen(struct cr_solver *s, struct cr_touch *t, const struct cr_touch *old,
-                   double restitution) {
-    struct cr_contact *c = &s->contact[old->last];
-    t->record = t->last = old->last;
-    t->moment_coe = old->moment_coe;
-    t->moment_weight = old->moment_weight;
-    t->normal_sum = old->normal_sum;
-    t->spent -= c->energy[0] + c->energy[1]; /* counted again at its end */
-    t->plastic_before = c->plastic_impulse;
-    c->restitution = restitution;
-    c->phase = CR_PHASE_PLASTIC;
-    c->stop = CR_STOP_NONE;
-    c->t_plastic_end = c->t_elastic_end = c->t_end = NAN;
-}
-
-static void begin_bodies(struct cr_solver *s, int a, int b) {
-    for (int i = 0; i < 2; i++) {
-        struct cr_moving *m = &s->m[i == 0 ? a : b];
-        m->t_first = isnan(m->t_first) ? s->t - s->dt : m->t_first;
-        m->driven = false;
-        m->at_rest = false;
-    }
-}
-
-bool cr_record_contact(struct cr_solver *s, int pair, int a, int b, const struct cr_force *f) {
+bool cr_record_room(struct cr_solver *s) {
     if (s->contacts == s->contacts_size) {
         void *p = grown(s->contact, &s->contacts_size, sizeof *s->contact);
         if (p == NULL) {
@@ -46,37 +21,6 @@ bool cr_record_contact(struct cr_solver *s, int pair, int a, int b, const struct
         }
         s->contact = p;
     }
-    struct cr_touch *t = &s->touch[pair], old = *t;
-    double closing = cr_force_approach(s, a, b, f);
-    bool rubbing = cr_abort_rubbing(s, pair, a, b, f);
-    *t = (struct cr_touch){.record = s->contacts,
-                           .last = s->contacts,
-                           .coe = f->coe,
-                           .normal = f->normal,
-                           .direction = f->direction,
-                           .spent = old.spent,
-                           .rubbing = rubbing};
-    begin_bodies(s, a, b);
-    bool rigid = s->cs->body[a].grid.nx == 0 || s->cs->body[b].grid.nx == 0;
-    const struct cr_opts *o = &s->cs->opts;
-    double e = o->restitution_auto ? cr_restitution_auto(closing, rigid) : o->restitution;
-    t->restitution = e;
-    if (t->rubbing && old.rubbing) {
-        reopen(s, t, &old, e);
-        return true;
-    }
-    s->contact[s->contacts++] = (struct cr_contact){.a = a,
-                                                    .b = b,
-                                                    .t_begin = s->t - s->dt,
-                                                    .closing = closing,
-                                                    .restitution = e,
-                                                    .mu = cr_force_friction(s, a, b),
-                                                    .phase = CR_PHASE_PLASTIC,
-                                                    .coe = f->coe,
-                                                    .normal = f->normal,
-                                                    .t_plastic_end = NAN,
-                                                    .t_elastic_end = NAN,
-                                                    .t_end = NAN};
     return true;
 }
 
@@ -210,13 +154,13 @@ static void outcome_of(const struct cr_solver *s, int i, struct cr_outcome *o) {
     o->impulse = m->impulse;
     o->energy = m->energy;
     o->induced = m->induced;
-    o->left = m->left;
-    o->how = m->how;
+    o->left = m->surface.left;
+    o->how = m->surface.how;
     const struct cr_grid *g = &m->body->grid;
     float *when = (float *)o->t_crushed;
     for (int k = 0; k < g->nx * g->ny; k++) {
-        double lost = g->fill[k] - m->left[k];
-        when[k] = (float)(lost > 1e-9 ? m->t_sum[k] / lost : (double)INFINITY);
+        double lost = g->fill[k] - m->surface.left[k];
+        when[k] = (float)(lost > 1e-9 ? m->surface.t_sum[k] / lost : (double)INFINITY);
     }
 }
 

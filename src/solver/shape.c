@@ -1,4 +1,5 @@
-#include "solver/solver_priv.h"
+/* Rigid outlines: walls, poles, polygons with rounded edges. */
+#include "solver/shape.h"
 
 /* closest point of a segment */
 static struct cr_vec2 closest(struct cr_vec2 a, struct cr_vec2 b, struct cr_vec2 p) {

@@ -1,6 +1,6 @@
 /* Tyre forces: static loads (paper, assumption), friction circle, lateral force that saturates
  * with the slip angle (literature.md 7.3-7.5). */
-#include "solver/solver_priv.h"
+#include "solver/motion.h"
 
 static const double rolling = 0.010;     /* rolling resistance, share of load (literature.md 7.2) */
 static const double slip_full_deg = 8.0; /* slip angle of full lateral force; passenger tyres on dry

@@ -1,0 +1,159 @@
+/* Step 1: the surfaces recede, voxels lose material and give up their energy. */
+#include "solver/crush.h"
+#include "solver/tuning.h"
+
+#include <stdlib.h>
+
+static bool room_for_loss(struct cr_side *k) {
+    if (k->losses == k->losses_size) {
+        int size = k->losses_size < 64 ? 256 : 2 * k->losses_size;
+        void *p = realloc(k->loss, (size_t)size * sizeof *k->loss);
+        if (p == NULL) {
+            return false;
+        }
+        k->loss = p;
+        k->losses_size = size;
+    }
+    return true;
+}
+
+bool cr_crush_voxel(struct cr_side *k, int voxel, int at, double phi, struct cr_vec2 n) {
+    struct cr_surface *f = &k->m->surface;
+    double h = f->grid->h, moved = fmin(phi, f->band) - f->phi[at], amount = 0;
+    if (!(moved > 0)) {
+        return true;
+    }
+    if (voxel >= 0 && k->unit[voxel] > 0) { /* layers that do not meet the opponent stay */
+        amount = fmax(f->left[voxel] - cr_surface_left(phi, n, h, f->dense[voxel]), 0);
+    }
+    if (!room_for_loss(k)) {
+        return false;
+    }
+    f->phi[at] += moved;
+    if (amount > 0) {
+        f->left[voxel] -= amount;
+        k->energy += amount * k->unit[voxel];
+        k->area += amount * h * h;
+    }
+    k->loss[k->losses++] = (struct cr_loss){voxel, at, amount, moved};
+    return true;
+}
+
+/* Overlap that is left from before goes no faster than the bodies approach: the force is then that of
+ * the structure, however much there is. */
+static double share_to_pass(const struct cr_duo *d) {
+    double thick = 0, closing = 0;
+    for (int side = 0; side < 2; side++) {
+        const struct cr_side *k = &d->s->side[side];
+        thick += k->share * k->thick;
+        closing += k->share * k->closing;
+    }
+    return thick > 0 ? fmin(cr_pass_most * closing * d->s->dt / thick, 1) : 0;
+}
+
+/* A voxel further from the surface is as far from it as its neighbour on the way there says, m. */
+static double follow(const struct cr_side *k, const struct cr_cell *c) {
+    const struct cr_surface *f = &k->m->surface;
+    bool along_x = fabs(c->normal.x) >= fabs(c->normal.y);
+    double part = along_x ? c->normal.x : c->normal.y;
+    int inward = (part > 0 ? 1 : -1) * (along_x ? 1 : f->stride);
+    double deeper = c->phi < c->other ? -1 : 1; /* the voxel lies inside or outside */
+    return f->phi[c->at + (deeper < 0 ? -inward : inward)] + deeper * fabs(part) * f->grid->h;
+}
+
+/* All at once, so that the order of the voxels does not matter: a step outward and inward from the
+ * core for each time. */
+static bool follow_all(struct cr_side *k) {
+    for (int step = 0; step < 2; step++) {
+        for (int i = 0; i < k->cells; i++) {
+            struct cr_cell *c = &k->cell[i];
+            c->next = c->core || !(c->approach > 0) ? c->phi : follow(k, c);
+        }
+        for (int i = 0; i < k->cells; i++) {
+            struct cr_cell *c = &k->cell[i];
+            if (!c->core && !cr_crush_voxel(k, c->voxel, c->at, c->next, c->normal)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+static bool recede(struct cr_side *k, double pass) {
+    double h = k->m->body->grid.h;
+    for (int i = 0; i < k->cells; i++) {
+        const struct cr_cell *c = &k->cell[i];
+        if (!c->core || !(c->approach > 0)) {
+            continue;
+        }
+        double phi = c->phi + pass * k->share * c->overlap;
+        double press = c->met * c->strength * fmax(1 - fabs(phi) / h, 0);
+        if (!cr_crush_voxel(k, c->voxel, c->at, phi, c->normal)) {
+            return false;
+        }
+        k->pressure = cr_vec2_axpy(k->pressure, press, c->normal);
+        k->moment = cr_vec2_axpy(k->moment, press, c->place);
+        k->weight += press;
+    }
+    bool ok = follow_all(k);
+    k->direct = k->losses;
+    return ok;
+}
+
+bool cr_crush_contact(struct cr_duo *d) {
+    double pass = share_to_pass(d);
+    for (int side = 0; side < 2; side++) {
+        struct cr_side *k = &d->s->side[side];
+        k->advance = k->end > 0 ? pass * k->share * k->thick / k->end : 0;
+        if (k->m->soft && !recede(k, pass)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* what was emptied is passed over from now on */
+static void renew_lines(struct cr_surface *f, int voxel) {
+    int ix = voxel % f->grid->nx, iy = voxel / f->grid->nx;
+    for (int face = 0; face < CR_FACES; face++) {
+        cr_surface_renew(f, face, cr_face_is_end(face) ? iy : ix);
+    }
+}
+
+static void book(struct cr_solver *s, struct cr_side *k, double lambda) {
+    struct cr_surface *f = &k->m->surface;
+    for (int i = 0; i < k->losses; i++) {
+        const struct cr_loss *l = &k->loss[i];
+        double amount = lambda * l->amount;
+        if (amount > 0) {
+            s->deformed += f->how[l->voxel] == 0;
+            f->t_sum[l->voxel] += amount * s->t;
+            f->how[l->voxel] |= i < k->direct ? CR_CRUSH_CONTACT : CR_CRUSH_INDUCED;
+            if (f->left[l->voxel] <= cr_crumb * f->dense[l->voxel]) {
+                renew_lines(f, l->voxel);
+            }
+        }
+    }
+}
+
+void cr_crush_settle(struct cr_duo *d, double lambda) {
+    for (int side = 0; side < 2; side++) {
+        struct cr_side *k = &d->s->side[side];
+        struct cr_surface *f = &k->m->surface;
+        double back = 1 - lambda;
+        for (int i = 0; i < k->losses && back > 0; i++) {
+            if (k->loss[i].amount > 0) {
+                f->left[k->loss[i].voxel] += back * k->loss[i].amount;
+            }
+            f->phi[k->loss[i].at] -= back * k->loss[i].moved;
+        }
+        k->energy *= lambda;
+        k->induced *= lambda;
+        k->area *= lambda;
+        book(d->s, k, lambda);
+        k->m->energy += k->energy;
+        k->m->induced += k->induced;
+        k->m->crushed += k->area;
+        d->s->visits += k->cells;
+    }
+}

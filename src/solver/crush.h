@@ -1,0 +1,28 @@
+/* Step 1 of the paper: what of two bodies does not fit into one place, and which of them loses it. */
+#ifndef CR_SOLVER_CRUSH_H
+#define CR_SOLVER_CRUSH_H
+
+#include "solver/state.h"
+
+/* overlap.c: the voxels of both bodies about their contact, into s->crush. Nothing changes. False
+ * when memory is out; `met` says whether anything overlaps and comes closer. */
+bool cr_overlap_find(struct cr_duo *d, bool *met);
+/* plan area that the two share at their present places, m2; negative when memory is out */
+double cr_overlap_area(struct cr_duo *d);
+
+/* yield.c: by what share of the overlap each of the two gives way */
+void cr_yield_share(struct cr_duo *d);
+
+/* crush.c: the surfaces of both recede by their shares; energy, pressure and losses of each. False
+ * when memory is out. */
+bool cr_crush_contact(struct cr_duo *d);
+/* a surface of the body to be moved to phi with the normal n: adds a loss; false when memory is out */
+bool cr_crush_voxel(struct cr_side *k, int voxel, int at, double phi, struct cr_vec2 n);
+/* Give back the share 1 - lambda of the losses and book the rest at time t; lambda = 0 undoes all. */
+void cr_crush_settle(struct cr_duo *d, double lambda);
+
+/* drag.c: what lies beside the contact is dragged along (induced deformation); added to the losses
+ * of crush[side]. False when memory is out. */
+bool cr_drag_along(struct cr_duo *d, int side);
+
+#endif

@@ -1,0 +1,205 @@
+/* Step 1: the voxels about the contact of two bodies, each with the signed distances of both
+ * surfaces. Where their sum is negative the bodies overlap, by that much. */
+#include "solver/crush.h"
+#include "solver/shape.h"
+#include "solver/tuning.h"
+
+#include <stdlib.h>
+
+/* The opponent as the voxels of a body see it. */
+struct opponent {
+    const struct cr_moving *m;
+    struct cr_vec2 origin; /* of the body's frame in the opponent's, m */
+    double c, s;           /* turn from the body's frame into the opponent's */
+    struct cr_vec2 still;  /* velocity of the opponent's material at the body's origin, less that of
+                              the body's, body frame, m/s */
+    double turn;           /* yaw rate of the opponent less the body's, rad/s */
+    double dt;             /* of the slice, s */
+};
+
+static struct opponent opponent_of(const struct cr_moving *me, const struct cr_moving *other,
+                                   double dt) {
+    struct opponent o = {.m = other,
+                         .origin = cr_to_body(other, me->pos),
+                         .c = me->c * other->c + me->s * other->s,
+                         .s = me->s * other->c - me->c * other->s,
+                         .turn = other->yaw_rate - me->yaw_rate,
+                         .dt = dt};
+    struct cr_vec2 v = cr_vec2_sub(cr_velocity_at(other, me->pos), me->vel);
+    o.still = cr_vec2_unrotate(v, me->c, me->s);
+    return o;
+}
+
+/* signed distance of the opponent's surface at p and its normal, body frame */
+static double distance_to(const struct opponent *o, struct cr_vec2 p, struct cr_vec2 *normal) {
+    struct cr_vec2 q = cr_vec2_add(o->origin, cr_vec2_rotate(p, o->c, o->s)), n;
+    double d = o->m->soft ? cr_surface_distance(&o->m->surface, q, &n)
+                          : cr_shape_distance(&o->m->body->shape, q, &n);
+    *normal = cr_vec2_unrotate(n, o->c, o->s);
+    return d;
+}
+
+static bool room_for_cell(struct cr_side *k) {
+    if (k->cells == k->cells_size) {
+        int size = k->cells_size < 64 ? 256 : 2 * k->cells_size;
+        void *p = realloc(k->cell, (size_t)size * sizeof *k->cell);
+        if (p == NULL) {
+            return false;
+        }
+        k->cell = p;
+        k->cells_size = size;
+    }
+    return true;
+}
+
+/* voxels of the margin whose distance is kept too: what lies just outside has them as neighbours */
+enum { EDGE = CR_MARGIN - 1 };
+
+/* Rows and columns of the grid that the opponent's box covers, with the band about it. */
+struct window {
+    int x0, x1, y0, y1; /* [x0, x1) */
+};
+
+static struct window window_of(const struct cr_moving *me, const struct opponent *o) {
+    const struct cr_grid *g = &me->body->grid;
+    struct cr_vec2 lo = {INFINITY, INFINITY}, hi = {-INFINITY, -INFINITY};
+    for (int i = 0; i < 4; i++) {
+        struct cr_vec2 p = {i & 1 ? o->m->hi.x : o->m->lo.x, i & 2 ? o->m->hi.y : o->m->lo.y};
+        p = cr_vec2_unrotate(cr_vec2_sub(p, o->origin), o->c, o->s);
+        lo = cr_vec2(fmin(lo.x, p.x), fmin(lo.y, p.y));
+        hi = cr_vec2(fmax(hi.x, p.x), fmax(hi.y, p.y));
+    }
+    double per = 1 / g->h, band = cr_band_voxels;
+    return (struct window){
+        .x0 = (int)cr_clamp(floor((lo.x - g->x0) * per - band), -EDGE, g->nx + EDGE),
+        .x1 = (int)cr_clamp(ceil((hi.x - g->x0) * per + band), -EDGE, g->nx + EDGE),
+        .y0 = (int)cr_clamp(floor((lo.y - g->y0) * per - band), -EDGE, g->ny + EDGE),
+        .y1 = (int)cr_clamp(ceil((hi.y - g->y0) * per + band), -EDGE, g->ny + EDGE),
+    };
+}
+
+/* One voxel; returns how many voxels along the row may be passed over: a distance changes by no more
+ * than the way. */
+static double look_at(struct cr_side *k, const struct opponent *o, int ix, int iy) {
+    const struct cr_surface *f = &k->m->surface;
+    const struct cr_grid *g = f->grid;
+    double h = g->h, outside = cr_kept_voxels * h, near = cr_kept_voxels * h;
+    bool inside = ix >= 0 && iy >= 0 && ix < g->nx && iy < g->ny;
+    int at = cr_surface_at(f, ix, iy), voxel = inside ? iy * g->nx + ix : -1;
+    double phi = f->phi[at];
+    if (phi > outside) {
+        return (phi - outside) / h;
+    }
+    struct cr_cell c = {.voxel = voxel,
+                        .at = at,
+                        .phi = phi,
+                        .place = {g->x0 + (ix + 0.5) * h, g->y0 + (iy + 0.5) * h}};
+    c.other = distance_to(o, c.place, &c.normal);
+    if (c.other > near) {
+        return (c.other - near) / h;
+    }
+    c.overlap = -(phi + c.other);
+    double steep = cr_vec2_len(c.normal);
+    c.core = fabs(phi - c.other) < 2 * cr_core_voxels * h;
+    if (!(steep > 1e-3) || (c.core && !(c.overlap > 0))) {
+        return 1;
+    }
+    c.normal = cr_vec2_scale(c.normal, 1 / steep);
+    struct cr_vec2 v = cr_vec2_axpy(o->still, o->turn, cr_vec2_perp(c.place));
+    c.approach = cr_vec2_dot(v, c.normal);
+    double whole = cr_passed_by * cr_vec2_len(v);
+    c.met = c.core && c.approach > 0
+                ? fmin(c.overlap / (c.approach * o->dt), 1) * fmin(c.approach / whole, 1)
+                : 0;
+    c.strength = inside ? k->unit[voxel] * f->dense[voxel] / h : 0;
+    k->cell[k->cells++] = c;
+    return 1;
+}
+
+/* false when memory is out */
+static bool find_cells(struct cr_side *k, const struct opponent *o) {
+    const struct cr_grid *g = &k->m->body->grid;
+    struct window w = window_of(k->m, o);
+    const int *front = k->m->surface.first[CR_FACE_FRONT], *rear = k->m->surface.first[CR_FACE_REAR];
+    for (int iy = w.y0; iy < w.y1; iy++) {
+        int row = iy < 0 ? 0 : iy < g->ny ? iy : g->ny - 1;
+        int from = rear[row] - EDGE, to = g->nx - front[row] + EDGE;
+        from = from > w.x0 ? from : w.x0;
+        to = to < w.x1 ? to : w.x1;
+        for (int ix = from; ix < to;) {
+            if (!room_for_cell(k)) {
+                return false;
+            }
+            double skip = look_at(k, o, ix, iy);
+            ix += skip > 1 ? (int)skip : 1;
+        }
+    }
+    return true;
+}
+
+/* Weight of a voxel for a surface at the distance phi: over a line of voxels it adds up to one. */
+static double on_surface(double phi, double h) {
+    return fmax(1 - fabs(phi) / h, 0);
+}
+
+/* forces, thickness and closing speed of what presses */
+static void sum_cells(struct cr_side *k) {
+    double h = k->m->body->grid.h;
+    for (int i = 0; i < k->cells; i++) {
+        const struct cr_cell *c = &k->cell[i];
+        double met = c->met * c->strength;
+        double end = met * on_surface(c->other, h);
+        k->begin += met * on_surface(c->phi, h);
+        k->end += end;
+        k->thick += end * c->overlap;
+        k->closing += end * c->approach;
+    }
+}
+
+static bool find_side(struct cr_duo *d, int side) {
+    struct cr_side *k = &d->s->side[side];
+    struct cr_moving *me = side == 0 ? d->ma : d->mb, *other = side == 0 ? d->mb : d->ma;
+    struct cr_side kept = *k;
+    *k = (struct cr_side){.m = me,
+                           .cell = kept.cell,
+                           .cells_size = kept.cells_size,
+                           .loss = kept.loss,
+                           .losses_size = kept.losses_size};
+    if (!me->soft) {
+        return true;
+    }
+    k->unit = me->unit[side == 0 ? d->b : d->a];
+    struct opponent o = opponent_of(me, other, d->s->dt);
+    return find_cells(k, &o);
+}
+
+bool cr_overlap_find(struct cr_duo *d, bool *met) {
+    *met = false;
+    if (!find_side(d, 0) || !find_side(d, 1)) {
+        return false;
+    }
+    for (int side = 0; side < 2; side++) {
+        struct cr_side *k = &d->s->side[side];
+        sum_cells(k);
+        *met = *met || k->end > 0;
+    }
+    return true;
+}
+
+double cr_overlap_area(struct cr_duo *d) {
+    if (!find_side(d, 0) || !find_side(d, 1)) {
+        return -1;
+    }
+    double most = 0;
+    for (int side = 0; side < 2; side++) {
+        const struct cr_side *k = &d->s->side[side];
+        double area = 0, h = k->m->soft ? k->m->body->grid.h : 0;
+        for (int i = 0; i < k->cells; i++) {
+            const struct cr_cell *c = &k->cell[i];
+            double there = cr_clamp(0.5 - c->other / h, 0, 1);
+            area += c->voxel >= 0 && c->strength > 0 ? fmin(k->m->surface.left[c->voxel], there) * h * h : 0;
+        }
+        most = fmax(most, area);
+    }
+    return most;
+}

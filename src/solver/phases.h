@@ -1,0 +1,29 @@
+/* Steps 5 and 6 of the paper: when the plastic compression of a contact is over, and its elastic
+ * compression and restitution. */
+#ifndef CR_SOLVER_PHASES_H
+#define CR_SOLVER_PHASES_H
+
+#include "solver/force.h"
+
+/* abort.c: why the plastic phase is over, NONE while it goes on */
+enum cr_stop cr_abort_check(struct cr_duo *d, bool deformed);
+
+/* touch.c: a contact begins, or a rubbing one goes on; false when memory is out */
+bool cr_touch_begin(struct cr_duo *d, const struct cr_force *f);
+/* the contact is over */
+void cr_touch_end(struct cr_solver *s, struct cr_touch *t);
+/* energy of approach of a touch against what the pair has crushed so far; infinite for a first one */
+double cr_touch_weight(const struct cr_duo *d, const struct cr_force *f);
+
+/* restitution.c: factor on the restitution of whole ends, 0..1, where only part of an end is
+ * pressed: the energy that comes back is stored in the width that is pressed, and goes with the
+ * square of the speed. */
+double cr_restitution_share(const struct cr_duo *d, const struct cr_force *f);
+
+/* elastic.c: from plastic to elastic, or to the end where nothing comes back */
+void cr_elastic_begin(struct cr_duo *d);
+bool cr_elastic_slice(struct cr_duo *d); /* false when memory is out */
+/* longest slice until the phase ends, s */
+double cr_elastic_within(const struct cr_solver *s, const struct cr_touch *t);
+
+#endif

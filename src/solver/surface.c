@@ -1,0 +1,225 @@
+/* The signed distance that stands for the surface of a deformable body. */
+#include "solver/surface.h"
+
+#include "solver/tuning.h"
+
+#include <string.h>
+
+struct cr_lines cr_surface_lines(const struct cr_grid *g, enum cr_face face) {
+    double x1 = g->x0 + g->nx * g->h, y1 = g->y0 + g->ny * g->h, low_y = g->y0, low_x = g->x0;
+    switch (face) {
+    case CR_FACE_FRONT:
+        return (struct cr_lines){g->ny, g->nx, g->nx - 1, g->nx, -1, {0, 1}, {-1, 0}, {x1, low_y}};
+    case CR_FACE_REAR:
+        return (struct cr_lines){g->ny, g->nx, 0, g->nx, 1, {0, 1}, {1, 0}, {low_x, low_y}};
+    case CR_FACE_LEFT:
+        return (struct cr_lines){g->nx,  g->ny,   (g->ny - 1) * g->nx, 1, -g->nx,
+                                 {1, 0}, {0, -1}, {low_x, y1}};
+    default:
+        return (struct cr_lines){g->nx, g->ny, 0, 1, g->nx, {1, 0}, {0, 1}, {low_x, low_y}};
+    }
+}
+
+static double fill_at(const struct cr_grid *g, int ix, int iy) {
+    return ix >= 0 && iy >= 0 && ix < g->nx && iy < g->ny ? g->fill[iy * g->nx + ix] : 0;
+}
+
+/* A piece of the undeformed outline in the middle of a voxel: its distance and outward normal. */
+struct piece {
+    double phi;
+    struct cr_vec2 n;
+};
+
+/* gradient of the fill about a voxel, by Sobel's weights */
+static struct cr_vec2 fill_gradient(const struct cr_grid *g, int ix, int iy) {
+    double x = 0, y = 0;
+    for (int k = -1; k <= 1; k++) {
+        double w = k == 0 ? 2 : 1;
+        x += w * (fill_at(g, ix + 1, iy + k) - fill_at(g, ix - 1, iy + k));
+        y += w * (fill_at(g, ix + k, iy + 1) - fill_at(g, ix + k, iy - 1));
+    }
+    return cr_vec2(x, y);
+}
+
+/* Does the outline pass through or beside a voxel? A voxel filled in part says by its fill where. */
+static bool outline_piece(const struct cr_surface *s, int ix, int iy, struct piece *out) {
+    const struct cr_grid *g = s->grid;
+    double fill = fill_at(g, ix, iy), dense = s->dense[iy * g->nx + ix];
+    bool open = fill_at(g, ix + 1, iy) <= 0 || fill_at(g, ix - 1, iy) <= 0 ||
+                fill_at(g, ix, iy + 1) <= 0 || fill_at(g, ix, iy - 1) <= 0;
+    if (!(fill > 0) || (!open && fill > (1 - 1e-9) * dense)) {
+        return false;
+    }
+    struct cr_vec2 d = fill_gradient(g, ix, iy);
+    if (d.x == 0 && d.y == 0) {
+        return false;
+    }
+    out->n = cr_vec2_unit(cr_vec2_scale(d, -1), cr_vec2(1, 0));
+    out->phi = (0.5 - fill / dense) * g->h * (fabs(out->n.x) + fabs(out->n.y));
+    return true;
+}
+
+/* The nearest piece of the outline decides the distance of the voxels about it. */
+static void spread_piece(struct cr_surface *s, double *near, int ix, int iy, struct piece p) {
+    const int reach = CR_MARGIN;
+    double h = s->grid->h;
+    struct cr_vec2 at = cr_vec2_scale(p.n, -p.phi); /* the piece, from the voxel's middle */
+    for (int j = -reach; j <= reach; j++) {
+        if (iy + j < -CR_MARGIN || iy + j >= s->grid->ny + CR_MARGIN) {
+            continue;
+        }
+        for (int i = -reach; i <= reach; i++) {
+            if (ix + i < -CR_MARGIN || ix + i >= s->grid->nx + CR_MARGIN) {
+                continue;
+            }
+            struct cr_vec2 d = cr_vec2_sub(cr_vec2(i * h, j * h), at);
+            double d2 = cr_vec2_dot(d, d);
+            int k = cr_surface_at(s, ix + i, iy + j);
+            double along = cr_vec2_dot(d, p.n);
+            if (d2 < near[k] * (1 - 1e-9) || (d2 < near[k] * (1 + 1e-9) && fabs(along) > fabs(s->phi[k]))) {
+                near[k] = fmin(d2, near[k]);
+                s->phi[k] = cr_clamp(along, -s->band, s->band);
+            }
+        }
+    }
+}
+
+static void measure_outline(struct cr_surface *s, enum cr_face face) {
+    const struct cr_grid *g = s->grid;
+    struct cr_lines lines = cr_surface_lines(g, face);
+    for (int i = 0; i < lines.n; i++) {
+        int k = lines.first + i * lines.next, n = 0;
+        while (n < lines.length && !(g->fill[k + n * lines.inward] > 0)) {
+            n++;
+        }
+        int at = k + n * lines.inward;
+        double part = n < lines.length ? 1 - g->fill[at] / s->dense[at] : 0;
+        s->first[face][i] = n;
+        s->outline[face][i] = s->limit[face][i] = (n + part) * g->h;
+    }
+}
+
+/* share of a voxel that is material: what the fullest of its neighbours holds */
+static void measure_density(struct cr_surface *s) {
+    const struct cr_grid *g = s->grid;
+    for (int iy = 0; iy < g->ny; iy++) {
+        for (int ix = 0; ix < g->nx; ix++) {
+            double most = 1e-9;
+            for (int k = 0; k < 9; k++) {
+                most = fmax(most, fill_at(g, ix + k % 3 - 1, iy + k / 3 - 1));
+            }
+            s->dense[iy * g->nx + ix] = most;
+        }
+    }
+}
+
+static bool take_arrays(struct cr_surface *s, struct cr_arena *arena, double **near) {
+    const struct cr_grid *g = s->grid;
+    size_t n = (size_t)g->nx * (size_t)g->ny;
+    size_t padded = (size_t)s->stride * (size_t)(g->ny + 2 * CR_MARGIN);
+    s->phi = cr_arena_take_raw(arena, padded, sizeof *s->phi);
+    *near = cr_arena_take_raw(arena, padded, sizeof **near);
+    s->dense = cr_arena_take_raw(arena, n, sizeof *s->dense);
+    s->left = cr_arena_take_raw(arena, n, sizeof *s->left);
+    s->t_sum = cr_arena_take(arena, n, sizeof *s->t_sum);
+    s->how = cr_arena_take(arena, n, sizeof *s->how);
+    bool ok = s->phi != NULL && *near != NULL && s->dense != NULL && s->left != NULL &&
+              s->t_sum != NULL && s->how != NULL;
+    for (int f = 0; f < CR_FACES; f++) {
+        size_t lines = (size_t)cr_face_lines(g, f);
+        s->outline[f] = cr_arena_take_raw(arena, lines, sizeof *s->outline[f]);
+        s->limit[f] = cr_arena_take_raw(arena, lines, sizeof *s->limit[f]);
+        s->first[f] = cr_arena_take_raw(arena, lines, sizeof *s->first[f]);
+        ok = ok && s->outline[f] != NULL && s->limit[f] != NULL && s->first[f] != NULL;
+    }
+    return ok;
+}
+
+bool cr_surface_new(struct cr_surface *s, const struct cr_grid *grid, struct cr_arena *arena) {
+    double *near;
+    *s = (struct cr_surface){.grid = grid,
+                             .stride = grid->nx + 2 * CR_MARGIN,
+                             .band = cr_band_voxels * grid->h};
+    if (!take_arrays(s, arena, &near)) {
+        return false;
+    }
+    memcpy(s->left, grid->fill, (size_t)grid->nx * (size_t)grid->ny * sizeof *s->left);
+    measure_density(s);
+    int padded = s->stride * (grid->ny + 2 * CR_MARGIN);
+    for (int k = 0; k < padded; k++) {
+        near[k] = INFINITY;
+        s->phi[k] = s->band;
+    }
+    for (int iy = 0; iy < grid->ny; iy++) {
+        for (int ix = 0; ix < grid->nx; ix++) {
+            if (grid->fill[iy * grid->nx + ix] > 0) {
+                s->phi[cr_surface_at(s, ix, iy)] = -s->band;
+            }
+        }
+    }
+    for (int iy = 0; iy < grid->ny; iy++) {
+        for (int ix = 0; ix < grid->nx; ix++) {
+            struct piece p;
+            if (outline_piece(s, ix, iy, &p)) {
+                spread_piece(s, near, ix, iy, p);
+            }
+        }
+    }
+    for (int f = 0; f < CR_FACES; f++) {
+        measure_outline(s, f);
+    }
+    return true;
+}
+
+/* Weights of the three nodes about a place t off the middle one, and their slopes: a parabola in each
+ * stretch, so that a gradient has no jumps, nor a side that it prefers. */
+static inline void parabola(double t, double w[3], double slope[3]) {
+    w[0] = 0.5 * (0.5 - t) * (0.5 - t);
+    w[1] = 0.75 - t * t;
+    w[2] = 0.5 * (0.5 + t) * (0.5 + t);
+    slope[0] = t - 0.5;
+    slope[1] = -2 * t;
+    slope[2] = t + 0.5;
+}
+
+double cr_surface_distance(const struct cr_surface *s, struct cr_vec2 p, struct cr_vec2 *gradient) {
+    const struct cr_grid *g = s->grid;
+    double per = 1 / g->h, u = (p.x - g->x0) * per - 0.5, v = (p.y - g->y0) * per - 0.5;
+    const double edge = CR_MARGIN - 1;
+    *gradient = cr_vec2(0, 0);
+    if (!(u >= -edge && v >= -edge && u < g->nx - 1 + edge && v < g->ny - 1 + edge)) {
+        double x = fmax(fmax(-u, u - (g->nx - 1)), 0), y = fmax(fmax(-v, v - (g->ny - 1)), 0);
+        return fmax(s->band, g->h * (fmax(x, y) - 1));
+    }
+    u += CR_MARGIN;
+    v += CR_MARGIN;
+    int i = (int)(u + 0.5), j = (int)(v + 0.5); /* the nearest voxel */
+    double wx[3], wy[3], dx[3], dy[3], x = 0, y = 0;
+    parabola(u - i, wx, dx);
+    parabola(v - j, wy, dy);
+    const double *q = s->phi + (j - 1) * s->stride + i - 1;
+    for (int k = 0; k < 3; k++, q += s->stride) {
+        x += wy[k] * (dx[0] * q[0] + dx[1] * q[1] + dx[2] * q[2]);
+        y += dy[k] * (wx[0] * q[0] + wx[1] * q[1] + wx[2] * q[2]);
+    }
+    *gradient = cr_vec2(x * per, y * per);
+    i = (int)u;
+    j = (int)v;
+    u -= i;
+    v -= j;
+    q = s->phi + j * s->stride + i;
+    double low = q[0] + u * (q[1] - q[0]);
+    q += s->stride;
+    double high = q[0] + u * (q[1] - q[0]);
+    return low + v * (high - low);
+}
+
+void cr_surface_renew(struct cr_surface *s, enum cr_face face, int line) {
+    struct cr_lines lines = cr_surface_lines(s->grid, face);
+    int n = s->first[face][line], k = lines.first + line * lines.next + n * lines.inward;
+    while (n < lines.length && s->left[k] <= cr_crumb * s->dense[k]) {
+        n++;
+        k += lines.inward;
+    }
+    s->first[face][line] = n;
+}
