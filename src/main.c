@@ -1,3 +1,5 @@
+/* Where the program begins: the first word of the command line chooses batch work, the prompt or
+ * the full screen. */
 #include "config.h"
 
 #include "base/arena.h"

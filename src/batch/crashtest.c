@@ -1,3 +1,5 @@
+/* Turns rows of the tables of crash tests, and scene files with x_expect, into scenes with
+ * reference values. */
 #include "batch/crashtest.h"
 
 #include "base/file.h"

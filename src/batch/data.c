@@ -1,3 +1,5 @@
+/* Finds the folder of the models and shared data: $CRUMPLE_DATA, the source tree of a build, or the
+ * installation. */
 #include "config.h"
 
 #include "batch/batch.h"

@@ -1,3 +1,4 @@
+/* Reads scene texts one after the other from files, folders, JSON arrays and JSON Lines. */
 #include "batch/feed.h"
 
 #include "base/str.h"

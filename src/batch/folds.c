@@ -1,3 +1,4 @@
+/* Cross-validation: fits the models five times, each time without a fifth of the tests. */
 #include "batch/folds.h"
 
 #include <stdlib.h>

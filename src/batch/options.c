@@ -1,3 +1,4 @@
+/* Parses, checks and explains the options of a word of the command line by its table. */
 #include "batch/options.h"
 
 #include <errno.h>

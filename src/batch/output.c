@@ -1,3 +1,5 @@
+/* Writes results to a file or standard output, errors to standard error, and finds colour and width
+ * of the terminal. */
 #include "batch/batch_priv.h"
 
 #include "base/file.h"

@@ -1,3 +1,4 @@
+/* Computes what changes between the two scenes of a pair, with and without a safety system. */
 #include "batch/pair.h"
 
 #include "base/json.h"

@@ -1,3 +1,4 @@
+/* Threads that work on items in any order while items are taken and given out in order. */
 #include "batch/pool.h"
 
 #include <pthread.h>

@@ -1,3 +1,4 @@
+/* Reads the CSV tables of crash tests. */
 #include "batch/records.h"
 
 #include "base/file.h"

@@ -1,3 +1,5 @@
+/* Finds results of an earlier stack again by the hash of their scene, so that they need not be
+ * solved twice. */
 #include "config.h"
 
 #include "batch/resume.h"

@@ -1,3 +1,4 @@
+/* `crumple run` solves one scene and writes its result. */
 #include "batch/batch.h"
 #include "batch/batch_priv.h"
 

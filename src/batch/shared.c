@@ -1,3 +1,4 @@
+/* Models and risk functions that all words of the command line share, opened once, and ^C. */
 #include "batch/batch_priv.h"
 
 #include <signal.h>

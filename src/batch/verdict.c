@@ -1,3 +1,5 @@
+/* Statistics of crash tests: errors per class, group and measure, the fleet's own scatter, and the
+ * targets. */
 #include "batch/verdict.h"
 
 #include <math.h>

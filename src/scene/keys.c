@@ -1,3 +1,4 @@
+/* The tables of all keys of a scene file: name, type, unit, range, meaning. */
 #include "scene/keys.h"
 
 #include <math.h>

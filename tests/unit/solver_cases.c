@@ -1,3 +1,4 @@
+/* Builds the bodies and cases that tests of the solver share. */
 #include "solver_cases.h"
 #include "test.h"
 

@@ -1,3 +1,4 @@
+/* Option tables: what is parsed, what is refused, and what is printed about them. */
 #include "test.h"
 
 #include "batch/options.h"
