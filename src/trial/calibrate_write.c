@@ -33,10 +33,14 @@ static void add_face(const struct cr_model_face *f, const char *name, struct cr_
     for (int i = 0; i < f->ees.n; i++) {
         cr_str_addf(out, "%s[%.4g, %.6g]", i > 0 ? ", " : "", f->ees.x[i], cr_kmh(f->ees.y[i]));
     }
+    cr_str_add(out, "],\n");
+    if (f->compartment > 0) {
+        cr_str_addf(out, "      \"compartment_N\": %.6g,\n", f->compartment);
+    }
     cr_str_addf(out,
-                "],\n      \"springback_m\": %.3g,\n      \"residual_spread_m\": %.3g,\n"
-                "      \"tension_N_per_kg\": %.3g\n    }",
-                f->springback, f->spread, f->tension_per_kg);
+                "      \"springback_m\": %.3g,\n      \"residual_spread_m\": %.3g,\n"
+                "      \"drag_slope\": %.3g\n    }",
+                f->springback, f->spread, f->drag_slope);
 }
 
 static void add_number(struct cr_str *out, const char *key, double x) {

@@ -8,10 +8,10 @@
 
 #include <string.h>
 
-static const double q = 150e3, tension = 72e3, b = 0.25, energy = 54e3, mass = 1500;
+static const double q = 150e3, tension = 0.6, b = 0.25, energy = 54e3, mass = 1500;
 static const double length = 6, width = 1.6, gap = 0.01;
 /* E(w0) = 54 kJ: 37.5 kN w0 + 195.96e3 w0^1.5 = 54e3, 13.167 + 40.83 kJ at 0.3514 m */
-static const double closed_depth = 0.3514;
+static const double closed_depth = 0.39577;
 
 static const struct cr_vec2 nose[] = {{-0.125, -0.5}, {0.125, -0.5}, {0.125, 0.5}, {-0.125, 0.5}};
 
@@ -28,7 +28,7 @@ struct dent {
 static void make_dent_at(struct dent *d, double h, double n0, bool induced, double phase) {
     memset(d, 0, sizeof *d);
     struct cr_grid grid = block_grid(&d->arena, length, width, h, constant_strength, &q);
-    grid.tension[CR_FACE_LEFT] = n0;
+    grid.drag_slope[CR_FACE_LEFT] = n0;
     struct cr_body car = block_body(grid, mass, length, width, 0, 0, 0, 0);
     car.inertia = 0;
     car.vel = cr_vec2(0, sqrt(2 * energy / mass));
@@ -52,7 +52,7 @@ static void free_dent(struct dent *d) {
 }
 
 static double closed_energy(double w) {
-    return q * b * w + 4.0 / 3 * sqrt(2 * tension * q) * pow(w, 1.5);
+    return q * b * w + q * w * w / tension;
 }
 
 static void depth_energy_and_convergence(void **state) {
@@ -112,12 +112,12 @@ static void force_over_depth(void **state) {
  * half the mass */
 static void two_boxes_at_once(void **state) {
     (void)state;
-    static const double n0 = 20e3, h = 0.05;
+    static const double n0 = 1, h = 0.05;
     double depth[2], induced[2];
     for (int k = 0; k < 2; k++) {
         struct cr_arena arena = {0};
         struct cr_grid grid = block_grid(&arena, length, width, h, constant_strength, &q);
-        grid.tension[CR_FACE_LEFT] = n0;
+        grid.drag_slope[CR_FACE_LEFT] = n0;
         double m = (k + 1) * mass, y = width / 2 + 0.5 + gap;
         struct cr_body car = block_body(grid, m, length, width, 0, 0, 0, 0);
         car.inertia = 0;
@@ -160,13 +160,13 @@ static void damaged_length_and_area(void **state) {
         }
         induced += (o->how[k] & CR_CRUSH_CONTACT) == 0 ? lost * h * h : 0;
     }
-    double xi = sqrt(2 * tension * d.w0 / q);
+    double xi = d.w0 / tension;
     check_near((last - first + 1) * h, b + 2 * xi, 2.1 * h);
     check_near(side[0], side[1], 1e-12);
-    check_near(side[0] + side[1], b * d.w0 + 2.0 / 3 * xi * d.w0, 0.025 * 0.22);
+    check_near(side[0] + side[1], b * d.w0 + xi * d.w0, 0.025 * 0.22);
     check_near(o->rest.crushed, side[0] + side[1], 1e-9);
     /* the corners of the nose leave a mark on the lines beside it, which count as contact */
-    check_near(induced, 2.0 / 3 * xi * d.w0, 3 * h * d.w0);
+    check_near(induced, xi * d.w0, 3 * h * d.w0);
     /* foundation under the contact q b w0; the rest is induced, booked in the EES */
     check_near(o->energy - o->induced, q * b * d.w0, 0.02 * q * b * d.w0);
     double slices = 0;
@@ -181,7 +181,7 @@ static void damaged_length_and_area(void **state) {
 
 static void none_without_tension_or_setting(void **state) {
     (void)state;
-    static const double n0[] = {0, 72e3};
+    static const double n0[] = {0, 0.6};
     for (int i = 0; i < 2; i++) {
         struct dent d;
         make_dent(&d, 0.05, n0[i], i == 0);
@@ -201,7 +201,7 @@ static void a_wall_pulls_nothing(void **state) {
     (void)state;
     struct cr_arena arena = {0};
     struct cr_grid grid = block_grid(&arena, 4.2, 1.8, 0.025, constant_strength, &q);
-    grid.tension[CR_FACE_FRONT] = tension;
+    grid.drag_slope[CR_FACE_FRONT] = tension;
     struct cr_case cs =
         case_of(block_body(grid, mass, 4.2, 1.8, -2.2, 0, 0, 15), wall_body(0, 0, CR_PI));
     cs.opts.induced = true;
