@@ -346,6 +346,38 @@ void cr_deform_scale(struct cr_losses *losses, double share) {
     losses->induced *= share;
 }
 
+const double cr_deform_made_up = 1.1;
+
+/* Area of the losses, m2, and the stretch along `tangent` from the COE that they cover, m. */
+static double area_of(const struct cr_moving *m, const struct cr_losses *losses,
+                      struct cr_vec2 coe, struct cr_vec2 tangent, double *lo, double *hi) {
+    const struct cr_grid *g = &m->body->grid;
+    struct cr_vec2 u = cr_vec2_unrotate(tangent, m->c, m->s);
+    double amount = 0, at = cr_vec2_dot(cr_vec2_sub(m->pos, coe), tangent);
+    double half = 0.5 * g->h * (fabs(u.x) + fabs(u.y));
+    for (int i = 0; i < losses->n; i++) {
+        const struct cr_loss *l = &losses->loss[i];
+        double along = at + u.x * (g->x0 + (l->ix + 0.5) * g->h) + u.y * (g->y0 + (l->iy + 0.5) * g->h);
+        *lo = fmin(*lo, along - half);
+        *hi = fmax(*hi, along + half);
+        amount += l->amount;
+    }
+    return amount * g->h * g->h;
+}
+
+double cr_deform_bound(const struct cr_solver *s, int a, int b, struct cr_vec2 coe,
+                       struct cr_vec2 normal) {
+    double lo = INFINITY, hi = -(double)INFINITY;
+    struct cr_vec2 tangent = cr_vec2_perp(normal);
+    double area = area_of(&s->m[a], &s->losses[0], coe, tangent, &lo, &hi) +
+                  area_of(&s->m[b], &s->losses[1], coe, tangent, &lo, &hi);
+    double turn = s->m[a].yaw_rate - s->m[b].yaw_rate;
+    double v = cr_vec2_dot(cr_relative_velocity(s, a, b, coe), normal);
+    /* the faster end of the contact, where the bodies turn against each other */
+    v += fabs(turn) * fmax(fabs(lo), fabs(hi));
+    return area > 0 ? fmin(cr_deform_made_up * (hi - lo) * v * s->dt / area, 1) : 1;
+}
+
 /* what rounding leaves of a voxel that is gone */
 static const double dust = 1e-12;
 

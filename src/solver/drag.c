@@ -168,7 +168,8 @@ static bool take(const struct lines *l, int line, double deeper, struct cr_losse
     return true;
 }
 
-bool cr_drag_along(struct cr_solver *s, struct cr_moving *m, struct cr_losses *losses) {
+bool cr_drag_along(struct cr_solver *s, struct cr_moving *m, struct cr_losses *losses,
+                   double most) {
     if (!drags(s, m, losses)) {
         return true;
     }
@@ -178,7 +179,7 @@ bool cr_drag_along(struct cr_solver *s, struct cr_moving *m, struct cr_losses *l
     memcpy(d->w, l.depth, (size_t)l.n * sizeof *d->w);
     settle(d, &l);
     for (int i = 0; i < l.n; i++) {
-        double deeper = d->w[i] - l.depth[i];
+        double deeper = fmin(d->w[i] - l.depth[i], most);
         if (deeper > 0 && !take(&l, i, deeper, losses)) {
             return false;
         }

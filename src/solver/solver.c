@@ -311,6 +311,16 @@ static void soften(struct cr_solver *s, int pair, int a, int b, struct cr_force 
     }
 }
 
+/* no more force than strength times width */
+static void bound(struct cr_solver *s, int a, int b, struct cr_force *f) {
+    double share = cr_deform_bound(s, a, b, f->coe, f->normal);
+    if (share < 1) {
+        cr_deform_scale(&s->losses[0], share);
+        cr_deform_scale(&s->losses[1], share);
+        f->energy *= share;
+    }
+}
+
 /* steps 1 to 3 for a pair whose materials meet; false when memory is out */
 static bool crush(struct cr_solver *s, int pair, int a, int b, struct cr_force *f) {
     struct cr_moving *ma = &s->m[a], *mb = &s->m[b];
@@ -324,6 +334,7 @@ static bool crush(struct cr_solver *s, int pair, int a, int b, struct cr_force *
             return false;
         }
     }
+    bound(s, a, b, f);
     soften(s, pair, a, b, f);
     struct cr_vec2 v = cr_relative_velocity(s, a, b, f->coe);
     struct cr_vec2 back = cr_vec2_scale(v, -1), inward = cr_vec2_scale(f->normal, -1);
@@ -334,7 +345,9 @@ static bool crush(struct cr_solver *s, int pair, int a, int b, struct cr_force *
     cr_deform_apply(ma, &s->losses[0], 0);
     cr_deform_apply(mb, &s->losses[1], 0);
     if (s->cs->opts.induced) {
-        if (!cr_drag_along(s, ma, &s->losses[0]) || !cr_drag_along(s, mb, &s->losses[1])) {
+        double most = cr_deform_made_up * cr_vec2_len(v) * s->dt;
+        if (!cr_drag_along(s, ma, &s->losses[0], most) ||
+            !cr_drag_along(s, mb, &s->losses[1], most)) {
             return false;
         }
         cr_force_update(s, pair, a, b, f);

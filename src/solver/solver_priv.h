@@ -236,6 +236,13 @@ static inline double cr_with_crumb(double left, double amount) {
 bool cr_losses_reserve(struct cr_losses *losses, int n);
 /* take only a share of the losses */
 void cr_deform_scale(struct cr_losses *losses, double share);
+/* What a contact may crush more than it passes over in a slice: what has been left standing is made
+ * up for, and no force is more than so many times strength times width. */
+extern const double cr_deform_made_up;
+/* Share of the losses, 0..1, that the contact's width passes over in this slice; the rest stays as
+ * overlap, so that no slice has more force than strength times width. Approach along `normal`. */
+double cr_deform_bound(const struct cr_solver *s, int a, int b, struct cr_vec2 coe,
+                       struct cr_vec2 normal);
 /* take the losses [from, n) out of the body; what is taken back is settled below */
 void cr_deform_apply(struct cr_moving *m, const struct cr_losses *losses, int from);
 /* give back the share 1 - lambda of the losses, and book the rest */
@@ -258,8 +265,10 @@ void cr_losses_turn(const struct cr_moving *m, struct cr_losses *losses, struct 
                     struct cr_vec2 v);
 /* energy of what the losses would drag along, J; nothing changes */
 double cr_drag_energy(struct cr_solver *s, const struct cr_moving *m, const struct cr_losses *losses);
-/* induced deformation of losses->face, added to the losses of one body and applied */
-bool cr_drag_along(struct cr_solver *s, struct cr_moving *m, struct cr_losses *losses);
+/* induced deformation of losses->face, at most `most` m deep, added to the losses of one body and
+ * applied; false when memory is out */
+bool cr_drag_along(struct cr_solver *s, struct cr_moving *m, struct cr_losses *losses,
+                   double most);
 
 /* step 2, force.c */
 extern const double cr_force_memory;
