@@ -1,40 +1,30 @@
 #!/bin/sh
-# HACKING.md names every file of the tree once, and no file that is not there.
+# Every file says what it is for: C files and scripts in their first sentence, which make map
+# prints; data by the folder they lie in, which HACKING.md names.
 . "$SRC/tests/tap.sh"
 cd "$SRC" || exit 99
 tmp=$(mktemp -d) || exit 99
 trap 'rm -rf "$tmp"' EXIT
 
-find src models share tests man -type f ! -name '*.o' ! -name '*.log' ! -name '*.trs' \
-    ! -name '*.py[co]' ! -name .dirstamp ! -path '*/.deps/*' | sort >"$tmp/files"
-# a list line of the map: - `path`, `path`: what it is
-sed '1,/^# Map of the tree/d' HACKING.md | grep '^- `' >"$tmp/lines"
-sed 's/: .*//' "$tmp/lines" | grep -o '`[^`]*`' | tr -d '`' |
-    grep -E '^(src|models|share|tests|man)/' | sort >"$tmp/named"
-grep -v '[*]' "$tmp/named" >"$tmp/exact"
-grep '[*]' "$tmp/named" >"$tmp/patterns"
+# the solver is being rewritten: its files follow (delete this line then)
+late=src/solver/
+sh tests/map.sh >"$tmp/map"
+empty "every .c, .h and .sh begins with a sentence that says what it is for" \
+    "$(grep '^- ' "$tmp/map" | grep -vE '`: .*[.?!]$' | grep -v "^- .${late:-/}")"
+empty "and with a short one" "$(grep '^- ' "$tmp/map" | grep -E '.{400,}' | cut -c 1-80)"
 
-# patterns stand for rows of alike files
-matches() {
+# lines "- `folder/`: what lies there"
+sed -n 's#^- `\([^`]*/\)`: ..*#\1#p' HACKING.md | LC_ALL=C sort >"$tmp/folders"
+find src models share tests man -type f ! -name '*.[cho]' ! -name '*.sh' ! -name '*.mk' \
+    ! -name '*.log' ! -name '*.trs' ! -name '*.py[co]' ! -name .dirstamp ! -path '*/.deps/*' |
     while read -r file; do
-        # shellcheck disable=SC2254
-        case $file in
-        $1) echo "$file" ;;
-        esac
-    done <"$tmp/files"
-}
-while read -r pattern; do
-    matches "$pattern" >"$tmp/now"
-    [ -s "$tmp/now" ] || echo "$pattern" >>"$tmp/idle"
-    cat "$tmp/now" >>"$tmp/covered"
-done <"$tmp/patterns"
-touch "$tmp/idle" "$tmp/covered"
-sort -u "$tmp/exact" "$tmp/covered" >"$tmp/all"
-sort -u "$tmp/exact" >"$tmp/once"
-
-empty "every file is in the map" "$(comm -23 "$tmp/files" "$tmp/all")"
-empty "every file of the map is there" "$(comm -13 "$tmp/files" "$tmp/once")"
-empty "no file is named twice" "$(uniq -d "$tmp/named")"
-empty "every pattern stands for files" "$(cat "$tmp/idle")"
-empty "every line says what the file is for" "$(grep -v '`: .' "$tmp/lines")"
+        while read -r folder; do
+            case $file in "$folder"*) continue 2 ;; esac
+        done <"$tmp/folders"
+        echo "$file"
+    done >"$tmp/homeless"
+empty "HACKING.md says what lies in each folder of data" "$(cat "$tmp/homeless")"
+empty "and names none that is not there" \
+    "$(while read -r folder; do [ -d "$folder" ] || echo "$folder"; done <"$tmp/folders")"
+empty "and none twice" "$(uniq -d "$tmp/folders")"
 finish

@@ -36,6 +36,12 @@ update-manual: crumple-manual$(EXEEXT)
 	./crumple-manual$(EXEEXT) >$(srcdir)/man/crumple-commands.7
 .PHONY: update-manual
 
+# what each file is for, in its own words
+map:
+	cd $(srcdir) && $(SHELL) tests/map.sh
+.PHONY: map
+EXTRA_DIST += tests/map.sh
+
 validate: crumple$(EXEEXT)
 	./crumple$(EXEEXT) validate
 .PHONY: validate

@@ -1,3 +1,5 @@
+/* An arena takes memory from the system in growing blocks, hands it out piece by piece, zeroed, and
+ * gives all of it back at once. */
 #include "config.h"
 
 #include "base/arena.h"

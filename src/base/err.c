@@ -1,3 +1,4 @@
+/* Texts, exit statuses and places of errors, as the one line that a user reads. */
 #include "base/err.h"
 
 #include <stdarg.h>

@@ -1,3 +1,5 @@
+/* Reads files whole, and writes them whole or not at all: into a temporary file beside the target,
+ * which is then renamed. */
 #define _XOPEN_SOURCE 700 /* realpath */
 #include "base/file.h"
 

@@ -1,3 +1,4 @@
+/* SHA-256 by nettle, as hexadecimal digits. */
 #include "base/hash.h"
 
 #include <nettle/sha2.h>

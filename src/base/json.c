@@ -1,3 +1,5 @@
+/* Checks JSON texts to the letter of RFC 8259 and finds line and column of a value by its JSON
+ * pointer. */
 #include "base/json.h"
 
 #include "base/str.h"

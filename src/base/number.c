@@ -1,4 +1,6 @@
-/* A decimal m / 10^k with m below 2^53 and k up to 22 is the quotient of two exact doubles, so one
+/* Numbers as the shortest text that reads back to the same double.
+ *
+ * A decimal m / 10^k with m below 2^53 and k up to 22 is the quotient of two exact doubles, so one
  * division gives the double that strtod would read (Clinger, "How to read floating point numbers
  * accurately", PLDI 1990, section 5). What is not such a decimal takes the way through printf. */
 #include "base/number.h"

@@ -1,3 +1,5 @@
+/* Mean, spread, quantiles and errors against references, each undefined (NaN) where there are too
+ * few values. */
 #include "base/stats.h"
 
 #include <math.h>

@@ -1,3 +1,5 @@
+/* Text that grows as it is appended to, and the word of a list that is nearest to a misspelt
+ * one. */
 #include "base/str.h"
 
 #include "base/number.h"

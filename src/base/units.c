@@ -1,3 +1,4 @@
+/* The one table of units, and the reading of numbers with units. */
 #include "base/units.h"
 
 #include "base/number.h"

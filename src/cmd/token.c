@@ -1,3 +1,5 @@
+/* Cuts a line into statements and words, each with its place, and puts quotes round words that need
+ * them. */
 #include "cmd/cmd_priv.h"
 
 #include <ctype.h>

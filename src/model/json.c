@@ -1,3 +1,4 @@
+/* Reads checked values out of JSON and keeps the first fault with its JSON pointer. */
 #include "config.h"
 
 #include "model/json.h"

@@ -186,7 +186,7 @@ enum cr_err cr_voxels_substitute(const struct cr_voxels *v, const struct cr_mode
         to.fill[i] = fmin(to.fill[i], 1);
     }
     for (int i = 0; i < CR_FACES; i++) {
-        g.drag[i] = v->tension[i] > 0 ? (i == CR_FACE_LEFT || i == CR_FACE_RIGHT ? 0.6 : 1) : 0;
+        g.drag_slope[i] = v->drag_slope[i];
         g.springback[i] = v->springback[i];
     }
     g.fill = to.fill;

@@ -1,3 +1,4 @@
+/* Round numbers for the ticks of an axis. */
 #include "render/render_priv.h"
 
 #include <math.h>

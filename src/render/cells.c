@@ -1,3 +1,4 @@
+/* The grid of cells that pictures are drawn into, and its text with or without colour. */
 #include "render/render.h"
 #include "render/render_priv.h"
 #include "render/theme.h"

@@ -1,3 +1,4 @@
+/* A canvas of braille dots, 2 x 4 to a cell, for curves and outlines. */
 #include "render/render_priv.h"
 
 #include <stdlib.h>

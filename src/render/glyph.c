@@ -1,3 +1,4 @@
+/* Characters: reading UTF-8, their widths, stand-ins in ASCII, shades and arrows. */
 #include "render/render_priv.h"
 
 #include "base/vec.h"

@@ -1,3 +1,4 @@
+/* Divides a terminal of any size into the rectangles of the full screen. */
 #include "render/layout.h"
 
 #include <string.h>

@@ -1,3 +1,4 @@
+/* Draws frames, title bar, log, key bar and sheets of the full screen. */
 #include "render/panes.h"
 #include "render/render_priv.h"
 

@@ -1,3 +1,4 @@
+/* Draws 3D voxel models as seen from the side, from above and from the front. */
 #include "render/project.h"
 #include "render/render_priv.h"
 

@@ -1,3 +1,4 @@
+/* Puts the whole full screen together from its data, pane by pane. */
 #include "render/screen.h"
 
 #include <math.h>

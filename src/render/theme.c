@@ -1,3 +1,4 @@
+/* Themes: which colour each role of a cell has, for 16, 256 or all colours. */
 #include "render/theme.h"
 #include "render/render_priv.h"
 

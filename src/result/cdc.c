@@ -1,3 +1,4 @@
+/* Collision deformation classification of SAE J224. */
 #include "result/result_priv.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* Compares a simulated pulse with a measured one: resampling, errors and ratings. */
 #include "result/compare.h"
 
 #include "base/stats.h"

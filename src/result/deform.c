@@ -1,3 +1,4 @@
+/* Measures the deformation of a solved vehicle: depths, columns, area, struck face. */
 #include "result/deform.h"
 
 #include "solver/solver.h"

@@ -1,3 +1,5 @@
+/* A crash seen as one planar impact at its greatest engagement, as momentum-based reconstruction
+ * sees it. */
 #include "result/planar.h"
 
 #include "result/result_priv.h"

@@ -1,3 +1,4 @@
+/* Puts a pulse on a uniform time axis and computes its measures: OLC, VPI, ASI, THIV, PHD. */
 #include "result/pulse.h"
 
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* Reads measured curves from CSV files and resamples them. */
 #include "result/signal.h"
 
 #include "base/file.h"

@@ -1,3 +1,4 @@
+/* The quantities of a time series by name and unit. */
 #include "result/result.h"
 
 static const double FACTOR[CR_QUANTITIES] = {

@@ -28,7 +28,7 @@ struct cr_model_query cr_scene_query(const struct cr_scene *scene, const struct 
     return (struct cr_model_query){
         .type = p->type,
         .pdof = pdof,
-        .blend = p->model.blend && scene->set.method == CR_METHOD_EXTENDED,
+        .blend = p->model.blend,
         .dims = {.length = p->length,
                  .width = p->width,
                  .height = p->height,
@@ -260,44 +260,8 @@ struct range {
     double lo, hi; /* m above the road */
 };
 
-/* Ends of participant k's box from its CG, body frame. */
-static void box_of(const struct cr_participant *p, double x[2], double *half) {
-    double front = p->kind == CR_KIND_VEHICLE ? p->cg_behind_front_axle + p->front_overhang : (double)NAN;
-    double length = p->kind == CR_KIND_VEHICLE || p->shape == CR_OBJECT_BOX ? p->length : 2 * p->radius;
-    double width = p->kind == CR_KIND_VEHICLE || p->shape == CR_OBJECT_BOX ? p->width : 2 * p->radius;
-    length = isfinite(length) ? length : 0.5;
-    width = isfinite(width) ? width : 0.5;
-    x[1] = isfinite(front) ? front : length / 2;
-    x[0] = x[1] - length;
-    *half = width / 2;
-}
-
-/* time at which [lo, hi], moving at v, begins to overlap [a, b]; in the past where it does */
-static double reaches(double lo, double hi, double v, double a, double b) {
-    double gap = fmax(lo - b, a - hi), speed = gap > 0 ? (lo > b ? -v : v) : fabs(v);
-    return speed > 0 ? gap / speed : gap > 0 ? (double)INFINITY : -(double)INFINITY;
-}
-
-/* Which face of vehicle i the partner comes at: that on whose side the two come to overlap last. */
 static enum cr_face struck_face(const struct making *m, int i, int k) {
-    const struct cr_body *a = &m->out->cs.body[i], *b = &m->out->cs.body[k];
-    double c = cos(a->heading), s = sin(a->heading), ax[2], aw, bx[2], bw;
-    struct cr_vec2 rel = cr_vec2_unrotate(cr_vec2_sub(b->vel, a->vel), c, s);
-    struct cr_vec2 at = cr_vec2_unrotate(cr_vec2_sub(b->pos, a->pos), c, s);
-    box_of(&m->scene->part[i], ax, &aw);
-    box_of(&m->scene->part[k], bx, &bw);
-    double turn = b->heading - a->heading, x[2] = {INFINITY, -INFINITY}, y[2] = {INFINITY, -INFINITY};
-    for (int n = 0; n < 4; n++) {
-        struct cr_vec2 p = cr_vec2_rotate(cr_vec2(bx[n & 1], n & 2 ? bw : -bw), cos(turn), sin(turn));
-        x[0] = fmin(x[0], at.x + p.x), x[1] = fmax(x[1], at.x + p.x);
-        y[0] = fmin(y[0], at.y + p.y), y[1] = fmax(y[1], at.y + p.y);
-    }
-    double tx = reaches(x[0], x[1], rel.x, ax[0], ax[1]), ty = reaches(y[0], y[1], rel.y, -aw, aw);
-    bool end = tx == ty || ty == (double)INFINITY ? fabs(rel.x) >= fabs(rel.y) : tx > ty;
-    if (end) {
-        return rel.x <= 0 ? CR_FACE_FRONT : CR_FACE_REAR;
-    }
-    return rel.y < 0 ? CR_FACE_LEFT : CR_FACE_RIGHT;
+    return cr_scene_struck_face(m->scene, &m->out->cs, i, k);
 }
 
 /* Heights that participant i holds out at k while it stands level. A fixed or rigid partner meets a
@@ -371,20 +335,22 @@ static enum cr_err make_partial(struct making *m, int i, struct range meet, cons
     return code;
 }
 
-/* What of a flank stands against the end of another vehicle, which comes in at the height of a
- * bumper, of that which stands against a pole from sill to roof: so that the flank and the front of
- * cars that struck each other are crushed as deeply as in the field, and by a barrier on wheels. */
+/* Share of a flank's strength against a pole, which reaches from sill to roof, that stands against
+ * the end of another vehicle, which comes in at the height of a bumper: with it the fronts and
+ * flanks of cars that struck each other, and flanks struck by a barrier on wheels, are crushed as
+ * deeply as they were (validation.md). A whole flank would be right only if what it drags along
+ * cost nothing. */
 static const double flank_share = 0.55;
 
 static enum cr_err make_flank(struct making *m, int i, const double **energy) {
     const struct cr_grid *g = &m->out->cs.body[i].grid;
     size_t n = (size_t)g->nx * (size_t)g->ny;
-    double *part = cr_arena_take(&m->out->arena, n, sizeof *part), share = flank_share;
+    double *part = cr_arena_take(&m->out->arena, n, sizeof *part);
     if (part == NULL) {
         return no_memory(m);
     }
     for (size_t k = 0; k < n; k++) {
-        part[k] = share * g->energy[k];
+        part[k] = flank_share * g->energy[k];
     }
     *energy = part;
     return CR_ERR_OK;
@@ -400,8 +366,9 @@ static struct range meeting(const struct making *m, int i, int k) {
 
 /* Energies of vehicle i in the heights in which it meets k (method.md 2, beyond the paper). */
 static enum cr_err make_against(struct making *m, int i, int k) {
-    bool both = m->scene->part[k].kind == CR_KIND_VEHICLE;
-    if (both && !cr_face_is_end(struck_face(m, i, k)) && cr_face_is_end(struck_face(m, k, i))) {
+    bool flank = !cr_face_is_end(struck_face(m, i, k));
+    if (m->scene->part[k].kind == CR_KIND_VEHICLE && flank &&
+        cr_face_is_end(struck_face(m, k, i))) {
         return make_flank(m, i, &m->out->cs.body[i].energy_against[k]);
     }
     struct range own = held_out(m, i, k), meet = meeting(m, i, k);

@@ -1,3 +1,4 @@
+/* How far the bumper of a braking vehicle goes down. */
 #include "scene/scene.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* The tables of all keys of a scene file: name, type, unit, range, meaning. */
 #include "scene/keys.h"
 
 #include <math.h>
@@ -64,7 +65,7 @@ static const struct cr_key settings_keys[] = {
          "restitution impulse over compression impulse, or auto from the closing speed"),
      RANGED("", NUMBER, 0, 0.95), .def = {NAN, 0.1}, .aux = IN(cr_settings, restitution_auto)},
     {ROW("friction", CR_KEY_NUMBER, 0, 0, IN(cr_settings, friction),
-         "Coulomb friction between bodies, or auto: 0.5 between vehicles, 0.1 on objects"),
+         "Coulomb friction between bodies, or auto: 0.8 between vehicles, 0.1 on objects"),
      RANGED("", NUMBER, 0, 2), .def = {NAN, 0}, .aux = IN(cr_settings, friction_auto)},
     SETTING("road_friction", "", NUMBER, 0, 2, 0.8, 0.8, road_friction,
             "friction of the tyres on the road"),
@@ -119,8 +120,9 @@ static const struct cr_key participant_keys[] = {
            "about the vertical axis through the centre of gravity"),
     OTHER("model.pdof", PDOF, V, 0, "deg", ANGLE, -360, 720, model,
           "direction of force of its model: auto, o'clock 1 to 12, or degrees"),
-    OTHER("model.blend", BOOL, V, 0, "", NUMBER, 0, 1, model.blend,
-          "mix the models of the two nearest directions"),
+    {ROW("model.blend", CR_KEY_BOOL, V, 0, IN(cr_participant, model.blend),
+         "mix the models of the two nearest directions (method=paper: the nearest alone)"),
+     RANGED("", NUMBER, 0, 1), .def = {1, 0}},
     {ROW("model.file", CR_KEY_TEXT, V, 0, IN(cr_participant, model.file),
          "own voxel model, JSON or CSV"),
      .aux = CR_PATH_MAX},

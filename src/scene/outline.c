@@ -1,3 +1,4 @@
+/* Outlines of participants as they are placed, from their dimensions or shape. */
 #include "scene/scene_priv.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* Scenes as values: copy, add, remove and find participants. */
 #include "scene/scene_priv.h"
 
 #include "base/json.h"

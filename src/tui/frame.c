@@ -1,3 +1,4 @@
+/* Gathers what curses sends into one write per frame, and waits for terminals that draw slowly. */
 #include "tui/frame.h"
 
 #include <errno.h>

@@ -1,3 +1,4 @@
+/* Tells whether the terminal's background is dark or light, from its answer or the environment. */
 #include "tui/ground.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* Builds the crash made by hand that tests of pictures look at. */
 #include "render_double.h"
 
 #include <stdio.h>

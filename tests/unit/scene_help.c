@@ -1,3 +1,4 @@
+/* Builds scenes out of texts, and opens the models, for tests of scenes. */
 #include "scene_help.h"
 
 #include "base/json.h"

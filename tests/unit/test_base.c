@@ -1,3 +1,4 @@
+/* Arena, errors, files, hash, text, vectors and angles. */
 #include "test.h"
 
 #include "base/arena.h"

@@ -1,3 +1,4 @@
+/* The command language: tokens, table, binding, undo, completion, autosave, sweep. */
 #include "test.h"
 
 #include "base/file.h"

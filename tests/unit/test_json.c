@@ -1,3 +1,4 @@
+/* Texts that are JSON and texts that are not, and the places of values in them. */
 #include "test.h"
 
 #include "base/json.h"

@@ -1,3 +1,4 @@
+/* Scenes read, written and copied; drafts; the schema. */
 #include "scene_help.h"
 
 #include "base/file.h"

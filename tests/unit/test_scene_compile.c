@@ -1,3 +1,4 @@
+/* A scene resolved and compiled: assumed values, bodies, wheels, shapes, heights that meet. */
 #include "scene_help.h"
 
 #include "solver/solver.h"

@@ -1,3 +1,4 @@
+/* Placing one participant against another, and outlines. */
 #include "scene_help.h"
 
 #include <stdlib.h>

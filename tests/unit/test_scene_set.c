@@ -1,3 +1,4 @@
+/* One value of a scene by name and text: what is set, what is refused. */
 #include "scene_help.h"
 
 #include "scene/keys.h"

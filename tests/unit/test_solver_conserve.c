@@ -16,7 +16,7 @@ static bool chance(uint64_t *seed, double share) {
 static struct cr_body random_car(struct cr_arena *arena, uint64_t *seed, double h) {
     struct cr_body car = car_body(arena, h, 0, 0, 0, 0);
     for (int f = 0; f < CR_FACES; f++) {
-        car.grid.drag[f] = chance(seed, 0.5) ? pick(seed, 0.3, 3) : 0;
+        car.grid.drag_slope[f] = chance(seed, 0.5) ? pick(seed, 0.3, 3) : 0;
     }
     car.mass = pick(seed, 800, 3000);
     car.inertia = chance(seed, 0.9) ? car.mass * pick(seed, 1, 2.5) : 0;

@@ -28,7 +28,7 @@ struct dent {
 static void make_dent_at(struct dent *d, double h, double n0, bool induced, double phase) {
     memset(d, 0, sizeof *d);
     struct cr_grid grid = block_grid(&d->arena, length, width, h, constant_strength, &q);
-    grid.drag[CR_FACE_LEFT] = n0;
+    grid.drag_slope[CR_FACE_LEFT] = n0;
     struct cr_body car = block_body(grid, mass, length, width, 0, 0, 0, 0);
     car.inertia = 0;
     car.vel = cr_vec2(0, sqrt(2 * energy / mass));
@@ -117,7 +117,7 @@ static void two_boxes_at_once(void **state) {
     for (int k = 0; k < 2; k++) {
         struct cr_arena arena = {0};
         struct cr_grid grid = block_grid(&arena, length, width, h, constant_strength, &q);
-        grid.drag[CR_FACE_LEFT] = n0;
+        grid.drag_slope[CR_FACE_LEFT] = n0;
         double m = (k + 1) * mass, y = width / 2 + 0.5 + gap;
         struct cr_body car = block_body(grid, m, length, width, 0, 0, 0, 0);
         car.inertia = 0;
@@ -201,7 +201,7 @@ static void a_wall_pulls_nothing(void **state) {
     (void)state;
     struct cr_arena arena = {0};
     struct cr_grid grid = block_grid(&arena, 4.2, 1.8, 0.025, constant_strength, &q);
-    grid.drag[CR_FACE_FRONT] = tension;
+    grid.drag_slope[CR_FACE_FRONT] = tension;
     struct cr_case cs =
         case_of(block_body(grid, mass, 4.2, 1.8, -2.2, 0, 0, 15), wall_body(0, 0, CR_PI));
     cs.opts.induced = true;

@@ -1,3 +1,4 @@
+/* Numbers with units against the dimension that is wanted. */
 #include "test.h"
 
 #include "base/units.h"

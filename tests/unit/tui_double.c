@@ -1,3 +1,4 @@
+/* Runs the full screen without a terminal: keys go in, the screen comes out as text. */
 #include "tui_double.h"
 #include "test.h"
 
