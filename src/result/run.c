@@ -61,9 +61,10 @@ static double guess_pdof(const struct cr_scene *scene, int i) {
     return cr_result_pdof(cr_vec2_unrotate(push, cos(heading), sin(heading)));
 }
 
-static bool is_auto(const struct cr_participant *p) {
+/* the model of one sector must be chosen by the direction of the force, which the solve tells */
+static bool is_auto(const struct cr_scene *scene, const struct cr_participant *p) {
     return p->kind == CR_KIND_VEHICLE && p->model.kind != CR_MODEL_FILE &&
-           p->model.pdof_kind == CR_PDOF_AUTO;
+           p->model.pdof_kind == CR_PDOF_AUTO && !cr_scene_by_normal(scene, p);
 }
 
 /* PDOF of the velocity change of every vehicle that was struck */
@@ -169,8 +170,9 @@ static enum cr_err trial(const struct cr_scene *scene, const struct cr_context *
 }
 
 /* the model that belongs to direction b is another one than that of a */
-static bool moved(const struct cr_participant *p, double a, double b) {
-    if (!is_auto(p)) {
+static bool moved(const struct cr_scene *scene, const struct cr_participant *p, double a,
+                  double b) {
+    if (!is_auto(scene, p)) {
         return false;
     }
     return p->model.blend ? fabs(cr_angle_wrap(b - a)) > BLEND_MOVED
@@ -179,7 +181,7 @@ static bool moved(const struct cr_participant *p, double a, double b) {
 
 static int first_moved(const struct cr_scene *scene, const double *a, const double *b) {
     for (int i = 0; i < scene->n; i++) {
-        if (moved(&scene->part[i], a[i], b[i])) {
+        if (moved(scene, &scene->part[i], a[i], b[i])) {
             return i;
         }
     }
@@ -194,7 +196,7 @@ static enum cr_err settle(struct cr_result *r, const struct cr_context *ctx, str
     enum cr_err rc = CR_ERR_OK;
     for (int i = 0; i < scene->n; i++) {
         pdof[i] = scene->part[i].kind == CR_KIND_VEHICLE ? guess_pdof(scene, i) : 0;
-        any = any || is_auto(&scene->part[i]);
+        any = any || is_auto(scene, &scene->part[i]);
     }
     if (any) {
         rc = trial(scene, ctx, pdof, err);

@@ -58,10 +58,10 @@ void cr_scene_model_path(const struct cr_scene *scene, const struct cr_participa
     snprintf(path, 2 * CR_PATH_MAX, "%s%s%s", own ? "" : scene->dir, own ? "" : "/", file);
 }
 
-static enum cr_err make_grid(struct making *m, int i, double z_lo, double z_hi,
+static enum cr_err make_grid(struct making *m, int i, const struct cr_model_query *asked,
                              struct cr_grid *grid) {
     const struct cr_model_choice *choice = &m->scene->part[i].model;
-    struct cr_model_query query = query_of(m, i, z_lo, z_hi);
+    struct cr_model_query query = *asked;
     char path[2 * CR_PATH_MAX], hash[CR_HASH_SIZE];
     enum cr_err code;
     switch (choice->kind) {
@@ -113,12 +113,49 @@ static void make_wheels(const struct cr_participant *p, struct cr_body *body) {
     }
 }
 
+struct range {
+    double lo, hi; /* m above the road */
+};
+
+bool cr_scene_by_normal(const struct cr_scene *scene, const struct cr_participant *p) {
+    return p->kind == CR_KIND_VEHICLE && p->model.kind != CR_MODEL_FILE &&
+           p->model.pdof_kind == CR_PDOF_AUTO && scene->set.method == CR_METHOD_EXTENDED;
+}
+
+/* The strengths of vehicle i by the way it is pushed, of the layers in a range of heights: those of
+ * the models of 12, 6 and 3 o'clock, which the solver mixes by the normal at each voxel. */
+static enum cr_err make_strength(struct making *m, int i, struct range z, struct cr_strength *out) {
+    static const double pdof[CR_PUSHES] = {
+        [CR_PUSH_REARWARD] = 0, [CR_PUSH_FORWARD] = CR_PI, [CR_PUSH_SIDEWAYS] = CR_PI / 2};
+    const struct cr_grid *whole = &m->out->cs.body[i].grid;
+    for (int k = 0; k < CR_PUSHES; k++) {
+        struct cr_model_query query = query_of(m, i, z.lo, z.hi);
+        struct cr_grid grid;
+        query.pdof = pdof[k];
+        query.blend = false;
+        enum cr_err code = make_grid(m, i, &query, &grid);
+        if (code == CR_ERR_OK && (grid.nx != whole->nx || grid.ny != whole->ny)) {
+            code = cr_err_set(m->err, CR_ERR_MODEL, "model of \"%s\" changes its size",
+                              m->scene->part[i].id);
+        }
+        if (code != CR_ERR_OK) {
+            return code;
+        }
+        out->energy[k] = grid.energy;
+    }
+    return CR_ERR_OK;
+}
+
 static enum cr_err make_vehicle(struct making *m, int i, struct cr_body *body) {
     const struct cr_participant *p = &m->scene->part[i];
     body->mass = p->mass;
     body->inertia = p->yaw_inertia;
     make_wheels(p, body);
-    enum cr_err code = make_grid(m, i, 0, INFINITY, &body->grid);
+    struct cr_model_query query = query_of(m, i, 0, INFINITY);
+    enum cr_err code = make_grid(m, i, &query, &body->grid);
+    if (code == CR_ERR_OK && cr_scene_by_normal(m->scene, p)) {
+        code = make_strength(m, i, (struct range){0, INFINITY}, &body->strength);
+    }
     if (code == CR_ERR_OK) {
         name_model(m, i);
     } else if (m->err != NULL && m->err->where[0] == '\0') {
@@ -256,10 +293,6 @@ static const double end_low = 0.12, end_low_suv = 0.162, end_high = 0.65;
  * matters: most pairs need no second grid. */
 static const double low_share = 0.15, high_share = 0.8;
 
-struct range {
-    double lo, hi; /* m above the road */
-};
-
 static enum cr_face struck_face(const struct making *m, int i, int k) {
     return cr_scene_struck_face(m->scene, &m->out->cs, i, k);
 }
@@ -316,43 +349,61 @@ static struct range held_out(const struct making *m, int i, int k) {
     return (struct range){level.lo - dive, level.hi - dive};
 }
 
-static enum cr_err make_partial(struct making *m, int i, struct range meet, const double **energy) {
+/* Strength of the layers of vehicle i in a range of heights; none where the range is empty. */
+static enum cr_err make_partial(struct making *m, int i, struct range meet,
+                                struct cr_strength *out) {
     const struct cr_grid *whole = &m->out->cs.body[i].grid;
     size_t n = (size_t)whole->nx * (size_t)whole->ny;
     struct cr_grid part;
     if (!(meet.lo < meet.hi)) {
-        *energy = cr_arena_take(&m->out->arena, n, sizeof **energy);
-        return *energy != NULL ? CR_ERR_OK : no_memory(m);
+        const double *none = cr_arena_take(&m->out->arena, n, sizeof *none);
+        *out = (struct cr_strength){{none, none, none}};
+        return none != NULL ? CR_ERR_OK : no_memory(m);
     }
-    enum cr_err code = make_grid(m, i, meet.lo, meet.hi, &part);
+    if (cr_scene_by_normal(m->scene, &m->scene->part[i])) {
+        return make_strength(m, i, meet, out);
+    }
+    struct cr_model_query query = query_of(m, i, meet.lo, meet.hi);
+    enum cr_err code = make_grid(m, i, &query, &part);
     if (code == CR_ERR_OK && (part.nx != whole->nx || part.ny != whole->ny)) {
         code = cr_err_set(m->err, CR_ERR_MODEL, "model of \"%s\" changes its size with height",
                           m->scene->part[i].id);
     }
     if (code == CR_ERR_OK) {
-        *energy = part.energy;
+        *out = (struct cr_strength){{part.energy, part.energy, part.energy}};
     }
     return code;
 }
 
 /* Share of a flank's strength against a pole, which reaches from sill to roof, that stands against
- * the end of another vehicle, which comes in at the height of a bumper: with it the fronts and
- * flanks of cars that struck each other, and flanks struck by a barrier on wheels, are crushed as
- * deeply as they were (validation.md). A whole flank would be right only if what it drags along
- * cost nothing. */
+ * another vehicle, which comes in at the height of a bumper: with it the fronts and flanks of cars
+ * that struck each other, and flanks struck by a barrier on wheels, are crushed as deeply as they
+ * were (validation.md). A whole flank would be right only if what it drags along cost nothing. */
 static const double flank_share = 0.55;
 
-static enum cr_err make_flank(struct making *m, int i, const double **energy) {
-    const struct cr_grid *g = &m->out->cs.body[i].grid;
+static const double *weaker(struct making *m, const struct cr_grid *g, const double *energy) {
     size_t n = (size_t)g->nx * (size_t)g->ny;
-    double *part = cr_arena_take(&m->out->arena, n, sizeof *part);
+    double *part = cr_arena_take_raw(&m->out->arena, n, sizeof *part);
+    for (size_t k = 0; part != NULL && k < n; k++) {
+        part[k] = flank_share * energy[k];
+    }
+    return part;
+}
+
+/* The flank of vehicle i against another vehicle; its ends as before. */
+static enum cr_err make_flank(struct making *m, int i, struct cr_strength *out) {
+    const struct cr_body *b = &m->out->cs.body[i];
+    bool by_normal = cr_scene_by_normal(m->scene, &m->scene->part[i]);
+    const double *side = by_normal ? b->strength.energy[CR_PUSH_SIDEWAYS] : b->grid.energy;
+    const double *part = weaker(m, &b->grid, side);
     if (part == NULL) {
         return no_memory(m);
     }
-    for (size_t k = 0; k < n; k++) {
-        part[k] = flank_share * g->energy[k];
+    for (int k = 0; k < CR_PUSHES; k++) {
+        if (k == CR_PUSH_SIDEWAYS || !by_normal) {
+            out->energy[k] = part;
+        }
     }
-    *energy = part;
     return CR_ERR_OK;
 }
 
@@ -364,13 +415,9 @@ static struct range meeting(const struct making *m, int i, int k) {
                           fmin(m->scene->part[i].height, other.hi + dive)};
 }
 
-/* Energies of vehicle i in the heights in which it meets k (method.md 2, beyond the paper). */
-static enum cr_err make_against(struct making *m, int i, int k) {
-    bool flank = !cr_face_is_end(struck_face(m, i, k));
-    if (m->scene->part[k].kind == CR_KIND_VEHICLE && flank &&
-        cr_face_is_end(struck_face(m, k, i))) {
-        return make_flank(m, i, &m->out->cs.body[i].energy_against[k]);
-    }
+/* Strength of vehicle i in the heights in which it meets k. */
+static enum cr_err make_layers(struct making *m, int i, int k) {
+    struct cr_strength *against = m->out->cs.body[i].against;
     struct range own = held_out(m, i, k), meet = meeting(m, i, k);
     double height = m->scene->part[i].height;
     if (meet.lo <= low_share * height && meet.hi >= high_share * own.hi) {
@@ -380,11 +427,27 @@ static enum cr_err make_against(struct making *m, int i, int k) {
     for (int e = 0; e < k; e++) {
         struct range before = meeting(m, i, e);
         if (e != i && before.lo == meet.lo && before.hi == meet.hi) {
-            m->out->cs.body[i].energy_against[k] = m->out->cs.body[i].energy_against[e];
+            against[k] = against[e];
             return CR_ERR_OK;
         }
     }
-    return make_partial(m, i, meet, &m->out->cs.body[i].energy_against[k]);
+    return make_partial(m, i, meet, &against[k]);
+}
+
+/* Strength of vehicle i against k: a flank against another vehicle by its share, all else by the
+ * heights in which the two meet. */
+static enum cr_err make_against(struct making *m, int i, int k) {
+    bool flank = !cr_face_is_end(struck_face(m, i, k));
+    bool vehicle = m->scene->part[k].kind == CR_KIND_VEHICLE;
+    bool by_normal = cr_scene_by_normal(m->scene, &m->scene->part[i]);
+    if (vehicle && !by_normal && flank && cr_face_is_end(struck_face(m, k, i))) {
+        return make_flank(m, i, &m->out->cs.body[i].against[k]);
+    }
+    enum cr_err code = make_layers(m, i, k);
+    if (code == CR_ERR_OK && vehicle && by_normal) {
+        code = make_flank(m, i, &m->out->cs.body[i].against[k]);
+    }
+    return code;
 }
 
 static enum cr_err make_heights(struct making *m) {

@@ -36,6 +36,15 @@ struct cr_wheel {
     bool locked;       /* slides with all its friction against its own velocity */
 };
 
+/* The ways in which a voxel can be pushed: from the front rearward, from the rear forward, from a
+ * flank. A structure resists each with another strength. */
+enum cr_push { CR_PUSH_REARWARD, CR_PUSH_FORWARD, CR_PUSH_SIDEWAYS, CR_PUSHES };
+
+/* Energies of the voxels by the way they are pushed, J; NULL: the grid's energy. */
+struct cr_strength {
+    const double *energy[CR_PUSHES]; /* borrowed, [ny * nx] */
+};
+
 /* One row of a prescribed motion that ends at the first contact. */
 struct cr_waypoint {
     double t; /* s, increasing */
@@ -54,8 +63,9 @@ struct cr_body {
     double friction;                           /* of its surface; < 0: the case's friction */
     int wheels;                                /* 0 or CR_WHEELS */
     struct cr_wheel wheel[CR_WHEELS];          /* front left, front right, rear left, rear right */
-    const double *energy_against[CR_BODY_MAX]; /* grid energies of the layers that meet this
-                                                  partner in height; NULL: grid.energy */
+    struct cr_strength strength;               /* of all layers */
+    struct cr_strength against[CR_BODY_MAX];   /* of the layers that meet this partner in height;
+                                                  NULL: strength */
     int waypoints;                             /* 0: pos, vel, heading above are the start */
     const struct cr_waypoint *waypoint;        /* borrowed, [waypoints] */
 };

@@ -17,13 +17,17 @@ static bool room_for_loss(struct cr_side *k) {
     return true;
 }
 
-bool cr_crush_voxel(struct cr_side *k, int voxel, int at, double phi, struct cr_vec2 n) {
+bool cr_crush_voxel(struct cr_side *k, int voxel, int at, double phi, struct cr_vec2 n,
+                    struct cr_vec2 push) {
     struct cr_surface *f = &k->m->surface;
-    double h = f->grid->h, moved = fmin(phi, f->band) - f->phi[at], amount = 0;
+    double h = f->grid->h, moved = fmin(phi, f->band) - f->phi[at], amount = 0, unit = 0;
     if (!(moved > 0)) {
         return true;
     }
-    if (voxel >= 0 && k->unit[voxel] > 0) { /* layers that do not meet the opponent stay */
+    if (voxel >= 0) {
+        unit = cr_unit_energy(k, voxel, push);
+    }
+    if (unit > 0) { /* layers that do not meet the opponent stay */
         amount = fmax(f->left[voxel] - cr_surface_left(phi, n, h, f->dense[voxel]), 0);
     }
     if (!room_for_loss(k)) {
@@ -32,7 +36,7 @@ bool cr_crush_voxel(struct cr_side *k, int voxel, int at, double phi, struct cr_
     f->phi[at] += moved;
     if (amount > 0) {
         f->left[voxel] -= amount;
-        k->energy += amount * k->unit[voxel];
+        k->energy += amount * unit;
         k->area += amount * h * h;
     }
     k->loss[k->losses++] = (struct cr_loss){voxel, at, amount, moved};
@@ -71,7 +75,7 @@ static bool follow_all(struct cr_side *k) {
         }
         for (int i = 0; i < k->cells; i++) {
             struct cr_cell *c = &k->cell[i];
-            if (!c->core && !cr_crush_voxel(k, c->voxel, c->at, c->next, c->normal)) {
+            if (!c->core && !cr_crush_voxel(k, c->voxel, c->at, c->next, c->normal, c->normal)) {
                 return false;
             }
         }
@@ -88,7 +92,7 @@ static bool recede(struct cr_side *k, double pass) {
         }
         double phi = c->phi + pass * k->share * c->overlap;
         double press = c->met * c->strength * fmax(1 - fabs(phi) / h, 0);
-        if (!cr_crush_voxel(k, c->voxel, c->at, phi, c->normal)) {
+        if (!cr_crush_voxel(k, c->voxel, c->at, phi, c->normal, c->normal)) {
             return false;
         }
         k->pressure = cr_vec2_axpy(k->pressure, press, c->normal);

@@ -16,8 +16,10 @@ void cr_yield_share(struct cr_duo *d);
 /* crush.c: the surfaces of both recede by their shares; energy, pressure and losses of each. False
  * when memory is out. */
 bool cr_crush_contact(struct cr_duo *d);
-/* a surface of the body to be moved to phi with the normal n: adds a loss; false when memory is out */
-bool cr_crush_voxel(struct cr_side *k, int voxel, int at, double phi, struct cr_vec2 n);
+/* the surface at a voxel moves to phi with the normal n, pushed along `push`: adds a loss; voxel < 0 in
+ * the margin; false when memory is out */
+bool cr_crush_voxel(struct cr_side *k, int voxel, int at, double phi, struct cr_vec2 n,
+                    struct cr_vec2 push);
 /* Give back the share 1 - lambda of the losses and book the rest at time t; lambda = 0 undoes all. */
 void cr_crush_settle(struct cr_duo *d, double lambda);
 

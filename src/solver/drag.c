@@ -21,7 +21,7 @@ struct face {
 
 /* slope of the structure between the lines i and i + 1 */
 static double slope_at(const struct face *f, int i) {
-    double k = f->k->m->surface.grid->drag[f->face];
+    double k = f->k->m->surface.grid->drag_slope[f->face];
     double out = fabs(2.0 * (i + 1) / f->lines.n - 1);
     return cr_face_is_end(f->face) && out > cr_rails_share ? fmax(k, cr_beyond_rails) : k;
 }
@@ -109,7 +109,7 @@ static bool crush_line(struct face *f, int line, double depth, double k) {
         }
         int voxel = f->lines.first + line * f->lines.next + i * f->lines.inward;
         int at = cr_surface_at(s, voxel % s->grid->nx, voxel / s->grid->nx);
-        if (!cr_crush_voxel(f->k, voxel, at, phi, n)) {
+        if (!cr_crush_voxel(f->k, voxel, at, phi, n, f->lines.in)) {
             return false;
         }
     }
@@ -123,7 +123,8 @@ static double strength_of(const struct face *f, int line, double depth) {
     int i = (int)cr_clamp(floor(n), 0, f->lines.length - 2);
     double u = cr_clamp(n - i, 0, 1);
     int k = f->lines.first + line * f->lines.next + i * f->lines.inward, next = k + f->lines.inward;
-    double here = f->k->unit[k] * s->dense[k], there = f->k->unit[next] * s->dense[next];
+    double here = cr_unit_energy(f->k, k, f->lines.in) * s->dense[k];
+    double there = cr_unit_energy(f->k, next, f->lines.in) * s->dense[next];
     return (here + u * (there - here)) / s->grid->h;
 }
 
@@ -145,7 +146,7 @@ static bool drag_face(struct cr_duo *d, int side, enum cr_face face) {
     struct cr_vec2 n = cr_vec2_unit(k->pressure, cr_vec2(0, 0));
     double in = cr_vec2_dot(n, f.lines.in), aside = cr_vec2_dot(n, f.lines.along);
     f.faces = cr_clamp((in - 0.5) / 0.25, 0, 1);
-    if (!(s->grid->drag[face] > 0) || !(f.faces > 0) || f.lines.n < 2) {
+    if (!(s->grid->drag_slope[face] > 0) || !(f.faces > 0) || f.lines.n < 2) {
         return true;
     }
     f.up = fmax(aside, 0) / in;

@@ -111,7 +111,7 @@ static double look_at(struct cr_side *k, const struct opponent *o, int ix, int i
     c.met = c.core && c.approach > 0
                 ? fmin(c.overlap / (c.approach * o->dt), 1) * fmin(c.approach / whole, 1)
                 : 0;
-    c.strength = inside ? k->unit[voxel] * f->dense[voxel] / h : 0;
+    c.strength = inside ? cr_unit_energy(k, voxel, c.normal) * f->dense[voxel] / h : 0;
     k->cell[k->cells++] = c;
     return 1;
 }

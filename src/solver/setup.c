@@ -7,31 +7,38 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* energy per unit of material against each partner, shared where the layers are the same */
-static bool new_units(struct cr_solver *s, struct cr_moving *m) {
-    const struct cr_grid *g = &m->body->grid;
+/* energies per unit of material of those of a grid; NULL when memory is out */
+static const double *units_of(struct cr_solver *s, const struct cr_grid *g, const double *energy) {
     size_t n = (size_t)g->nx * (size_t)g->ny;
-    const double *from[CR_BODY_MAX] = {NULL};
-    for (int p = 0; p < s->cs->n; p++) {
-        if (m == &s->m[p]) {
-            continue;
+    double *unit = cr_arena_take_raw(&s->arena, n, sizeof *unit);
+    for (size_t k = 0; unit != NULL && k < n; k++) {
+        unit[k] = g->fill[k] > 0 ? energy[k] / g->fill[k] : 0;
+    }
+    return unit;
+}
+
+/* the energies of a body against a partner for one way to be pushed */
+static const double *energy_of(const struct cr_body *b, int partner, int push) {
+    const double *own = b->against[partner].energy[push];
+    own = own != NULL ? own : b->strength.energy[push];
+    return own != NULL ? own : b->grid.energy;
+}
+
+/* Energy per unit of material against each partner, shared where the layers are the same. */
+static bool new_units(struct cr_solver *s, struct cr_moving *m) {
+    const struct cr_body *b = m->body;
+    for (int p = 0; p < s->cs->n * CR_PUSHES; p++) {
+        int partner = p / CR_PUSHES, push = p % CR_PUSHES;
+        const double *energy = energy_of(b, partner, push), **unit = &m->unit[partner][push];
+        for (int q = 0; q < p && *unit == NULL; q++) {
+            if (energy_of(b, q / CR_PUSHES, q % CR_PUSHES) == energy) {
+                *unit = m->unit[q / CR_PUSHES][q % CR_PUSHES];
+            }
         }
-        const double *energy = m->body->energy_against[p];
-        from[p] = energy != NULL ? energy : g->energy;
-        for (int q = 0; q < p; q++) {
-            m->unit[p] = from[q] == from[p] ? m->unit[q] : m->unit[p];
-        }
-        if (m->unit[p] != NULL) {
-            continue;
-        }
-        double *unit = cr_arena_take_raw(&s->arena, n, sizeof *unit);
-        if (unit == NULL) {
+        *unit = *unit != NULL ? *unit : units_of(s, &b->grid, energy);
+        if (*unit == NULL) {
             return false;
         }
-        for (size_t k = 0; k < n; k++) {
-            unit[k] = g->fill[k] > 0 ? from[p][k] / g->fill[k] : 0;
-        }
-        m->unit[p] = unit;
     }
     return true;
 }

@@ -23,7 +23,8 @@ struct cr_moving {
     bool at_rest;
     bool soft;                       /* it has voxels; else it is a rigid shape */
     struct cr_surface surface;       /* of a soft body */
-    const double *unit[CR_BODY_MAX]; /* energy per unit of material against each partner, J */
+    /* energy per unit of material against each partner by the way it is pushed, J */
+    const double *unit[CR_BODY_MAX][CR_PUSHES];
     int wheel_voxel[CR_WHEELS];      /* at the wheel's place, -1: beside the grid */
     bool drag[CR_WHEELS];            /* that voxel was crushed: the wheel slides */
     double energy, induced;          /* plastic so far, J */
@@ -64,7 +65,7 @@ struct cr_loss {
 /* Step 1 for one body of a pair in one slice. */
 struct cr_side {
     struct cr_moving *m;
-    const double *unit; /* energy of its voxels per unit of material against the opponent, J */
+    const double *const *unit; /* of m against the opponent, [CR_PUSHES] */
     int cells, cells_size;
     struct cr_cell *cell;
     int losses, losses_size;
@@ -160,6 +161,18 @@ struct cr_solver {
     struct cr_snapshot *freed; /* as it was when the last contact ended */
     struct cr_solution out;
 };
+
+/* Energy per unit of material of a voxel that is pushed along d, a unit vector in the body's frame,
+ * J: the two strengths in series, the weaker gives way first. */
+static inline double cr_unit_energy(const struct cr_side *k, int voxel, struct cr_vec2 d) {
+    double along = k->unit[d.x < 0 ? CR_PUSH_REARWARD : CR_PUSH_FORWARD][voxel];
+    double across = k->unit[CR_PUSH_SIDEWAYS][voxel], x2 = d.x * d.x, y2 = d.y * d.y;
+    if (y2 < 1e-9 || along == across) {
+        return along;
+    }
+    double sum = x2 * across + y2 * along;
+    return x2 < 1e-9 ? across : sum > 0 ? along * across / sum : 0;
+}
 
 /* A pair of bodies a < b and its contact, made once a pair and slice. */
 struct cr_duo {
