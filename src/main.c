@@ -3,6 +3,7 @@
 #include "config.h"
 
 #include "base/arena.h"
+#include "base/show.h"
 #include "base/str.h"
 #include "batch/batch.h"
 #include "repl/repl.h"
@@ -59,7 +60,9 @@ static int unknown(const char *what, const char *given) {
         known[i + 2] = words[i].name;
     }
     const char *near = cr_str_nearest(given, known, WORDS + 2);
-    fprintf(stderr, "crumple: error: unknown %s %s (%s%s%s)\n", what, given,
+    char shown[256];
+    fprintf(stderr, "crumple: error: unknown %s %s (%s%s%s)\n", what,
+            cr_show(given, shown, sizeof shown),
             near != NULL ? "did you mean " : "crumple --help lists them", near != NULL ? near : "",
             near != NULL ? "?" : "");
     return 2;
@@ -80,6 +83,8 @@ static int interactive(int argc, char **argv, const char *data_dir) {
 int main(int argc, char **argv) {
     cr_arena_keep();
     setlocale(LC_ALL, "");
+    /* a result is the same text wherever it was made, also where it quotes the system */
+    setlocale(LC_MESSAGES, "C");
     /* JSON and command files have a decimal point wherever the program runs */
     setlocale(LC_NUMERIC, "C");
     const char *word = argc > 1 ? argv[1] : "";

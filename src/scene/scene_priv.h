@@ -57,6 +57,8 @@ CR_MUST_CHECK enum cr_err cr_scene_numbers_read(struct cr_reader *r, const struc
                                                 const char *expected);
 struct cJSON *cr_scene_numbers_write(const struct cr_key *key, const double *x, int n);
 /* What stands in the JSON, for messages: string "north", an array. */
+/* Most characters of a text key. */
+size_t cr_scene_text_chars(const struct cr_key *key);
 const char *cr_scene_describe(const struct cJSON *json, char *buf, size_t size);
 
 /* A polygon without crossing edges and with an area; made counter-clockwise. */
