@@ -10,9 +10,11 @@
 #include "trial/trial.h"
 #include "tui/tui.h"
 
+#include <fcntl.h>
 #include <locale.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 static const char help[] =
     "usage: crumple                          full screen on a terminal, else commands from stdin\n"
@@ -69,6 +71,18 @@ static int unknown(const char *what, const char *given) {
     return 2;
 }
 
+/* With one of the first three descriptors closed, the next file that is opened would get its
+ * number, and what is meant for the user would go there. What takes its place fails like what is
+ * closed. */
+static void keep_descriptors(void) {
+    for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++) {
+        if (fcntl(fd, F_GETFD) == -1 &&
+            open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY) != fd) {
+            _exit(2);
+        }
+    }
+}
+
 static int interactive(int argc, char **argv, const char *data_dir) {
     const char *why = cr_tui_refusal();
     char state[1024];
@@ -82,6 +96,7 @@ static int interactive(int argc, char **argv, const char *data_dir) {
 }
 
 int main(int argc, char **argv) {
+    keep_descriptors();
     cr_arena_keep();
     setlocale(LC_ALL, "");
     /* a result is the same text wherever it was made, also where it quotes the system */

@@ -73,8 +73,8 @@ char *cr_err_format(const struct cr_error *err, char *buf, int size) {
     } else if (err->src[0] != '\0') {
         snprintf(place, sizeof place, "%s: ", err->src);
     }
-    snprintf(buf, (size_t)size, "%serror: %s%s%s%s%s%s", place,
-             where, where[0] != '\0' ? ": " : "", err->text,
-             err->hint[0] != '\0' ? " (" : "", err->hint, err->hint[0] != '\0' ? ")" : "");
+    snprintf(buf, (size_t)size, "%serror: %s%s%s%s%s%s", place, where, where[0] != '\0' ? ": " : "",
+             err->text, err->hint[0] != '\0' ? " (" : "", err->hint,
+             err->hint[0] != '\0' ? ")" : "");
     return buf;
 }

@@ -31,6 +31,7 @@
     X(NO_CONTACT, 4, "no-contact")                                                                 \
     X(SOLVER, 4, "solver")                                                                         \
     X(MEMORY, 4, "memory")                                                                         \
+    X(EXPENSIVE, 4, "too-expensive")                                                               \
     X(INTERRUPTED, 130, "interrupted")
 
 enum cr_err {
@@ -49,8 +50,8 @@ struct cr_error {
     char hint[192];  /* the way out, "" if there is none to name */
 };
 
-/* Fill in *err (nullable) with a formatted text; clears place and hint; returns code. Text, hint and
- * src are made fit to show (base/show.h), and cut between two characters. */
+/* Fill in *err (nullable) with a formatted text; clears place and hint; returns code. Text, hint
+ * and src are made fit to show (base/show.h), and cut between two characters. */
 enum cr_err cr_err_set(struct cr_error *err, enum cr_err code, const char *fmt, ...)
     CR_PRINTF(3, 4);
 

@@ -1,5 +1,5 @@
-/* Reads files whole, and writes them whole or not at all: into a file without a name, or with one of
- * its own beside the target, whose place it takes when it is complete. */
+/* Reads files whole, and writes them whole or not at all: into a file without a name, or with one
+ * of its own beside the target, whose place it takes when it is complete. */
 #define _GNU_SOURCE /* O_TMPFILE, realpath */
 #include "base/file.h"
 
@@ -95,8 +95,7 @@ enum cr_err cr_file_check_regular(const char *path, struct cr_error *err) {
     return S_ISREG(st.st_mode) ? CR_ERR_OK : irregular(&st, path, err);
 }
 
-enum cr_err cr_file_read_regular(const char *path, char **text, size_t *len,
-                                 struct cr_error *err) {
+enum cr_err cr_file_read_regular(const char *path, char **text, size_t *len, struct cr_error *err) {
     struct stat st;
     /* a pipe without a writer must not be waited for */
     int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
@@ -318,14 +317,14 @@ enum cr_err cr_file_part_open(const char *path, struct cr_file_part *out, struct
         return code;
     }
     /* a link or pipe that somebody else has put there is not written through */
-    out->fd = open(out->part, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC,
-                   0666);
+    out->fd =
+        open(out->part, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
     if (out->fd >= 0 && fstat(out->fd, &st) == 0 && S_ISREG(st.st_mode)) {
         keep_mode(out->fd, out->target);
         return CR_ERR_OK;
     }
-    enum cr_err code = out->fd >= 0 ? irregular(&st, out->part, err)
-                                    : io_error(err, out->part, "write");
+    enum cr_err code =
+        out->fd >= 0 ? irregular(&st, out->part, err) : io_error(err, out->part, "write");
     if (out->fd < 0 && lstat(out->part, &st) == 0 && S_ISLNK(st.st_mode)) {
         cr_err_hint(err, "it is a link: take it away, or give -o another name");
     }

@@ -175,7 +175,7 @@ static enum cr_err scan_word(struct scan *s) {
         }
     }
     char text[80], hint[80] = "text stands in double quotes";
-    if (strcmp(word, "NaN") == 0 || strncmp(word, "Inf", 3) == 0) {
+    if (strcmp(word, "NaN") == 0 || strcmp(word, "Infinity") == 0 || strcmp(word, "Inf") == 0) {
         snprintf(text, sizeof text, "%s is not a JSON number", word);
         snprintf(hint, sizeof hint, "leave the key out for a value that is not known");
     } else {

@@ -49,9 +49,12 @@ enum cr_err cr_cmd_load(struct cr_call *call, struct cr_error *err) {
         return code;
     }
     const char *from = recover ? left : cr_session_find_file(s, path, buf, sizeof buf);
-    cr_scene_fini(&draft->scene);
-    memset(draft->placed, 0, sizeof draft->placed);
-    code = cr_scene_load_draft(from, &draft->scene, err);
+    code = cr_file_check_regular(from, err); /* a session must not wait for a pipe */
+    if (code == CR_ERR_OK) {
+        cr_scene_fini(&draft->scene);
+        memset(draft->placed, 0, sizeof draft->placed);
+        code = cr_scene_load_draft(from, &draft->scene, err);
+    }
     if (code != CR_ERR_OK) {
         cr_cmd_guess_file(from, ".json", err);
         return recover ? code : cr_cmd_blame(call, "FILE", code);
@@ -175,9 +178,9 @@ static enum cr_err export_field(struct cr_session *s, struct cr_str *out, struct
             if (g->fill[i] <= 0) {
                 continue;
             }
-            cr_str_addf(out, "%s,%.6g,%.6g,%.6g,%.6g,%.6g,", r->resolved.part[b].id,
-                        g->x0 + (i % g->nx + 0.5) * g->h, g->y0 + (i / g->nx + 0.5) * g->h,
-                        g->energy[i], g->fill[i], o->left[i]);
+            cr_str_csv(out, r->resolved.part[b].id);
+            cr_str_addf(out, ",%.6g,%.6g,%.6g,%.6g,%.6g,", g->x0 + (i % g->nx + 0.5) * g->h,
+                        g->y0 + (i / g->nx + 0.5) * g->h, g->energy[i], g->fill[i], o->left[i]);
             if (isfinite((double)o->t_crushed[i])) {
                 cr_str_addf(out, "%.6g", (double)o->t_crushed[i]);
             }
@@ -200,12 +203,14 @@ static enum cr_err export_steps(struct cr_session *s, struct cr_str *out, struct
     for (int i = 0; i < sol->slices; i++) {
         const struct cr_slice *c = &sol->slice[i];
         const struct cr_contact *pair = &sol->contact[c->contact];
-        cr_str_addf(out,
-                    "%d,%.9g,%s,%s,%d,%d,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n",
-                    c->sample + 1, sol->t[c->sample], r->resolved.part[pair->a].id,
-                    r->resolved.part[pair->b].id, c->deformed[0], c->deformed[1], c->energy[0],
-                    c->energy[1], c->induced, c->path, c->force, c->impulse, c->mass_eff,
-                    c->approach, c->friction, c->coe.x, c->coe.y);
+        cr_str_addf(out, "%d,%.9g,", c->sample + 1, sol->t[c->sample]);
+        cr_str_csv(out, r->resolved.part[pair->a].id);
+        cr_str_add(out, ",");
+        cr_str_csv(out, r->resolved.part[pair->b].id);
+        cr_str_addf(out, ",%d,%d,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n",
+                    c->deformed[0], c->deformed[1], c->energy[0], c->energy[1], c->induced, c->path,
+                    c->force, c->impulse, c->mass_eff, c->approach, c->friction, c->coe.x,
+                    c->coe.y);
     }
     return CR_ERR_OK;
 }
@@ -320,7 +325,7 @@ enum cr_err cr_cmd_source(struct cr_call *call, struct cr_error *err) {
         cr_err_hint(err, "does one source itself?");
         return cr_cmd_blame(call, "FILE", CR_ERR_RANGE);
     }
-    enum cr_err code = cr_file_read(path, &text, &len, err);
+    enum cr_err code = cr_file_read_regular(path, &text, &len, err);
     if (code != CR_ERR_OK) {
         return cr_cmd_blame(call, "FILE", code);
     }

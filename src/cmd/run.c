@@ -309,6 +309,10 @@ enum cr_err cr_session_script(struct cr_session *s, const char *text, const char
     }
     while (text[at] != '\0' && code == CR_ERR_OK && !s->over) {
         int end = line_end(text, at);
+        if (at > 0 && cr_work_cancelled(s)) { /* of long work or not: ^C ends the file */
+            cr_warn(s, "interrupted: the rest of %s was not run", src);
+            return CR_ERR_INTERRUPTED;
+        }
         if (s->echo) {
             echo(s, text + at, end - at);
         }

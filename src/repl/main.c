@@ -69,7 +69,8 @@ int cr_repl_takes(const char *arg) {
 
 static int fail(const char *what, const char *arg) {
     char shown[256];
-    fprintf(stderr, "crumple: error: %s '%s'. %s\n", what, cr_show(arg, shown, sizeof shown), usage);
+    fprintf(stderr, "crumple: error: %s '%s'. %s\n", what, cr_show(arg, shown, sizeof shown),
+            usage);
     return 2;
 }
 

@@ -316,7 +316,7 @@ enum cr_err cr_signal_load(const char *path, const char *column, struct cr_signa
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for a signal");
     }
     t->path = path;
-    enum cr_err rc = cr_file_read(path, &text, &len, err);
+    enum cr_err rc = cr_file_read_regular(path, &text, &len, err);
     rc = rc ? rc : parse(t, text, column, out, err);
     if (rc) {
         cr_signal_free(out);

@@ -401,7 +401,7 @@ static enum cr_err write_recipes(const struct fit *f, const char *dir, struct cr
             face[k] = *cr_model_face(f->lib, (enum cr_type)t, (enum cr_model_end)k);
         }
         snprintf(path, sizeof path, "%s/%s.json", dir, cr_type_word((enum cr_type)t));
-        rc = cr_file_read(path, &text, &len, err);
+        rc = cr_file_read_regular(path, &text, &len, err);
         if (!rc) {
             rc = cr_calibration_write(text, face, f->out[t], &out, err);
             cr_err_place(err, path, 0, 0);

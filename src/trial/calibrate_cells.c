@@ -38,7 +38,7 @@ static enum cr_err measured(const char *dir, struct shares *out, struct cr_error
     size_t len = 0;
     snprintf(path, sizeof path, "%s/share/validation/data/camry_10146_loadcell_energy_kJ.csv", dir);
     memset(out, 0, sizeof *out);
-    enum cr_err rc = cr_file_read(path, &text, &len, err);
+    enum cr_err rc = cr_file_read_regular(path, &text, &len, err);
     if (rc) {
         return rc;
     }

@@ -47,7 +47,7 @@ static enum cr_err open_table(const char *dir, const char *name, struct table *t
     size_t len = 0;
     snprintf(path, sizeof path, "%s/share/validation/data/%s", dir, name);
     *t = (struct table){.text = NULL};
-    enum cr_err rc = cr_file_read(path, &t->text, &len, err);
+    enum cr_err rc = cr_file_read_regular(path, &t->text, &len, err);
     if (rc) {
         return rc;
     }
@@ -119,7 +119,7 @@ enum cr_err cr_type_rules_read(const char *dir, struct cr_type_rules *out, struc
     char path[600], *text = NULL;
     size_t len = 0;
     snprintf(path, sizeof path, "%s/share/calibration/types.json", dir);
-    enum cr_err rc = cr_file_read(path, &text, &len, err);
+    enum cr_err rc = cr_file_read_regular(path, &text, &len, err);
     if (rc) {
         return rc;
     }
