@@ -20,7 +20,7 @@ static bool exists(const char *path) {
 const char *cr_session_find_file(const struct cr_session *s, const char *path, char *buf,
                                  int size) {
     if (!exists(path) && path[0] != '/' && s->data_dir[0] != '\0') {
-        snprintf(buf, (size_t)size, "%s/%s", s->data_dir, path);
+        cr_file_part(s->data_dir, path, buf, (size_t)size);
         return exists(buf) ? buf : path;
     }
     return path;

@@ -1,4 +1,5 @@
 /* The session: what commands work on, its log, and the data that is read when first needed. */
+#include "base/file.h"
 #include "cmd/sweep.h"
 
 #include <math.h>
@@ -216,7 +217,7 @@ enum cr_err cr_session_need_models(struct cr_session *s, struct cr_error *err) {
         s->models = NULL;
         return code;
     }
-    snprintf(path, sizeof path, "%s/share/irf", s->data_dir);
+    cr_file_part(s->data_dir, "irf", path, sizeof path);
     struct cr_error irf_err;
     if (cr_irf_load(path, &s->irf, &irf_err) != CR_ERR_OK) {
         s->irf = NULL;

@@ -43,9 +43,10 @@ static const char *after_line(const char *p) {
 
 static enum cr_err open_table(const char *dir, const char *name, struct table *t,
                               struct cr_error *err) {
-    char path[600];
+    char part[200], path[600];
     size_t len = 0;
-    snprintf(path, sizeof path, "%s/share/validation/data/%s", dir, name);
+    snprintf(part, sizeof part, "validation/data/%s", name);
+    cr_file_part(dir, part, path, sizeof path);
     *t = (struct table){.text = NULL};
     enum cr_err rc = cr_file_read(path, &t->text, &len, err);
     if (rc) {
@@ -118,7 +119,7 @@ enum cr_err cr_type_rules_read(const char *dir, struct cr_type_rules *out, struc
     out->n = 0;
     char path[600], *text = NULL;
     size_t len = 0;
-    snprintf(path, sizeof path, "%s/share/calibration/types.json", dir);
+    cr_file_part(dir, "calibration/types.json", path, sizeof path);
     enum cr_err rc = cr_file_read(path, &text, &len, err);
     if (rc) {
         return rc;

@@ -414,9 +414,9 @@ static enum cr_err load_walls(const char *dir, const struct cr_type_rules *rules
                               struct cr_test_list *list, struct cr_error *err) {
     char path[4200];
     int from = list->n;
-    snprintf(path, sizeof path, "%s/share/validation/data/frontal_wall.csv", dir);
+    cr_file_part(dir, "validation/data/frontal_wall.csv", path, sizeof path);
     enum cr_err rc = load_table(path, CR_TEST_WALL, rules, list, err);
-    snprintf(path, sizeof path, "%s/share/validation/data/frontal_wall_pulse.csv", dir);
+    cr_file_part(dir, "validation/data/frontal_wall_pulse.csv", path, sizeof path);
     return rc ? rc : add_pulses(path, list, from, err);
 }
 
@@ -433,10 +433,12 @@ enum cr_err cr_test_load(const char *dir, enum cr_test_class class,
         return load_walls(dir, rules, list, err);
     }
     if (class == CR_TEST_POLE) {
-        snprintf(path, sizeof path, "%s/share/validation/data/side_pole.csv", dir);
+        cr_file_part(dir, "validation/data/side_pole.csv", path, sizeof path);
         return load_table(path, class, rules, list, err);
     }
-    snprintf(path, sizeof path, "%s/share/validation/%s", dir, WORD[class]);
+    char part[100];
+    snprintf(part, sizeof part, "validation/%s", WORD[class]);
+    cr_file_part(dir, part, path, sizeof path);
     return load_folder(path, class, list, err);
 }
 

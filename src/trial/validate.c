@@ -119,7 +119,7 @@ static enum cr_err load(char **name, int n, struct cr_test_list *list, struct cr
     char dir[4096];
     struct cr_type_rules rules;
     // complains when there is no data folder
-    enum cr_err rc = cr_cli_data("share/validation", dir, sizeof dir, err);
+    enum cr_err rc = cr_cli_data("validation", dir, sizeof dir, err);
     rc = rc ? rc : cr_type_rules_read(cr_data_dir(dir, sizeof dir), &rules, err);
     for (int c = 0; n == 0 && c < CR_TEST_OWN && !rc; c++) {
         rc = cr_test_load(dir, (enum cr_test_class)c, &rules, list, err);
