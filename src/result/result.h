@@ -162,8 +162,8 @@ enum cr_quantity {
 double cr_result_quantity(const struct cr_solution *sol, int sample, int body,
                           enum cr_quantity quantity);
 
-/* For each voxel of a grid (ees[iy * nx + ix], km/h) the EES of a crush of the whole face down to it,
- * by the face that reaches it at the least EES; infinite inside of what has no energy. mass in kg. */
+/* EES (km/h) of a crush of the whole face down to each voxel of a grid, ees[iy * nx + ix], by the
+ * face that reaches it at the least EES. mass in kg. */
 void cr_result_ees(const struct cr_grid *grid, double mass, double *ees);
 
 /* Phaseless CFC filter of SAE J211 (literature.md 4.3) over n samples of spacing dt, in place.

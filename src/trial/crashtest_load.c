@@ -139,7 +139,7 @@ static int is_json(const struct dirent *e) {
 static enum cr_err load_folder(const char *dir, enum cr_test_class class, struct cr_test_list *list,
                                struct cr_error *err) {
     struct dirent **entry = NULL;
-    int n = scandir(dir, &entry, is_json, alphasort);
+    int n = scandir(dir, &entry, is_json, cr_file_by_bytes);
     if (n < 0) {
         cr_err_set(err, CR_ERR_IO, "cannot list the folder: %s", strerror(errno));
         cr_err_place(err, dir, 0, 0);
