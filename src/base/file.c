@@ -3,6 +3,7 @@
 #define _GNU_SOURCE /* O_TMPFILE, realpath */
 #include "base/file.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
@@ -294,9 +295,9 @@ enum cr_err cr_file_write(const char *path, const char *text, size_t n, struct c
 
 /* ---- writing piece by piece ---- */
 
-enum cr_err cr_file_part_open(const char *path, struct cr_file_part *out, struct cr_error *err) {
+enum cr_err cr_file_out_open(const char *path, struct cr_file_out *out, struct cr_error *err) {
     struct stat st;
-    *out = (struct cr_file_part){.fd = -1};
+    *out = (struct cr_file_out){.fd = -1};
     char *real = lstat(path, &st) == 0 && S_ISLNK(st.st_mode) ? realpath(path, NULL) : NULL;
     const char *target = real != NULL ? real : path;
     size_t size = strlen(target) + sizeof ".part";
@@ -304,7 +305,7 @@ enum cr_err cr_file_part_open(const char *path, struct cr_file_part *out, struct
     out->part = malloc(size);
     if (out->target == NULL || out->part == NULL) {
         free(real);
-        cr_file_part_close(out);
+        cr_file_out_close(out);
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for a name");
     }
     snprintf(out->target, size, "%s", target);
@@ -313,7 +314,7 @@ enum cr_err cr_file_part_open(const char *path, struct cr_file_part *out, struct
     if (stat(out->target, &st) == 0 && S_ISDIR(st.st_mode)) {
         errno = EISDIR;
         enum cr_err code = io_error(err, path, "write");
-        cr_file_part_close(out);
+        cr_file_out_close(out);
         return code;
     }
     /* a link or pipe that somebody else has put there is not written through */
@@ -328,11 +329,11 @@ enum cr_err cr_file_part_open(const char *path, struct cr_file_part *out, struct
     if (out->fd < 0 && lstat(out->part, &st) == 0 && S_ISLNK(st.st_mode)) {
         cr_err_hint(err, "it is a link: take it away, or give -o another name");
     }
-    cr_file_part_close(out);
+    cr_file_out_close(out);
     return code;
 }
 
-enum cr_err cr_file_part_done(struct cr_file_part *p, struct cr_error *err) {
+enum cr_err cr_file_out_done(struct cr_file_out *p, struct cr_error *err) {
     if (fsync(p->fd) != 0) {
         return io_error(err, p->part, "write");
     }
@@ -342,13 +343,27 @@ enum cr_err cr_file_part_done(struct cr_file_part *p, struct cr_error *err) {
     return sync_folder(p->target, err);
 }
 
-void cr_file_part_close(struct cr_file_part *p) {
+void cr_file_out_close(struct cr_file_out *p) {
     if (p->fd >= 0) {
         close(p->fd);
     }
     free(p->target);
     free(p->part);
-    *p = (struct cr_file_part){.fd = -1};
+    *p = (struct cr_file_out){.fd = -1};
+}
+
+char *cr_file_part(const char *data_dir, const char *part, char *buf, size_t size) {
+    struct stat st;
+    part += strncmp(part, "share/", 6) == 0 ? 6 : 0;
+    int n = snprintf(buf, size, "%s/share/%s", data_dir, part);
+    if (n >= (int)size || stat(buf, &st) != 0) {
+        snprintf(buf, size, "%s/%s", data_dir, part);
+    }
+    return buf;
+}
+
+int cr_file_by_bytes(const struct dirent **a, const struct dirent **b) {
+    return strcmp((*a)->d_name, (*b)->d_name);
 }
 
 void cr_file_dir(const char *path, char *buf, size_t size) {

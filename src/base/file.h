@@ -36,15 +36,23 @@ bool cr_file_in_place(const char *path);
 /* A file that is written piece by piece into PATH.part, which becomes PATH when it is complete.
  * Links and modes are treated as by cr_file_write; PATH.part itself must be a regular file or be
  * none. */
-struct cr_file_part {
+struct cr_file_out {
     char *target, *part; /* paths, owned; target is where a link leads to */
     int fd;              /* of part, -1: not open */
 };
-CR_MUST_CHECK enum cr_err cr_file_part_open(const char *path, struct cr_file_part *out,
-                                            struct cr_error *err);
+CR_MUST_CHECK enum cr_err cr_file_out_open(const char *path, struct cr_file_out *out,
+                                           struct cr_error *err);
 /* fsync, rename, fsync of the folder. Errors: IO; part is then still there. */
-CR_MUST_CHECK enum cr_err cr_file_part_done(struct cr_file_part *p, struct cr_error *err);
-void cr_file_part_close(struct cr_file_part *p); /* leaves the file as it is */
+CR_MUST_CHECK enum cr_err cr_file_out_done(struct cr_file_out *p, struct cr_error *err);
+void cr_file_out_close(struct cr_file_out *p); /* leaves the file as it is */
+
+/* Where a part of a data folder ("irf", "validation/data") lies: below share/ in a source tree, at
+ * its top once installed. "share/irf" is the same, and "models" has one place. Returns buf. */
+char *cr_file_part(const char *data_dir, const char *part, char *buf, size_t size);
+
+/* Order of names for scandir: by bytes, the same in every locale. */
+struct dirent;
+int cr_file_by_bytes(const struct dirent **a, const struct dirent **b);
 
 /* Folder part of a path, "." if there is none, into buf. */
 void cr_file_dir(const char *path, char *buf, size_t size);

@@ -53,6 +53,7 @@ static struct {
     struct cr_ground_reader answer; /* to the question for it, being read */
     struct cr_pointer pointer;      /* an event of the mouse, being read */
     struct cr_paste paste;
+    unsigned redraws;             /* asked for so far */
     double asked_at, answered_at; /* s of the clock; NaN: not asked, or over; answer begun */
 } term = {.wake = {-1, -1}};
 
@@ -353,7 +354,6 @@ void cr_term_close(void) {
         delwin(term.input);
     }
     cr_str_fini(&term.paste.text);
-    cr_paint_forget();
     delscreen(term.screen);
     term.screen = NULL;
     cr_frame_close();
@@ -396,8 +396,12 @@ void cr_term_redraw(void) {
         reset_prog_mode();
         modes(true);
     }
-    cr_paint_forget();
+    term.redraws++;
     clearok(curscr, TRUE);
+}
+
+unsigned cr_term_redraws(void) {
+    return term.redraws;
 }
 
 enum cr_color cr_term_color(void) {
