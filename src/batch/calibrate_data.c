@@ -3,6 +3,7 @@
 
 #include "base/file.h"
 #include "base/json.h"
+#include "base/records.h"
 #include "base/vec.h"
 
 #include <cjson/cJSON.h>
@@ -12,83 +13,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { COLUMNS = 20, FIELD = 48 };
-
-/* A table with a header row; lines that begin with # are remarks. */
-struct table {
-    char *text;
-    int columns;
-    char name[COLUMNS][FIELD];
-    const char *next; /* row to be read */
-    char cell[COLUMNS][FIELD];
-};
-
-static int split(const char *line, char out[COLUMNS][FIELD]) {
-    int n = 0;
-    while (n < COLUMNS) {
-        size_t len = strcspn(line, ",\r\n");
-        snprintf(out[n++], FIELD, "%.*s", (int)(len < FIELD ? len : FIELD - 1), line);
-        if (line[len] != ',') {
-            break;
-        }
-        line += len + 1;
-    }
-    return n;
-}
-
-static const char *after_line(const char *p) {
-    p += strcspn(p, "\n");
-    return *p == '\n' ? p + 1 : p;
-}
-
-static enum cr_err open_table(const char *dir, const char *name, struct table *t,
+static enum cr_err open_table(const char *dir, const char *name, struct cr_records *t,
                               struct cr_error *err) {
     char path[600];
-    size_t len = 0;
     snprintf(path, sizeof path, "%s/share/validation/data/%s", dir, name);
-    *t = (struct table){.text = NULL};
-    enum cr_err rc = cr_file_read(path, &t->text, &len, err);
-    if (rc) {
-        return rc;
-    }
-    t->next = t->text;
-    while (*t->next == '#') {
-        t->next = after_line(t->next);
-    }
-    t->columns = split(t->next, t->name);
-    t->next = after_line(t->next);
-    return CR_ERR_OK;
+    return cr_records_load(path, t, err);
 }
 
-static bool next_row(struct table *t) {
-    while (*t->next == '#' || *t->next == '\n') {
-        t->next = after_line(t->next);
-    }
-    if (*t->next == '\0') {
-        return false;
-    }
-    for (int i = split(t->next, t->cell); i < COLUMNS; i++) {
-        t->cell[i][0] = '\0';
-    }
-    t->next = after_line(t->next);
-    return true;
-}
-
-static const char *cell(const struct table *t, const char *name) {
-    for (int i = 0; i < t->columns; i++) {
-        if (strcmp(t->name[i], name) == 0) {
-            return t->cell[i];
-        }
-    }
-    return "";
-}
-
-/* NaN where the cell is empty */
-static double number(const struct table *t, const char *name) {
-    const char *s = cell(t, name);
-    char *end = NULL;
-    double x = strtod(s, &end);
-    return end == s ? (double)NAN : x;
+/* NaN where the cell is empty or no number */
+static double number(const struct cr_records *t, int row, const char *name) {
+    double x;
+    return cr_records_number(t, row, name, &x, NULL) == CR_ERR_OK ? x : (double)NAN;
 }
 
 int cr_type_rules_find(const struct cr_type_rules *rules, const char *body, double mass,
@@ -159,71 +94,71 @@ enum cr_err cr_type_rules_read(const char *dir, struct cr_type_rules *out, struc
 
 static enum cr_err read_walls(const char *dir, const struct cr_type_rules *rules,
                               struct cr_calibration_data *d, struct cr_error *err) {
-    struct table t;
+    struct cr_records t;
     enum cr_err rc = open_table(dir, "frontal_wall.csv", &t, err);
-    while (!rc && next_row(&t) && d->walls < CR_CALIBRATE_TESTS) {
-        struct cr_wall_test w = {.number = (int)number(&t, "test_no"),
-                                 .year = (int)number(&t, "year"),
-                                 .mass = number(&t, "mass_kg"),
-                                 .speed = cr_mps(number(&t, "speed_kmh")),
-                                 .width = number(&t, "veh_width_mm") / 1000,
+    for (int r = 0; !rc && r < t.rows && d->walls < CR_CALIBRATE_TESTS; r++) {
+        struct cr_wall_test w = {.number = (int)number(&t, r, "test_no"),
+                                 .year = (int)number(&t, r, "year"),
+                                 .mass = number(&t, r, "mass_kg"),
+                                 .speed = cr_mps(number(&t, r, "speed_kmh")),
+                                 .width = number(&t, r, "veh_width_mm") / 1000,
                                  .dynamic = NAN,
                                  .peak_g = NAN};
         for (int i = 0; i < 6; i++) {
             char name[16];
             snprintf(name, sizeof name, "c%d", i + 1);
-            w.c[i] = number(&t, name) / 1000;
+            w.c[i] = number(&t, r, name) / 1000;
         }
-        int type = cr_type_rules_find(rules, cell(&t, "body"), w.mass, NAN);
+        int type = cr_type_rules_find(rules, cr_records_text(&t, r, "body"), w.mass, NAN);
         if (type >= 0 && w.mass > 0 && w.speed > 0 && w.c[2] > 0) {
             w.type = (enum cr_type)type;
             d->wall[d->walls++] = w;
         }
     }
-    free(t.text);
+    cr_records_fini(&t);
     return rc;
 }
 
 /* Dynamic crush and peak deceleration of tests whose signal keeps its energy within 5 %. */
 static enum cr_err read_pulses(const char *dir, struct cr_calibration_data *d,
                                struct cr_error *err) {
-    struct table t;
+    struct cr_records t;
     enum cr_err rc = open_table(dir, "frontal_wall_pulse.csv", &t, err);
-    while (!rc && next_row(&t)) {
-        int test = (int)number(&t, "test_id");
-        double ratio = number(&t, "energy_ratio");
-        bool valid = strcmp(cell(&t, "status"), "Valid") == 0 && ratio >= 0.95 && ratio <= 1.05;
+    for (int r = 0; !rc && r < t.rows; r++) {
+        int test = (int)number(&t, r, "test_id");
+        double ratio = number(&t, r, "energy_ratio");
+        bool valid = strcmp(cr_records_text(&t, r, "status"), "Valid") == 0 && ratio >= 0.95 && ratio <= 1.05;
         for (int i = 0; i < d->walls && valid; i++) {
             if (d->wall[i].number == test) {
-                d->wall[i].dynamic = number(&t, "calc_crush_mm") / 1000;
-                d->wall[i].peak_g = number(&t, "calc_peak_g");
+                d->wall[i].dynamic = number(&t, r, "calc_crush_mm") / 1000;
+                d->wall[i].peak_g = number(&t, r, "calc_peak_g");
             }
         }
     }
-    free(t.text);
+    cr_records_fini(&t);
     return rc;
 }
 
 static enum cr_err read_poles(const char *dir, const struct cr_type_rules *rules,
                               struct cr_calibration_data *d, struct cr_error *err) {
-    struct table t;
+    struct cr_records t;
     enum cr_err rc = open_table(dir, "side_pole.csv", &t, err);
-    while (!rc && next_row(&t) && d->poles < CR_CALIBRATE_TESTS) {
-        struct cr_pole_test p = {.number = (int)number(&t, "test_no"),
-                                 .mass = number(&t, "test_mass_kg"),
-                                 .speed = cr_mps(number(&t, "speed_kmh")),
-                                 .length = number(&t, "length_mm") / 1000,
-                                 .width = number(&t, "width_mm") / 1000,
-                                 .wheelbase = number(&t, "wheelbase_mm") / 1000,
-                                 .cg = number(&t, "cg_mm") / 1000,
-                                 .crush = number(&t, "crush_mm") / 1000};
-        int type = cr_type_rules_find(rules, cell(&t, "body"), p.mass, p.length);
+    for (int r = 0; !rc && r < t.rows && d->poles < CR_CALIBRATE_TESTS; r++) {
+        struct cr_pole_test p = {.number = (int)number(&t, r, "test_no"),
+                                 .mass = number(&t, r, "test_mass_kg"),
+                                 .speed = cr_mps(number(&t, r, "speed_kmh")),
+                                 .length = number(&t, r, "length_mm") / 1000,
+                                 .width = number(&t, r, "width_mm") / 1000,
+                                 .wheelbase = number(&t, r, "wheelbase_mm") / 1000,
+                                 .cg = number(&t, r, "cg_mm") / 1000,
+                                 .crush = number(&t, r, "crush_mm") / 1000};
+        int type = cr_type_rules_find(rules, cr_records_text(&t, r, "body"), p.mass, p.length);
         if (type >= 0 && p.mass > 0 && p.speed > 0 && p.crush > 0) {
             p.type = (enum cr_type)type;
             d->pole[d->poles++] = p;
         }
     }
-    free(t.text);
+    cr_records_fini(&t);
     return rc;
 }
 

@@ -2,8 +2,8 @@
  * reference values. */
 #include "batch/crashtest.h"
 
+#include "base/records.h"
 #include "base/file.h"
-#include "batch/records.h"
 
 #include <cjson/cJSON.h>
 #include <dirent.h>

@@ -14,7 +14,6 @@ libbatch_a_SOURCES = \
 	src/batch/output.c \
 	src/batch/pair.c src/batch/pair.h \
 	src/batch/pool.c src/batch/pool.h \
-	src/batch/records.c src/batch/records.h \
 	src/batch/resume.c src/batch/resume.h \
 	src/batch/run.c \
 	src/batch/shared.c \

@@ -57,7 +57,7 @@ static void test_what_is_no_value_is_refused(void **state) {
     check_refused("", CR_DIM_SPEED, CR_ERR_TYPE, "km/h");
     check_refused("inf", CR_DIM_SPEED, CR_ERR_TYPE, "inf");
     check_refused("nan", CR_DIM_NUMBER, CR_ERR_TYPE, "nan");
-    check_refused("60kmh", CR_DIM_SPEED, CR_ERR_NAME, "km/h");
+    check_refused("60kmx", CR_DIM_SPEED, CR_ERR_NAME, "km/h");
     check_refused("60kg", CR_DIM_SPEED, CR_ERR_NAME, "'kg'");
     check_refused("2g", CR_DIM_LENGTH, CR_ERR_NAME, "mm");
     check_refused("0x10m", CR_DIM_LENGTH, CR_ERR_NAME, "x10m");
