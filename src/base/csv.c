@@ -192,9 +192,8 @@ static const char *cut_field(struct row *row, const char *p, char sep, int *col)
         }
         cr_str_addn(&row->text, p, 1);
     }
-    while (row->text.len > start &&
-           (row->text.s[row->text.len - 1] == ' ' ||
-            (row->text.s[row->text.len - 1] == '\t' && sep != '\t'))) {
+    while (row->text.len > start && (row->text.s[row->text.len - 1] == ' ' ||
+                                     (row->text.s[row->text.len - 1] == '\t' && sep != '\t'))) {
         row->text.len--;
     }
     cr_str_addn(&row->text, "", 1); /* the end of the field */
@@ -242,7 +241,8 @@ static enum cr_err check_encoding(struct cr_csv *c, struct cr_error *err) {
     }
     size_t n = (size_t)(c->end - c->p);
     const unsigned char *p = (const unsigned char *)c->p;
-    bool little = n >= 2 && p[0] == 0xff && p[1] == 0xfe, big = n >= 2 && p[0] == 0xfe && p[1] == 0xff;
+    bool little = n >= 2 && p[0] == 0xff && p[1] == 0xfe,
+         big = n >= 2 && p[0] == 0xfe && p[1] == 0xff;
     if (little || big || (n >= 4 && ((p[0] == 0 && p[2] == 0) || (p[1] == 0 && p[3] == 0)))) {
         fault_at(c, 1, err, CR_ERR_SYNTAX, "the file is UTF-16, UTF-8 is wanted");
         cr_err_hint(err, "save it as \"CSV UTF-8\", or: iconv -f UTF-16 -t UTF-8 FILE > NEW.csv");
@@ -297,8 +297,7 @@ static enum cr_err read_header(struct cr_csv *c, const char *begins, struct cr_e
         return code;
     }
     if (!got) {
-        fault_at(c, 0, err, CR_ERR_MISSING,
-                 begins != NULL ? "no header row" : "the file is empty");
+        fault_at(c, 0, err, CR_ERR_MISSING, begins != NULL ? "no header row" : "the file is empty");
         if (begins != NULL) {
             cr_err_hint(err, "it begins with %s", begins);
         }
@@ -319,8 +318,7 @@ static enum cr_err read_header(struct cr_csv *c, const char *begins, struct cr_e
         numbers += cr_csv_scan(field(&c->head, i), c->comma, &x);
     }
     if (numbers == c->head.n) {
-        fault_at(c, line, err, CR_ERR_SYNTAX,
-                 "no header: the first row must name the columns");
+        fault_at(c, line, err, CR_ERR_SYNTAX, "no header: the first row must name the columns");
         cr_err_hint(err, "for example t_s,ax_g");
         return CR_ERR_SYNTAX;
     }
@@ -342,8 +340,7 @@ static enum cr_err read_units(struct cr_csv *c, struct cr_error *err) {
     return code;
 }
 
-enum cr_err cr_csv_open(const struct cr_csv_opts *opts, struct cr_csv **out,
-                        struct cr_error *err) {
+enum cr_err cr_csv_open(const struct cr_csv_opts *opts, struct cr_csv **out, struct cr_error *err) {
     *out = NULL;
     struct cr_csv *c = calloc(1, sizeof *c);
     if (c == NULL) {
@@ -351,7 +348,9 @@ enum cr_err cr_csv_open(const struct cr_csv_opts *opts, struct cr_csv **out,
     }
     bool standard = opts->text == NULL && strcmp(opts->path, "-") == 0;
     snprintf(c->src, sizeof c->src, "%s",
-             standard ? "standard input" : opts->path != NULL ? opts->path : "");
+             standard             ? "standard input"
+             : opts->path != NULL ? opts->path
+                                  : "");
     c->line = opts->line > 0 ? opts->line : 1;
     c->p = opts->text != NULL ? opts->text : c->buffer;
     c->end = opts->text != NULL ? opts->text + opts->len : c->buffer;
@@ -525,8 +524,7 @@ bool cr_csv_scan(const char *text, bool comma, double *out) {
     return end != buf && *end == '\0' && isfinite(*out);
 }
 
-enum cr_err cr_csv_number(const struct cr_csv *csv, int column, double *out,
-                          struct cr_error *err) {
+enum cr_err cr_csv_number(const struct cr_csv *csv, int column, double *out, struct cr_error *err) {
     const char *text = field(&csv->row, column);
     if (text[0] == '\0') {
         *out = (double)NAN;

@@ -7,6 +7,7 @@ libbase_a_SOURCES = \
 	src/base/hash.c src/base/hash.h \
 	src/base/json.c src/base/json.h src/base/print.c \
 	src/base/number.c src/base/number.h \
+	src/base/pool.c src/base/pool.h \
 	src/base/records.c src/base/records.h \
 	src/base/stats.c src/base/stats.h \
 	src/base/str.c src/base/str.h \

@@ -13,7 +13,7 @@ struct cr_records {
     const char **cell;   /* [rows * columns]; "" for an empty field */
     int *line;           /* [rows] in the file */
     char *text;          /* owner of the texts */
-    bool comma; /* decimal */
+    bool comma;          /* decimal */
     char src[512];
 };
 

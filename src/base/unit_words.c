@@ -142,8 +142,9 @@ const struct cr_unit *cr_unit_spelled(const char *text, enum cr_dim dim) {
 static enum cr_err refuse(struct cr_error *err, const char *what, enum cr_dim dim) {
     if (dim == CR_DIMS) {
         cr_err_set(err, CR_ERR_NAME, "'%.60s' is not a unit known here", what);
-        cr_err_hint(err, "for example s, ms, m, mm, ft, in, kg, lb, m/s, km/h, mph, m/s2, g, ft/s2, "
-                         "N, kN, lbf, deg, deg/s, rad/s");
+        cr_err_hint(err,
+                    "for example s, ms, m, mm, ft, in, kg, lb, m/s, km/h, mph, m/s2, g, ft/s2, "
+                    "N, kN, lbf, deg, deg/s, rad/s");
         return CR_ERR_NAME;
     }
     char list[120] = "";
@@ -215,8 +216,8 @@ static const struct cr_unit *unit_behind(const char *name, enum cr_dim dim) {
     bool snake = strchr(name, '_') != NULL && name[strcspn(name, " (")] != ' ';
     for (int last = n - 1; last >= 1; last--) {
         const struct cr_unit *unit = unit_before(word, last, dim);
-        bool sure = last == n - 1 || (snake && strcmp(word[last], "in") != 0 &&
-                                      strcmp(word[last], "t") != 0);
+        bool sure = last == n - 1 ||
+                    (snake && strcmp(word[last], "in") != 0 && strcmp(word[last], "t") != 0);
         if (unit != NULL && sure) {
             return unit;
         }

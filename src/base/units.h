@@ -58,7 +58,8 @@ CR_MUST_CHECK enum cr_err cr_unit_read(const char *text, enum cr_dim dim,
 
 /* Unit that stands in the name of a column: in brackets, "Speed (km/h)", "t [ms]", or behind the
  * quantity, "v_kmh", "yaw_rate_deg_s", "accel_x_g_cfc60"; *unit is NULL where there is none. Where
- * no bracket holds a unit, square ones are at fault, and round ones if there is none behind either. Errors: NAME for what is not known or not of the dimension dim (CR_DIMS: any).
+ * no bracket holds a unit, square ones are at fault, and round ones if there is none behind either.
+ * Errors: NAME for what is not known or not of the dimension dim (CR_DIMS: any).
  */
 CR_MUST_CHECK enum cr_err cr_unit_of_column(const char *name, enum cr_dim dim,
                                             const struct cr_unit **unit, struct cr_error *err);
