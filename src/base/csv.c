@@ -86,9 +86,9 @@ static bool pass_over(struct cr_csv *c) {
     if (byte != '#' && byte != '\n' && byte != '\r') {
         return false;
     }
-    while (byte != '\n' && byte != -1) {
+    do {
         byte = next_byte(c);
-    }
+    } while (byte != '\n' && byte != -1);
     return true;
 }
 
@@ -537,6 +537,13 @@ enum cr_err cr_csv_number(const struct cr_csv *csv, int column, double *out, str
                               field(&csv->head, column));
 }
 
+static enum cr_err row_fault(const struct cr_csv *csv, const struct row *row, int column,
+                             struct cr_error *err, enum cr_err code) {
+    bool known = column >= 0 && column < row->n;
+    cr_err_place(err, csv->src, row->line, known ? row->col[column] : 1);
+    return code;
+}
+
 enum cr_err cr_csv_fault(const struct cr_csv *csv, int column, struct cr_error *err,
                          enum cr_err code, const char *fmt, ...) {
     char text[256];
@@ -544,8 +551,17 @@ enum cr_err cr_csv_fault(const struct cr_csv *csv, int column, struct cr_error *
     va_start(args, fmt);
     vsnprintf(text, sizeof text, fmt, args);
     va_end(args);
-    bool known = column >= 0 && column < csv->row.n;
     cr_err_set(err, code, "%s", text);
-    cr_err_place(err, csv->src, csv->row.line, known ? csv->row.col[column] : 1);
-    return code;
+    return row_fault(csv, &csv->row, column, err, code);
+}
+
+enum cr_err cr_csv_head_fault(const struct cr_csv *csv, int column, struct cr_error *err,
+                              enum cr_err code, const char *fmt, ...) {
+    char text[256];
+    va_list args;
+    va_start(args, fmt);
+    vsnprintf(text, sizeof text, fmt, args);
+    va_end(args);
+    cr_err_set(err, code, "%s", text);
+    return row_fault(csv, &csv->head, column, err, code);
 }

@@ -63,6 +63,10 @@ CR_MUST_CHECK enum cr_err cr_csv_number(const struct cr_csv *csv, int column, do
 enum cr_err cr_csv_fault(const struct cr_csv *csv, int column, struct cr_error *err,
                          enum cr_err code, const char *fmt, ...) CR_PRINTF(5, 6);
 
+/* The same about a name in the header. */
+enum cr_err cr_csv_head_fault(const struct cr_csv *csv, int column, struct cr_error *err,
+                              enum cr_err code, const char *fmt, ...) CR_PRINTF(5, 6);
+
 /* "1.5" or "1,5" as a finite number, the whole of the text but blanks around it. */
 bool cr_csv_scan(const char *text, bool comma, double *out);
 

@@ -30,35 +30,31 @@ static bool is_time(const char *name) {
     return (n == 1 && word[0] == 't') || (n == 4 && strcmp(word, "time") == 0);
 }
 
-static enum cr_err find_columns(const struct cr_csv *csv, const char *path, const char *name,
-                                struct columns *out, struct cr_error *err) {
+static enum cr_err find_columns(const struct cr_csv *csv, const char *name, struct columns *out,
+                                struct cr_error *err) {
     int n = cr_csv_columns(csv);
     out->at[0] = 0;
     while (out->at[0] < n && !is_time(cr_csv_name(csv, out->at[0]))) {
         out->at[0]++;
     }
-    out->at[1] = out->at[0] == 0;
-    if (out->at[0] == n || out->at[1] == n) {
-        cr_err_set(err, CR_ERR_MISSING, "%s",
-                   out->at[0] == n ? "no column named t or time" : "no column beside the time");
-        cr_err_place(err, path, cr_csv_line(csv), 1);
-        cr_err_hint(err, "%s", out->at[0] == n ? "name it t_s or t_ms" : "");
+    if (out->at[0] == n) {
+        cr_csv_head_fault(csv, -1, err, CR_ERR_MISSING, "no column named t or time");
+        cr_err_hint(err, "name it t_s or t_ms");
         return CR_ERR_MISSING;
     }
-    if (name != NULL) {
-        return cr_csv_need(csv, name, &out->at[1], err);
+    out->at[1] = out->at[0] == 0;
+    if (n == 1) {
+        return cr_csv_head_fault(csv, -1, err, CR_ERR_MISSING, "no column beside the time");
     }
-    return CR_ERR_OK;
+    return name != NULL ? cr_csv_need(csv, name, &out->at[1], err) : CR_ERR_OK;
 }
 
 /* A time without a unit is refused: seconds and milliseconds are a thousand apart. */
-static enum cr_err find_units(const struct cr_csv *csv, const char *path, struct columns *c,
-                              struct cr_error *err) {
+static enum cr_err find_units(const struct cr_csv *csv, struct columns *c, struct cr_error *err) {
     enum cr_err code = cr_csv_unit(csv, c->at[0], CR_DIM_TIME, &c->unit[0], err);
     if (code == CR_ERR_OK && c->unit[0] == NULL) {
-        cr_err_set(err, CR_ERR_MISSING, "column '%.60s' does not say its unit",
-                   cr_csv_name(csv, c->at[0]));
-        cr_err_place(err, path, cr_csv_line(csv), c->at[0] + 1);
+        cr_csv_head_fault(csv, c->at[0], err, CR_ERR_MISSING,
+                          "column '%.60s' does not say its unit", cr_csv_name(csv, c->at[0]));
         cr_err_hint(err, "name it t_s or t_ms, or put a row of units below the header");
         return CR_ERR_MISSING;
     }
@@ -148,8 +144,8 @@ enum cr_err cr_signal_load(const char *path, const char *column, struct cr_signa
     struct columns c = {.at = {-1, -1}};
     memset(out, 0, sizeof *out);
     enum cr_err rc = cr_csv_open(&(struct cr_csv_opts){.path = path, .units = true}, &csv, err);
-    rc = rc ? rc : find_columns(csv, path, column, &c, err);
-    rc = rc ? rc : find_units(csv, path, &c, err);
+    rc = rc ? rc : find_columns(csv, column, &c, err);
+    rc = rc ? rc : find_units(csv, &c, err);
     rc = rc ? rc : read_rows(csv, &c, out, err);
     rc = rc ? rc : finish(out, path, err);
     if (rc) {
