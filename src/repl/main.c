@@ -149,7 +149,7 @@ static enum cr_err run_stream(struct cr_session *s) {
 /* "share/tutorial/..." works wherever the program is run, as it does for source */
 static const char *find_file(const char *path, const char *data_dir, char *buf, int size) {
     if (access(path, F_OK) != 0 && path[0] != '/' && data_dir[0] != '\0') {
-        snprintf(buf, (size_t)size, "%s/%s", data_dir, path);
+        cr_file_part(data_dir, path, buf, (size_t)size);
         return access(buf, F_OK) == 0 ? buf : path;
     }
     return path;

@@ -17,7 +17,7 @@ libscene_a_SOURCES = \
 	src/scene/write.c
 libscene_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)
 
-scenesdir = $(pkgdatadir)/share/scenes
+scenesdir = $(pkgdatadir)/scenes
 dist_scenes_DATA = \
 	share/scenes/moving-box.json \
 	share/scenes/oblique-wall.json \
@@ -30,5 +30,5 @@ dist_scenes_DATA = \
 	share/scenes/trajectory.json \
 	share/scenes/trajectory-unbraked.json \
 	share/scenes/wall-56.json
-sceneschemadir = $(pkgdatadir)/share/schema
+sceneschemadir = $(pkgdatadir)/schema
 dist_sceneschema_DATA = share/schema/scene.schema.json

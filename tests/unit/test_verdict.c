@@ -1,7 +1,7 @@
 /* Tables of crash tests, and their statistics with numbers worked out by hand. */
 #include "test.h"
 
-#include "trial/records.h"
+#include "base/records.h"
 #include "trial/verdict.h"
 
 #include <stdio.h>
