@@ -194,10 +194,11 @@ static int split(const char *name, char word[WORDS][WORD]) {
 static const struct cr_unit *unit_before(char word[WORDS][WORD], int last, enum cr_dim dim) {
     for (int first = last >= 4 ? last - 3 : 1; first <= last; first++) {
         char joined[5 * WORD] = "";
+        int n = 0;
         for (int i = first; i <= last; i++) {
             if (strcmp(word[i], "per") != 0) {
-                strcat(joined, joined[0] != '\0' ? "/" : "");
-                strcat(joined, word[i]);
+                n += snprintf(joined + n, sizeof joined - (size_t)n, "%s%s", n > 0 ? "/" : "",
+                              word[i]);
             }
         }
         const struct cr_unit *unit = cr_unit_spelled(joined, dim);

@@ -6,8 +6,8 @@
 
 struct cr_signal {
     char name[128]; /* of its column, as the file has it */
-    char unit[8];  /* SI unit it was converted to: "m/s2", "m/s", "m", "rad/s", "rad", "N"; "": none
-                    */
+    char unit[8]; /* SI unit it was converted to: "m/s2", "m/s", "m", "rad/s", "rad", "N"; "": none
+                   */
     int n;
     double *t; /* s, increasing */
     double *x;

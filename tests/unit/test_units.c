@@ -153,6 +153,10 @@ static void test_spellings_of_people_and_loggers(void **state) {
         }
         check_near(cr_unit_to_si(unit, 1), row[i].si, 1e-9 * row[i].si);
     }
+}
+
+static void test_what_is_no_unit(void **state) {
+    (void)state;
     static const char *const unknown[] = {"furlong",
                                           "mm/s^3",
                                           "",
@@ -219,6 +223,7 @@ int main(void) {
         cmocka_unit_test(test_every_dimension_has_its_si_unit_first),
         cmocka_unit_test(test_numbers_are_scanned_without_their_tail),
         cmocka_unit_test(test_spellings_of_people_and_loggers),
+        cmocka_unit_test(test_what_is_no_unit),
         cmocka_unit_test(test_names_of_columns),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
