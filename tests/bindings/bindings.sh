@@ -5,7 +5,7 @@ CRUMPLE_LIBRARY=$BUILD/libcrumple.so.0
 CRUMPLE_DATA=$SRC
 export CRUMPLE_LIBRARY CRUMPLE_DATA
 
-# python NAME COMMAND: the tests of bindings.py with this python
+# python NAME COMMAND: the tests of solve.py with this python
 python() {
     if ! command -v "$2" >/dev/null 2>&1; then
         skip "$1" "no $2 here"
@@ -16,7 +16,7 @@ python() {
     elif "$crumple" --version | grep -q '^sanitizers: [^n]'; then
         skip "$1" "python cannot load a library with sanitizers"
     else
-        log=$("$2" "$SRC/tests/bindings.py" "$SRC" 2>&1)
+        log=$("$2" "$SRC/tests/bindings/solve.py" "$SRC" 2>&1)
         report $? "$1"
         printf '%s\n' "$log" | explain
     fi

@@ -1,4 +1,4 @@
-"""The library from Python: run by tests/bindings.sh with the folder of the source tree."""
+"""The library from Python: run by tests/bindings/bindings.sh with the folder of the source tree."""
 
 import json
 import os
