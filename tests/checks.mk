@@ -1,5 +1,6 @@
 # checks of the tree as a whole
-tree_checks = tests/check_bootstrap.sh tests/check_examples.sh tests/check_includes.sh \
+tree_checks = tests/check_bootstrap.sh tests/check_circles.sh tests/check_examples.sh \
+	tests/check_includes.sh \
 	tests/check_manual.sh tests/check_map.sh tests/check_style.sh tests/check_symbols.sh
 cli_checks = tests/cli/bad_scene.sh tests/cli/completion.sh tests/cli/files.sh \
 	tests/cli/install.sh tests/cli/interrupt.sh tests/cli/run.sh tests/cli/same_bits.sh \
@@ -28,6 +29,8 @@ EXTRA_DIST += tests/update_validation.sh
 
 # the manual pages of the commands, from their table, and of the library, from its header
 EXTRA_DIST += tests/lib_manual.sh tests/lib_user.c
+TESTS += tests/bindings/bindings.sh
+EXTRA_DIST += tests/bindings/bindings.sh tests/bindings/solve.py
 check_PROGRAMS += crumple-manual
 crumple_manual_SOURCES = tests/manual.c
 crumple_manual_CFLAGS = $(CR_CFLAGS)

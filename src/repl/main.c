@@ -10,19 +10,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-volatile sig_atomic_t cr_repl_interrupted;
-
-static void on_interrupt(int sig) {
-    (void)sig;
-    cr_repl_interrupted = 1;
-}
-
-void cr_repl_catch_interrupt(void) {
-    struct sigaction action = {.sa_handler = on_interrupt};
-    sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, NULL);
-}
-
 const char *cr_repl_state_dir(char *buf, int size) {
     const char *state = getenv("XDG_STATE_HOME"), *home = getenv("HOME");
     buf[0] = '\0';

@@ -4,10 +4,12 @@ libscene_a_SOURCES = \
 	src/scene/compile.c \
 	src/scene/dive.c \
 	src/scene/keys.c src/scene/keys.h \
-	src/scene/list.c \
+	src/scene/members.c \
 	src/scene/outline.c \
 	src/scene/place.c \
+	src/scene/polygon.c \
 	src/scene/read.c \
+	src/scene/reader.c \
 	src/scene/resolve.c \
 	src/scene/schema.c \
 	src/scene/scene.c src/scene/scene.h \
