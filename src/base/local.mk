@@ -8,11 +8,8 @@ libbase_a_SOURCES = \
 	src/base/json.c src/base/json.h src/base/print.c \
 	src/base/number.c src/base/number.h \
 	src/base/pool.c src/base/pool.h \
-<<<<<<< HEAD
-	src/base/show.c src/base/show.h \
-=======
 	src/base/records.c src/base/records.h \
->>>>>>> main
+	src/base/show.c src/base/show.h \
 	src/base/stats.c src/base/stats.h \
 	src/base/str.c src/base/str.h \
 	src/base/unit_words.c \

@@ -143,21 +143,11 @@ enum cr_err cr_signal_load(const char *path, const char *column, struct cr_signa
     struct cr_csv *csv = NULL;
     struct columns c = {.at = {-1, -1}};
     memset(out, 0, sizeof *out);
-<<<<<<< HEAD
-    struct table *t = calloc(1, sizeof *t);
-    if (!t) {
-        return cr_err_set(err, CR_ERR_MEMORY, "no memory for a signal");
-    }
-    t->path = path;
-    enum cr_err rc = cr_file_read_regular(path, &text, &len, err);
-    rc = rc ? rc : parse(t, text, column, out, err);
-=======
     enum cr_err rc = cr_csv_open(&(struct cr_csv_opts){.path = path, .units = true}, &csv, err);
     rc = rc ? rc : find_columns(csv, column, &c, err);
     rc = rc ? rc : find_units(csv, &c, err);
     rc = rc ? rc : read_rows(csv, &c, out, err);
     rc = rc ? rc : finish(out, path, err);
->>>>>>> main
     if (rc) {
         cr_signal_free(out);
     } else {

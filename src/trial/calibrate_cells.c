@@ -39,9 +39,6 @@ static enum cr_err measured(const char *dir, struct shares *out, struct cr_error
     struct cr_records t;
     cr_file_part(dir, "validation/data/camry_10146_loadcell_energy_kJ.csv", path, sizeof path);
     memset(out, 0, sizeof *out);
-<<<<<<< HEAD
-    enum cr_err code = cr_file_read_regular(path, &text, &len, err);
-=======
     enum cr_err code = cr_records_load(path, &t, err);
     for (int r = 0; code == CR_ERR_OK && r < t.rows; r++) {
         int row = 'K' - cr_records_text(&t, r, "row")[0]; /* A is the highest */
@@ -55,7 +52,6 @@ static enum cr_err measured(const char *dir, struct shares *out, struct cr_error
         }
     }
     cr_records_fini(&t);
->>>>>>> main
     if (code != CR_ERR_OK) {
         return code;
     }
