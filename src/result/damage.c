@@ -10,6 +10,9 @@ static const double DAMAGED = 0.01;
 /* Front and rear are measured along the bumper beam: recorded damage width over overall width of
  * 186 full-width wall tests (stiffness.md 1.3). */
 static const double BEAM_WIDTH = 0.83;
+/* Beyond where the undeformed outline lies this far back, m, it is the corner that leads round to
+ * the next face. */
+static const double CORNER = 0.15;
 /* B-pillar, behind the front axle as a share of the wheelbase; only for the extent zones */
 static const double B_PILLAR = 0.5;
 /* belt line and upper edge of the frame as shares of the height: the paper models' profiles put
@@ -270,6 +273,9 @@ static void crush_profile(const struct cr_deform *d, const struct face_damage *f
     int n = cr_face_lines(d->grid, s->face);
     double lo = f->lo + 0.5, hi = f->hi + 0.5; // middles of the outermost damaged columns
     double foremost = INFINITY, setback;
+    for (int k = 0; k < n; k++) {
+        foremost = fmin(foremost, cr_deform_setback(d->grid, s->face, k));
+    }
     if (cr_face_is_end(s->face)) {
         lo = fmax(lo, n * (1 - BEAM_WIDTH) / 2);
         hi = fmin(hi, n * (1 + BEAM_WIDTH) / 2);
@@ -277,8 +283,11 @@ static void crush_profile(const struct cr_deform *d, const struct face_damage *f
     if (!(hi >= lo)) {
         return;
     }
-    for (int k = 0; k < n; k++) {
-        foremost = fmin(foremost, cr_deform_setback(d->grid, s->face, k));
+    while (lo < hi && cr_deform_setback(d->grid, s->face, (int)lo) - foremost > CORNER) {
+        lo = (int)lo + 1.5;
+    }
+    while (lo < hi && cr_deform_setback(d->grid, s->face, (int)hi) - foremost > CORNER) {
+        hi = (int)hi - 0.5;
     }
     /* the whole face springs back by one share, so that what was straight stays straight */
     struct cr_depth deep = both(d, s->face, f->depth);

@@ -132,7 +132,7 @@ void cr_json_injury(const struct cr_severity *s, cJSON *p) {
 void cr_json_totals(const struct cr_severity *s, cJSON *p) {
     cr_json_put(p, "delta_v_net_kmh", cr_kmh(s->delta_v_net));
     cr_json_put(p, "impacts", s->impacts);
-    cr_json_put(p, "severest_impact", s->severest < 0 ? (double)NAN : s->severest + 1);
+    cr_json_put(p, "severest_impact", s->severest < 0 ? (double)NAN : s->severest);
 }
 
 static void put_vehicle(const struct cr_result *r, const struct cr_impact *k, int side,

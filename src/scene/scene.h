@@ -132,6 +132,11 @@ CR_MUST_CHECK enum cr_err cr_scene_save(const struct cr_scene *scene, const char
 CR_MUST_CHECK enum cr_err cr_scene_set(struct cr_scene *scene, const char *key, const char *value,
                                        struct cr_error *err);
 
+/* The same out of one text "KEY=VALUE", as `--set` has it; an error without a place of its own gets
+ * that text as its place. Errors: USAGE and those of cr_scene_set. */
+CR_MUST_CHECK enum cr_err cr_scene_assign(struct cr_scene *scene, const char *text,
+                                          struct cr_error *err);
+
 /* List of "A.track_m" keys that cr_scene_resolve assumed. */
 struct cr_assumed {
     int n;
@@ -144,6 +149,9 @@ void cr_assumed_fini(struct cr_assumed *assumed);
  * axles ...). Adds the keys to assumed. Errors: MISSING, RANGE, with JSON pointer and hint. */
 CR_MUST_CHECK enum cr_err cr_scene_resolve(struct cr_scene *scene, const struct cr_model_lib *lib,
                                            struct cr_assumed *assumed, struct cr_error *err);
+
+/* CG behind the front axle, m, of a car whose CG was not given: mass in kg, wheelbase in m. */
+double cr_scene_cg_rule(double mass, double wheelbase);
 
 /* How far an end of a braking vehicle goes down, m, the rear comes up: quasi-static load transfer
  * on its springs. Given a resolved vehicle, the friction of the road, and which end. */
