@@ -432,11 +432,21 @@ static const struct {
 
 enum cr_err cr_scene_value_read(struct cr_reader *r, const struct cr_key *key, const cJSON *json,
                                 void *base) {
-    return types[key->type].read(r, key, json, base);
+    struct cr_tolerances found = {.n = 0};
+    cJSON *plain = NULL;
+    enum cr_err code = cr_scene_tolerances_take(r, key, json, &found, &plain);
+    if (code == CR_ERR_OK) {
+        code = types[key->type].read(r, key, plain != NULL ? plain : json, base);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_scene_tolerances_keep(r, key, &found, base);
+    }
+    cJSON_Delete(plain);
+    return code;
 }
 
 cJSON *cr_scene_value_write(const struct cr_key *key, const void *base) {
-    return types[key->type].write(key, base);
+    return cr_scene_tolerances_write(key, base, types[key->type].write(key, base));
 }
 
 bool cr_scene_value_known(const struct cr_key *key, const void *base) {
