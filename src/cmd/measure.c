@@ -31,11 +31,13 @@ static enum cr_err no_participant(const struct cr_scene *scene, const char *name
 }
 
 static enum cr_err no_measure(const char *name, struct cr_error *err) {
-    const char *list[MEASURES];
-    for (int i = 0; i < MEASURES; i++) {
-        list[i] = measures[i].name;
+    const char *list[64] = {NULL};
+    int n;
+    const struct cr_measure *table = cr_measures(&n);
+    for (int i = 0; i < n && i < 64; i++) {
+        list[i] = table[i].name;
     }
-    const char *near = cr_str_nearest(name, list, MEASURES);
+    const char *near = cr_str_nearest(name, list, n < 64 ? n : 64);
     cr_err_set(err, CR_ERR_NAME, "there is no result or input '%.60s'", name);
     if (near != NULL) {
         cr_err_hint(err, "did you mean '%s'?", near);
@@ -95,10 +97,14 @@ static enum cr_err input_of(const struct cr_scene *scene, int part, const char *
     enum cr_err code = cr_scene_get(scene, full, &text, err);
     if (code == CR_ERR_OK) {
         const struct cr_unit *unit = cr_scene_key_unit(key);
+        struct cr_tolerance how;
+        const char *said = cr_str_get(&text);
         out->unit = unit;
         out->decimals = -1;
-        if (key->type != CR_KEY_NUMBER ||
-            cr_unit_parse(cr_str_get(&text), key->dim, unit, &out->si, NULL, NULL) != CR_ERR_OK) {
+        enum cr_err read = cr_tolerance_is(said)
+                               ? cr_tolerance_read(said, key->dim, unit, &out->si, &how, NULL)
+                               : cr_unit_parse(said, key->dim, unit, &out->si, NULL, NULL);
+        if (key->type != CR_KEY_NUMBER || read != CR_ERR_OK) {
             snprintf(out->word, sizeof out->word, "%s", cr_str_get(&text));
             out->is_word = true;
         }

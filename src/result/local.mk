@@ -8,6 +8,7 @@ libresult_a_SOURCES = \
 	src/result/irf.c \
 	src/result/json.c \
 	src/result/measure.c \
+	src/result/measures.c src/result/measures.h \
 	src/result/outline.c \
 	src/result/planar.c src/result/planar.h \
 	src/result/pulse.c src/result/pulse.h \

@@ -315,52 +315,79 @@ static enum cr_err split(const char *text, struct parts *out, struct cr_error *e
 }
 
 /* both numbers in SI: one without a unit takes that of the other */
-static enum cr_err both_numbers(const struct cr_key *key, const struct parts *p, double si[2],
-                                struct cr_error *err) {
-    const struct cr_unit *own = cr_scene_key_unit(key), *unit = own;
+static enum cr_err both_numbers(const struct parts *p, enum cr_dim dim, const struct cr_unit *own,
+                                double si[2], struct cr_error *err) {
+    const struct cr_unit *unit = own;
     const char *end;
     cr_number_scan(p->half, &end);
-    if (*end != '\0' && cr_unit_find(end, key->dim) != NULL) {
-        unit = cr_unit_find(end, key->dim);
+    if (*end != '\0' && cr_unit_find(end, dim) != NULL) {
+        unit = cr_unit_find(end, dim);
     }
-    enum cr_err code = cr_unit_parse(p->value, key->dim, unit, &si[0], &unit, err);
+    enum cr_err code = cr_unit_parse(p->value, dim, unit, &si[0], &unit, err);
     if (code == CR_ERR_OK) {
         cr_number_scan(p->value, &end);
-        code = cr_unit_parse(p->half, key->dim, *end != '\0' ? unit : own, &si[1], NULL, err);
+        code = cr_unit_parse(p->half, dim, *end != '\0' ? unit : own, &si[1], NULL, err);
     }
     return code;
 }
 
-enum cr_err cr_scene_tolerance_text(const struct cr_key *key, const char *text, cJSON **out,
-                                    struct cr_error *err) {
+bool cr_tolerance_is(const char *text) {
     size_t len;
+    return find_sign(text, &len) != NULL;
+}
+
+enum cr_err cr_tolerance_read(const char *text, enum cr_dim dim, const struct cr_unit *unit,
+                              double *value, struct cr_tolerance *out, struct cr_error *err) {
     struct parts p;
     double si[2];
-    *out = NULL;
-    if (find_sign(text, &len) == NULL) {
-        return CR_ERR_OK;
+    struct cr_reader r = {.err = err};
+    *out = (struct cr_tolerance){.row = -1};
+    if (!cr_tolerance_is(text)) {
+        cr_err_set(err, CR_ERR_SYNTAX, "'%.60s' has no tolerance", text);
+        cr_err_hint(err, "VALUE+-TOLERANCE, for example 56+-3km/h or 56+-3km/h:uniform");
+        return CR_ERR_SYNTAX;
     }
     enum cr_err code = split(text, &p, err);
     if (code == CR_ERR_OK) {
-        code = both_numbers(key, &p, si, err);
+        code = both_numbers(&p, dim, unit, si, err);
     }
     if (code != CR_ERR_OK) {
         return code;
     }
-    const struct cr_unit *own = cr_scene_key_unit(key);
-    cJSON *object = cJSON_CreateObject();
-    bool done = cJSON_AddNumberToObject(object, "value", cr_unit_from_si(own, si[0])) != NULL &&
-                cJSON_AddNumberToObject(object, "tolerance", cr_unit_from_si(own, si[1])) != NULL;
-    done = done && (p.spread[0] == '\0' ||
-                    cJSON_AddStringToObject(object, "distribution", p.spread) != NULL);
-    done =
-        done && (p.group[0] == '\0' || cJSON_AddStringToObject(object, "group", p.group) != NULL);
-    if (!done) {
-        cJSON_Delete(object);
-        return cr_err_set(err, CR_ERR_MEMORY, "no memory");
+    int spread = p.spread[0] != '\0' ? cr_spread_find(p.spread) : CR_SPREAD_NORMAL;
+    if (spread < 0) {
+        cr_err_set(err, CR_ERR_NAME, "unknown distribution '%.20s'", p.spread);
+        cr_err_hint(err, "one of: normal, uniform, triangular");
+        return CR_ERR_NAME;
     }
-    *out = object;
+    if (!(si[1] > 0)) {
+        return cr_err_set(err, CR_ERR_RANGE, "the tolerance of '%.60s' is not above zero", text);
+    }
+    if (p.group[0] != '\0' && !good_group(p.group)) {
+        return bad_group(&r, p.group);
+    }
+    *value = si[0];
+    out->spread = (enum cr_spread)spread;
+    out->half = si[1];
+    snprintf(out->group, sizeof out->group, "%.*s", CR_GROUP_MAX - 1, p.group);
     return CR_ERR_OK;
+}
+
+enum cr_err cr_scene_tolerance_text(const struct cr_key *key, const char *text, cJSON **out,
+                                    struct cr_error *err) {
+    const struct cr_unit *own = cr_scene_key_unit(key);
+    struct cr_tolerance t;
+    double value;
+    *out = NULL;
+    if (!cr_tolerance_is(text)) {
+        return CR_ERR_OK;
+    }
+    enum cr_err code = cr_tolerance_read(text, key->dim, own, &value, &t, err);
+    if (code == CR_ERR_OK) {
+        *out = with_tolerance(key, &t, cJSON_CreateNumber(cr_unit_from_si(own, value)));
+        code = *out != NULL ? CR_ERR_OK : cr_err_set(err, CR_ERR_MEMORY, "no memory");
+    }
+    return code;
 }
 
 void cr_scene_tolerance_say(const cJSON *json, struct cr_str *out) {

@@ -1,5 +1,5 @@
 # unit tests of src/cmd
-cmd_test_libs = libcmd.a librender.a libresult.a libscene.a libsolver.a libmodel.a libbase.a \
+cmd_test_libs = libcmd.a libstudy.a librender.a libresult.a libscene.a libsolver.a libmodel.a libbase.a \
 	$(CMOCKA_LIBS) $(CJSON_LIBS) $(NETTLE_LIBS)
 check_PROGRAMS += test_cmd
 TESTS += test_cmd
