@@ -180,6 +180,10 @@ void cr_scene_vary(struct cr_scene *scene, const struct cr_uncertain *what, doub
 /* Words of the distributions, and back: -1 if there is none. */
 const char *cr_spread_word(enum cr_spread spread);
 int cr_spread_find(const char *word);
+/* The same out of one text "KEY=VALUE", as `--set` has it; an error without a place of its own gets
+ * that text as its place. Errors: USAGE and those of cr_scene_set. */
+CR_MUST_CHECK enum cr_err cr_scene_assign(struct cr_scene *scene, const char *text,
+                                          struct cr_error *err);
 
 /* List of "A.track_m" keys that cr_scene_resolve assumed. */
 struct cr_assumed {

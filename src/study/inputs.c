@@ -22,8 +22,8 @@ static enum cr_err bad_scatter(struct cr_error *err, const char *path, const cha
 enum cr_err cr_scatter_read(const char *data_dir, struct cr_scatter *out, struct cr_error *err) {
     char path[4200], *text = NULL;
     size_t len;
-    snprintf(path, sizeof path, "%s/share/study/scatter.json", data_dir);
-    enum cr_err code = cr_file_read(path, &text, &len, err);
+    enum cr_err code = cr_file_read(cr_file_part(data_dir, "study/scatter.json", path, sizeof path),
+                                    &text, &len, err);
     if (code == CR_ERR_OK) {
         code = cr_json_check(text, len, path, err);
     }

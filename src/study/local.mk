@@ -8,5 +8,5 @@ libstudy_a_SOURCES = \
 	src/study/study.h
 libstudy_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS) $(GSL_CFLAGS) $(NLOPT_CFLAGS)
 
-studydir = $(pkgdatadir)/share/study
+studydir = $(pkgdatadir)/study
 dist_study_DATA = share/study/scatter.json
