@@ -82,6 +82,7 @@ EXTRA_DIST += $(golden_checks) \
 	tests/golden/cmd/scene.test \
 	tests/golden/cmd/language.test \
 	tests/golden/cmd/solve.test \
+	tests/golden/cmd/study.test \
 	tests/golden/cmd/pulse.csv \
 	tests/golden/cmd/measured.json \
 	tests/golden/cmd/bad.json \

@@ -137,51 +137,29 @@ static enum cr_err run(const char *path, const struct options *opt, struct cr_er
     return code;
 }
 
+#define NUMBER(n, l, to, least, most, text)                                                        \
+    { .name = n, .letter = l, .arg = "N", .number = &(to), .lo = least, .hi = most, .help = text }
+#define CHOICE(n, l, words, to, text)                                                              \
+    { .name = n, .letter = l, .arg = words, .number = &(to), .help = text }
+#define TEXT(n, l, what, to, help_text)                                                            \
+    { .name = n, .letter = l, .arg = what, .text = &(to), .help = help_text }
+#define FLAG(n, l, to, help_text)                                                                  \
+    { .name = n, .letter = l, .flag = &(to), .help = help_text }
+
 int cr_cli_mc(int argc, char **argv) {
     struct options opt = {.draws = 2000, .seed = 1};
     const struct cr_option table[] = {
-        {.name = "draws",
-         .letter = 'n',
-         .arg = "N",
-         .number = &opt.draws,
-         .lo = 10,
-         .hi = 1000000,
-         .help = "how many scenes are drawn (2000)"},
-        {.name = "seed",
-         .arg = "N",
-         .number = &opt.seed,
-         .lo = 1,
-         .hi = 2147483647,
-         .help = "of the generator; the same seed gives the same bytes (1)"},
-        {.name = "sampling",
-         .arg = SAMPLINGS,
-         .number = &opt.sampling,
-         .help = "latin hypercube or Sobol sequence (latin)"},
-        {.name = "no-scatter",
-         .flag = &opt.no_scatter,
-         .help = "the stiffness of the vehicles does not vary"},
-        {.name = "jobs",
-         .letter = 'j',
-         .arg = "N",
-         .number = &opt.jobs,
-         .lo = 1,
-         .hi = 256,
-         .help = "threads (one per processor)"},
-        {.name = "plot",
-         .arg = "A.RESULT",
-         .text = &opt.plot,
-         .help = "result of the histogram and the ranked inputs (ees)"},
-        {.name = "format",
-         .letter = 'f',
-         .arg = FORMATS,
-         .number = &opt.format,
-         .help = "form of the result (text); csv has a row per draw"},
-        {.name = "output",
-         .letter = 'o',
-         .arg = "FILE",
-         .text = &opt.out,
-         .help = "write to FILE, whole or not at all"},
-        {.name = "quiet", .letter = 'q', .flag = &opt.quiet, .help = "no progress"},
+        NUMBER("draws", 'n', opt.draws, 10, 1000000, "how many scenes are drawn (2000)"),
+        NUMBER("seed", 0, opt.seed, 1, 2147483647,
+               "of the generator; the same seed gives the same bytes (1)"),
+        CHOICE("sampling", 0, SAMPLINGS, opt.sampling, "latin hypercube or Sobol sequence (latin)"),
+        FLAG("no-scatter", 0, opt.no_scatter, "the stiffness of the vehicles does not vary"),
+        NUMBER("jobs", 'j', opt.jobs, 1, 256, "threads (one per processor)"),
+        TEXT("plot", 0, "A.RESULT", opt.plot, "result of histogram and ranked inputs (ees)"),
+        CHOICE("format", 'f', FORMATS, opt.format,
+               "form of the result (text); csv: a row per draw"),
+        TEXT("output", 'o', "FILE", opt.out, "write to FILE, whole or not at all"),
+        FLAG("quiet", 'q', opt.quiet, "no progress"),
         {.name = "set",
          .letter = 's',
          .arg = "KEY=VALUE",

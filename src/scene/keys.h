@@ -85,8 +85,8 @@ CR_MUST_CHECK enum cr_err cr_scene_get(const struct cr_scene *scene, const char 
                                        struct cr_str *out, struct cr_error *err);
 
 /* "56+-3km/h", with ":uniform" for another distribution than the normal one and "@NAME" for a group
- * of inputs that move together: a value and its tolerance, SI. Numbers without a unit are in `unit`.
- * Errors: SYNTAX without "+-", TYPE, NAME, RANGE. */
+ * of inputs that move together: a value and its tolerance, SI. Numbers without a unit are in
+ * `unit`. Errors: SYNTAX without "+-", TYPE, NAME, RANGE. */
 CR_MUST_CHECK enum cr_err cr_tolerance_read(const char *text, enum cr_dim dim,
                                             const struct cr_unit *unit, double *value,
                                             struct cr_tolerance *out, struct cr_error *err);

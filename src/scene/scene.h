@@ -108,7 +108,7 @@ struct cr_participant {
     double z_lo, z_hi; /* height range of an object, m */
     uint64_t given;    /* bit i: row i of the participants' table (keys.h) was given */
     struct cr_tolerances tolerances;
-    char *extra;       /* owned JSON text of its x_ keys, NULL if none */
+    char *extra; /* owned JSON text of its x_ keys, NULL if none */
 };
 
 struct cr_scene {

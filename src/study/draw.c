@@ -13,13 +13,12 @@
 #include <gsl/gsl_qrng.h>
 #include <gsl/gsl_randist.h>
 #include <gsl/gsl_rng.h>
-#include <gsl/gsl_version.h>
 
 enum { SOBOL_MAX = 40 };
 
 const char *cr_draw_generator(enum cr_sampling sampling) {
-    return sampling == CR_SAMPLING_SOBOL ? "sobol, shifted by mt19937 (GSL " GSL_VERSION ")"
-                                         : "latin hypercube by mt19937 (GSL " GSL_VERSION ")";
+    return sampling == CR_SAMPLING_SOBOL ? "Sobol sequence shifted by mt19937 of GSL"
+                                         : "latin hypercube by mt19937 of GSL";
 }
 
 /* each of n equal shares of every dimension is met once, at a random place inside */

@@ -14,7 +14,7 @@ double cr_draw_value(const struct cr_study_input *in, double u);
  * not determine it. Errors: USAGE without GSL, MEMORY. */
 CR_MUST_CHECK enum cr_err cr_draw_regress(const double *x, const double *y, int n, int dims,
                                           double *b, double *r2, struct cr_error *err);
-/* Name and version of the generator. */
+/* Name of the generator. */
 const char *cr_draw_generator(enum cr_sampling sampling);
 
 #endif
