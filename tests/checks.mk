@@ -29,6 +29,8 @@ EXTRA_DIST += tests/update_validation.sh
 
 # the manual pages of the commands, from their table, and of the library, from its header
 EXTRA_DIST += tests/lib_manual.sh tests/lib_user.c
+TESTS += tests/bindings/bindings.sh
+EXTRA_DIST += tests/bindings/bindings.sh tests/bindings/solve.py
 check_PROGRAMS += crumple-manual
 crumple_manual_SOURCES = tests/manual.c
 crumple_manual_CFLAGS = $(CR_CFLAGS)

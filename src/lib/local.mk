@@ -38,6 +38,10 @@ uninstall-hook:
 	rm -f '$(DESTDIR)$(libdir)/$(CR_LIB_SONAME)' '$(DESTDIR)$(libdir)/libcrumple.so'
 endif
 
+# python has no compiler to ask; without it the file goes where the first python3 would look
+dist_python_DATA = bindings/crumple.py
+dist_pkgdata_DATA = bindings/crumple.R
+
 # a user of what is installed, as C and, where there is a compiler for it, as C++
 installcheck-local:
 if SHARED

@@ -39,7 +39,7 @@ static enum cr_err add_row(struct cr_records *r, char *line, int number, int *si
         r->cell = cell ? cell : r->cell;
         int *lines = realloc(r->line, (size_t)more * sizeof *r->line);
         r->line = lines ? lines : r->line;
-        if (!cell || !lines) {
+        if (cell == NULL || lines == NULL) {
             return cr_err_set(err, CR_ERR_MEMORY, "no memory for crash tests");
         }
         *size = more;
