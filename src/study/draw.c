@@ -127,27 +127,26 @@ static bool fit_rows(gsl_matrix *m, gsl_vector *y, int dims, double *b, double *
     return ok;
 }
 
-enum cr_err cr_draw_regress(const double *x, const double *y, int n, int dims, double *b,
-                            double *r2, struct cr_error *err) {
-    for (int d = 0; d < dims; d++) {
-        b[d] = NAN;
+enum cr_err cr_draw_regress(struct cr_regression *r, struct cr_error *err) {
+    for (int d = 0; d < r->dims; d++) {
+        r->b[d] = NAN;
     }
-    *r2 = NAN;
-    if (n < dims + 2) {
+    r->r2 = NAN;
+    if (r->n < r->dims + 2) {
         return CR_ERR_OK;
     }
     gsl_set_error_handler_off();
-    gsl_matrix *m = gsl_matrix_alloc((size_t)n, (size_t)dims + 1);
-    gsl_vector *v = gsl_vector_alloc((size_t)n);
+    gsl_matrix *m = gsl_matrix_alloc((size_t)r->n, (size_t)r->dims + 1);
+    gsl_vector *v = gsl_vector_alloc((size_t)r->n);
     bool ok = m != NULL && v != NULL;
-    for (int i = 0; i < n && ok; i++) {
+    for (int i = 0; i < r->n && ok; i++) {
         gsl_matrix_set(m, (size_t)i, 0, 1);
-        for (int d = 0; d < dims; d++) {
-            gsl_matrix_set(m, (size_t)i, (size_t)d + 1, x[(long)i * dims + d]);
+        for (int d = 0; d < r->dims; d++) {
+            gsl_matrix_set(m, (size_t)i, (size_t)d + 1, r->x[(long)i * r->dims + d]);
         }
-        gsl_vector_set(v, (size_t)i, y[i]);
+        gsl_vector_set(v, (size_t)i, r->y[i]);
     }
-    ok = ok && fit_rows(m, v, dims, b, r2);
+    ok = ok && fit_rows(m, v, r->dims, r->b, &r->r2);
     gsl_matrix_free(m);
     gsl_vector_free(v);
     return ok ? CR_ERR_OK : cr_err_set(err, CR_ERR_MEMORY, "no memory for the regression");
@@ -176,9 +175,8 @@ double cr_draw_value(const struct cr_study_input *in, double u) {
     return in->value;
 }
 
-enum cr_err cr_draw_regress(const double *x, const double *y, int n, int dims, double *b,
-                            double *r2, struct cr_error *err) {
-    (void)x, (void)y, (void)n, (void)dims, (void)b, (void)r2;
+enum cr_err cr_draw_regress(struct cr_regression *r, struct cr_error *err) {
+    (void)r;
     return without(err);
 }
 #endif

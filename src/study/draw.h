@@ -12,8 +12,12 @@ CR_MUST_CHECK enum cr_err cr_draw_uniform(const struct cr_mc_opts *opts, int dim
 double cr_draw_value(const struct cr_study_input *in, double u);
 /* Least squares y = b0 + sum b_k x_k over n rows of x[n * dims]: b[dims], R2. NaN where the rows do
  * not determine it. Errors: USAGE without GSL, MEMORY. */
-CR_MUST_CHECK enum cr_err cr_draw_regress(const double *x, const double *y, int n, int dims,
-                                          double *b, double *r2, struct cr_error *err);
+struct cr_regression {
+    const double *x, *y;
+    int n, dims;
+    double *b, r2;
+};
+CR_MUST_CHECK enum cr_err cr_draw_regress(struct cr_regression *r, struct cr_error *err);
 /* Name of the generator. */
 const char *cr_draw_generator(enum cr_sampling sampling);
 

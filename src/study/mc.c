@@ -323,7 +323,10 @@ enum cr_err cr_mc_stats(const struct cr_mc *mc, int participant, int measure,
     out->mean = cr_stats_mean(y, out->n);
     out->sd = cr_stats_sd(y, out->n);
     out->mean_error = out->n > 1 ? out->sd / sqrt(out->n) : (double)NAN;
-    code = cr_draw_regress(z, y, out->n, mc->dims, out->effect, &out->explained, err);
+    struct cr_regression lines = {
+        .x = z, .y = y, .n = out->n, .dims = mc->dims, .b = out->effect, .r2 = (double)NAN};
+    code = cr_draw_regress(&lines, err);
+    out->explained = lines.r2;
     out->moved = out->n > 3 ? outer_move(y, out->n) : (double)NAN; /* sorts y */
     for (int q = 0; q < CR_MC_QUANTILES; q++) {
         out->quantile[q] = cr_stats_quantile(y, out->n, cr_mc_quantiles[q]);

@@ -86,7 +86,7 @@ static void a_sobol_sequence_is_even(void **state) {
 
 static void regression_finds_the_line(void **state) {
     (void)state;
-    double x[] = {0, 0, 1, 0, 0, 1, 1, 1, 2, 5}, y[5], b[2], r2;
+    double x[] = {0, 0, 1, 0, 0, 1, 1, 1, 2, 5}, y[5], b[2];
     struct cr_error err = {0};
 #if !HAVE_GSL
     skip();
@@ -94,12 +94,14 @@ static void regression_finds_the_line(void **state) {
     for (int i = 0; i < 5; i++) {
         y[i] = 3 + 2 * x[2 * i] - 0.5 * x[2 * i + 1];
     }
-    assert_int_equal(cr_draw_regress(x, y, 5, 2, b, &r2, &err), CR_ERR_OK);
+    struct cr_regression r = {.x = x, .y = y, .n = 5, .dims = 2, .b = b};
+    assert_int_equal(cr_draw_regress(&r, &err), CR_ERR_OK);
     check_near(b[0], 2, 1e-12);
     check_near(b[1], -0.5, 1e-12);
-    check_near(r2, 1, 1e-12);
-    assert_int_equal(cr_draw_regress(x, y, 3, 2, b, &r2, &err), CR_ERR_OK);
-    assert_true(isnan(b[0]) && isnan(r2));
+    check_near(r.r2, 1, 1e-12);
+    r.n = 3;
+    assert_int_equal(cr_draw_regress(&r, &err), CR_ERR_OK);
+    assert_true(isnan(b[0]) && isnan(r.r2));
 }
 
 /* ---- statistics of results made by hand ---- */
