@@ -105,11 +105,11 @@ static void impact_row(const struct cr_result *r, int impact, int side, struct c
                             s->acceleration_max / CR_G,
                             s->acceleration_mean / CR_G,
                             1e3 * s->pulse};
-    text(out, r->scene.name);
+    cr_str_csv(out, r->scene.name);
     cr_str_addf(out, ",%d,", impact + 1);
-    text(out, r->resolved.part[i].id);
+    cr_str_csv(out, r->resolved.part[i].id);
     cr_str_add(out, ",");
-    text(out, r->resolved.part[one->body[!side]].id);
+    cr_str_csv(out, r->resolved.part[one->body[!side]].id);
     cr_str_addf(out, ",%s,%s,%s,%s", deforms ? face_word(s->face) : "",
                 deforms ? face_word(s->second.face) : "", cr_stop_word(one->stop), s->cdc);
     for (size_t k = 0; k < sizeof value / sizeof *value; k++) {
