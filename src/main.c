@@ -1,11 +1,12 @@
-/* Where the program begins: the first word of the command line chooses batch work, the prompt or
- * the full screen. */
+/* Where the program begins: the first word of the command line chooses a scene to solve, a bench,
+ * the prompt or the full screen. */
 #include "config.h"
 
 #include "base/arena.h"
 #include "base/str.h"
-#include "batch/batch.h"
+#include "cli/cli.h"
 #include "repl/repl.h"
+#include "trial/trial.h"
 #include "tui/tui.h"
 
 #include <locale.h>
@@ -40,8 +41,8 @@ struct word {
     int (*run)(int argc, char **argv);
 };
 static const struct word words[] = {
-    {"run", cr_batch_run},       {"stack", cr_batch_stack},         {"validate", cr_batch_validate},
-    {"models", cr_batch_models}, {"calibrate", cr_batch_calibrate},
+    {"run", cr_cli_run},       {"stack", cr_cli_stack},           {"validate", cr_trial_validate},
+    {"models", cr_cli_models}, {"calibrate", cr_trial_calibrate},
 };
 enum { WORDS = sizeof words / sizeof *words };
 

@@ -10,7 +10,8 @@ include $(srcdir)/tests/unit/render.mk
 include $(srcdir)/tests/unit/cmd.mk
 include $(srcdir)/tests/unit/repl.mk
 include $(srcdir)/tests/unit/tui.mk
-include $(srcdir)/tests/unit/batch.mk
+include $(srcdir)/tests/unit/cli.mk
+include $(srcdir)/tests/unit/trial.mk
 endif
 include $(srcdir)/tests/checks.mk
 include $(srcdir)/tests/bench/local.mk

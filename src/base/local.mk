@@ -6,6 +6,7 @@ libbase_a_SOURCES = \
 	src/base/hash.c src/base/hash.h \
 	src/base/json.c src/base/json.h src/base/print.c \
 	src/base/number.c src/base/number.h \
+	src/base/pool.c src/base/pool.h \
 	src/base/stats.c src/base/stats.h \
 	src/base/str.c src/base/str.h \
 	src/base/units.c src/base/units.h \

@@ -1,7 +1,7 @@
 /* Option tables: what is parsed, what is refused, and what is printed about them. */
 #include "test.h"
 
-#include "batch/options.h"
+#include "cli/options.h"
 
 #include <stdio.h>
 #include <string.h>

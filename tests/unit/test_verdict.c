@@ -1,8 +1,8 @@
 /* Tables of crash tests, and their statistics with numbers worked out by hand. */
 #include "test.h"
 
-#include "batch/records.h"
-#include "batch/verdict.h"
+#include "trial/records.h"
+#include "trial/verdict.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,0 +1,15 @@
+/* The words of the command line that solve scenes and show models, and the data folder. */
+#ifndef CR_CLI_CLI_H
+#define CR_CLI_CLI_H
+
+/* Folder of models/ and share/: $CRUMPLE_DATA, the source tree of a build, or the installed one.
+ * Returns "" and leaves buf empty if none has what is needed. */
+const char *cr_data_dir(char *buf, int size);
+
+/* `crumple run ...`, `crumple stack ...`, `crumple models ...`: argv[0] is the word itself. Return
+ * the exit status of the program (crumple(1)). */
+int cr_cli_run(int argc, char **argv);
+int cr_cli_stack(int argc, char **argv);
+int cr_cli_models(int argc, char **argv);
+
+#endif

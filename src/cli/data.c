@@ -1,0 +1,87 @@
+/* Finds the folder of the models and shared data: $CRUMPLE_DATA, the source tree of a build, or the
+ * installation. */
+#include "config.h"
+
+#include "cli/cli.h"
+#include "cli/word.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* a data folder is known by the two folders that every run needs */
+static bool is_data_dir(const char *dir) {
+    static const char *const parts[] = {"models", "share/irf"};
+    for (int i = 0; i < 2; i++) {
+        char path[4096];
+        struct stat st;
+        int n = snprintf(path, sizeof path, "%s/%s", dir, parts[i]);
+        if (n >= (int)sizeof path || stat(path, &st) != 0 || !S_ISDIR(st.st_mode)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool same_folder(const char *a, const char *b) {
+    struct stat sa, sb;
+    return stat(a, &sa) == 0 && stat(b, &sb) == 0 && sa.st_dev == sb.st_dev &&
+           sa.st_ino == sb.st_ino;
+}
+
+/* folder that this program was started from, "" if the system does not tell */
+static void own_folder(char *buf, size_t size) {
+    ssize_t n = readlink("/proc/self/exe", buf, size - 1);
+    buf[n > 0 ? n : 0] = '\0';
+    char *slash = strrchr(buf, '/');
+    if (slash != NULL) {
+        *slash = '\0';
+    }
+}
+
+static const char *empty(char *buf) {
+    buf[0] = '\0';
+    return buf;
+}
+
+const char *cr_data_dir(char *buf, int size) {
+    const char *given = getenv("CRUMPLE_DATA");
+    if (given != NULL && given[0] != '\0') {
+        snprintf(buf, (size_t)size, "%s", given);
+        return is_data_dir(buf) ? buf : empty(buf);
+    }
+    char own[4096];
+    own_folder(own, sizeof own);
+    /* the source tree counts only for a program that still sits where it was built */
+    if (own[0] != '\0' && same_folder(own, BUILDDIR) && is_data_dir(SRCDIR)) {
+        snprintf(buf, (size_t)size, "%s", SRCDIR);
+        return buf;
+    }
+    /* an installation that was moved, or staged with DESTDIR, goes before the configured place */
+    snprintf(buf, (size_t)size, "%s/../share/%s", own, PACKAGE);
+    if (own[0] != '\0' && is_data_dir(buf)) {
+        return buf;
+    }
+    snprintf(buf, (size_t)size, "%s", PKGDATADIR);
+    return is_data_dir(buf) ? buf : empty(buf);
+}
+
+enum cr_err cr_cli_data(const char *name, char *buf, int size, struct cr_error *err) {
+    char dir[4096];
+    if (cr_data_dir(dir, sizeof dir)[0] == '\0') {
+        const char *given = getenv("CRUMPLE_DATA");
+        bool set = given != NULL && given[0] != '\0';
+        cr_err_set(err, CR_ERR_IO, "no models/ and share/irf/ in %s", set ? given : PKGDATADIR);
+        cr_err_hint(err, "%s",
+                    set ? "CRUMPLE_DATA names a folder that has both"
+                        : "make install puts them there; CRUMPLE_DATA names another "
+                          "folder");
+        return CR_ERR_IO;
+    }
+    if (snprintf(buf, (size_t)size, "%s/%s", dir, name) >= size) {
+        return cr_err_set(err, CR_ERR_IO, "the path of the data folder is too long: %s", dir);
+    }
+    return CR_ERR_OK;
+}

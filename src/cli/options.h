@@ -1,0 +1,56 @@
+/* Options of a command line word: one table per word parses, checks and explains itself.
+ *
+ * Nothing is copied: texts and operands point into argv. */
+#ifndef CR_CLI_OPTIONS_H
+#define CR_CLI_OPTIONS_H
+
+#include "base/err.h"
+#include "base/str.h"
+
+#include <stdbool.h>
+
+enum { CR_OPTION_REPEAT_MAX = 256 };
+
+/* Values of an option that may be given several times, in order. */
+struct cr_option_values {
+    int n;
+    const char *value[CR_OPTION_REPEAT_MAX];
+};
+
+/* One option. Exactly one of flag, number, text and values says what it is and where it goes; what
+ * is not given keeps the value it had, so the caller's initialisation is the default. */
+struct cr_option {
+    const char *name; /* without the dashes */
+    char letter;      /* short form, 0: none */
+    const char *arg;  /* name of its value in the help; "a|b|c" with `number`: one of these words */
+    const char *help;
+    bool *flag;
+    int *number;       /* an integer lo..hi, or the index of the word */
+    const char **text; /* "" is refused */
+    struct cr_option_values *values;
+    int lo, hi;
+};
+
+struct cr_usage {
+    const char *word;     /* "run" */
+    const char *operands; /* as the help shows them: "SCENE.json" */
+    const char *about;    /* lines of text, each ending in a newline */
+    const struct cr_option *option;
+    int options;
+    int least, most; /* number of operands; most < 0: any */
+};
+
+/* Parse argv (argv[0] is the word itself). Options and operands may be mixed, "--" ends the
+ * options,
+ * "-" is an operand. The operands are moved to argv[1] ... argv[*operands]. *help is set when -h or
+ * --help was met, which ends the parsing. Errors: USAGE with the nearest spelling or the range. */
+CR_MUST_CHECK enum cr_err cr_options_parse(const struct cr_usage *usage, int argc, char **argv,
+                                           int *operands, bool *help, struct cr_error *err);
+
+/* The help text that belongs to the table, appended to out. */
+void cr_options_help(const struct cr_usage *usage, struct cr_str *out);
+
+/* Index of a word in "a|b|c", -1 if it is none of them. */
+int cr_options_choice(const char *choices, const char *word);
+
+#endif

@@ -1,0 +1,27 @@
+/* Pairs of scenes, the same crash with and without a safety system: what changes between them. */
+#ifndef CR_CLI_PAIR_H
+#define CR_CLI_PAIR_H
+
+#include "base/err.h"
+#include "base/str.h"
+
+struct cr_pair_set;
+
+CR_MUST_CHECK enum cr_err cr_pair_new(struct cr_pair_set **out, struct cr_error *err);
+void cr_pair_free(struct cr_pair_set *set);
+
+/* Number of the scene (from 0) that a scene of this pair belongs to: its own for the first of a
+ * name, that of the first for the second. Shards keep pairs together by it. -1 without memory. */
+long cr_pair_home(struct cr_pair_set *set, const char *pair, long number);
+
+/* Note the result line of a scene of a pair; lines of unsolved scenes are kept as such. */
+CR_MUST_CHECK enum cr_err cr_pair_note(struct cr_pair_set *set, const char *pair,
+                                       const char *result, struct cr_error *err);
+
+/* A line per pair, in the order in which they began: EES, delta-v and injury probabilities of the
+ * second scene minus those of the first, by participant. Pairs without two solved scenes get an
+ * error object; *failed counts them. */
+CR_MUST_CHECK enum cr_err cr_pair_write(const struct cr_pair_set *set, struct cr_str *out,
+                                        int *failed, struct cr_error *err);
+
+#endif

@@ -1,0 +1,192 @@
+/* Finds results of an earlier stack again by the hash of their scene, so that they need not be
+ * solved twice. */
+#include "config.h"
+
+#include "cli/resume.h"
+
+#include <cjson/cJSON.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/types.h>
+#include <unistd.h>
+
+enum { FILES_MAX = 256 };
+
+struct entry {
+    char hash[CR_HASH_SIZE];
+    unsigned char file;
+    off_t at;
+    size_t len;
+};
+
+struct cr_resume {
+    int files;
+    int fd[FILES_MAX];
+    int n, size;
+    struct entry *entry; /* sorted by hash */
+};
+
+static const char *text_of(const cJSON *json, const char *key) {
+    const char *s = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(json, key));
+    return s ? s : "";
+}
+
+/* "suv/12 sha256 HEX": of a type, with the recipe as it is now */
+static bool is_current(const struct cr_model_lib *lib, const char *model) {
+    char word[32];
+    size_t n = strcspn(model, "/");
+    const char *hash = strstr(model, " sha256 ");
+    if (n >= sizeof word || model[n] != '/' || !hash) {
+        return false;
+    }
+    memcpy(word, model, n);
+    word[n] = '\0';
+    int type = cr_type_find(word);
+    return type >= 0 && cr_model_need(lib, (enum cr_type)type, NULL) == CR_ERR_OK &&
+           !strcmp(hash + 8, cr_model_hash(lib, (enum cr_type)type));
+}
+
+static bool is_usable(const cJSON *json, const struct cr_model_lib *lib, bool trace,
+                      bool resolved) {
+    const cJSON *input = cJSON_GetObjectItemCaseSensitive(json, "input"), *model;
+    if (strcmp(text_of(json, "version"), PACKAGE_VERSION) != 0 ||
+        strlen(text_of(input, "scene_sha256")) != CR_HASH_SIZE - 1 ||
+        trace != cJSON_HasObjectItem(json, "trace") ||
+        resolved != cJSON_HasObjectItem(input, "resolved")) {
+        return false;
+    }
+    cJSON_ArrayForEach(model, cJSON_GetObjectItemCaseSensitive(input, "models")) {
+        const char *s = cJSON_GetStringValue(model);
+        if (!s || !is_current(lib, s)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static enum cr_err add(struct cr_resume *r, const struct entry *e, struct cr_error *err) {
+    if (r->n == r->size) {
+        int size = r->size ? 2 * r->size : 256;
+        struct entry *more = realloc(r->entry, (size_t)size * sizeof *more);
+        if (!more) {
+            return cr_err_set(err, CR_ERR_MEMORY, "no memory to index earlier results");
+        }
+        r->entry = more;
+        r->size = size;
+    }
+    r->entry[r->n++] = *e;
+    return CR_ERR_OK;
+}
+
+static enum cr_err index_file(struct cr_resume *r, const char *path, const struct cr_model_lib *lib,
+                              bool trace, bool resolved, struct cr_error *err) {
+    FILE *f = fopen(path, "r");
+    r->fd[r->files] = open(path, O_RDONLY | O_CLOEXEC);
+    if (!f || r->fd[r->files] < 0) {
+        cr_err_set(err, CR_ERR_IO, "cannot open: %s", strerror(errno));
+        cr_err_place(err, path, 0, 0);
+        if (f) {
+            fclose(f);
+        }
+        if (r->fd[r->files] >= 0) {
+            close(r->fd[r->files]);
+        }
+        return CR_ERR_IO;
+    }
+    struct entry e = {.file = (unsigned char)r->files++};
+    char *line = NULL;
+    size_t size = 0;
+    enum cr_err rc = CR_ERR_OK;
+    int number = 0;
+    for (ssize_t n; !rc && (n = getline(&line, &size, f)) > 0; e.at += n) {
+        number++;
+        if (line[n - 1] != '\n') {
+            break; // the last line of an interrupted stack may be cut
+        }
+        cJSON *json = cJSON_Parse(line);
+        if (!cJSON_HasObjectItem(json, "crumple_result")) {
+            rc = cr_err_set(err, CR_ERR_SYNTAX, "this is no result");
+            cr_err_hint(err, "--resume takes what crumple stack has written");
+            cr_err_place(err, path, number, 1);
+        } else if (json && is_usable(json, lib, trace, resolved)) {
+            const cJSON *input = cJSON_GetObjectItemCaseSensitive(json, "input");
+            memcpy(e.hash, text_of(input, "scene_sha256"), CR_HASH_SIZE);
+            e.len = (size_t)n;
+            rc = add(r, &e, err);
+        }
+        cJSON_Delete(json);
+    }
+    if (!rc && ferror(f)) {
+        rc = cr_err_set(err, CR_ERR_IO, "cannot read: %s", strerror(errno));
+        cr_err_place(err, path, 0, 0);
+    }
+    free(line);
+    fclose(f);
+    return rc;
+}
+
+static int by_hash(const void *a, const void *b) {
+    return memcmp(((const struct entry *)a)->hash, ((const struct entry *)b)->hash, CR_HASH_SIZE);
+}
+
+enum cr_err cr_resume_open(const char *const *path, int n, const struct cr_model_lib *lib,
+                           bool trace, bool resolved, struct cr_resume **out,
+                           struct cr_error *err) {
+    *out = NULL;
+    if (n > FILES_MAX) {
+        return cr_err_set(err, CR_ERR_USAGE, "no more than %d files can be resumed", FILES_MAX);
+    }
+    struct cr_resume *r = calloc(1, sizeof *r);
+    if (!r) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory to index earlier results");
+    }
+    enum cr_err rc = CR_ERR_OK;
+    for (int i = 0; i < n && !rc; i++) {
+        rc = index_file(r, path[i], lib, trace, resolved, err);
+    }
+    if (rc) {
+        cr_resume_free(r);
+        return rc;
+    }
+    if (r->n > 0) {
+        qsort(r->entry, (size_t)r->n, sizeof *r->entry, by_hash);
+    }
+    *out = r;
+    return CR_ERR_OK;
+}
+
+void cr_resume_free(struct cr_resume *r) {
+    if (r) {
+        for (int i = 0; i < r->files; i++) {
+            close(r->fd[i]);
+        }
+        free(r->entry);
+        free(r);
+    }
+}
+
+bool cr_resume_line(struct cr_resume *r, const char hash[CR_HASH_SIZE], struct cr_str *out) {
+    if (!r || r->n == 0) {
+        return false;
+    }
+    struct entry key;
+    memcpy(key.hash, hash, CR_HASH_SIZE);
+    const struct entry *e = bsearch(&key, r->entry, (size_t)r->n, sizeof *e, by_hash);
+    char *buf = e ? malloc(e->len) : NULL;
+    bool ok = buf != NULL;
+    for (size_t done = 0; ok && done < e->len;) {
+        ssize_t n = pread(r->fd[e->file], buf + done, e->len - done, e->at + (off_t)done);
+        ok = n > 0;
+        done += ok ? (size_t)n : 0;
+    }
+    // the file may have been written to since it was indexed
+    ok = ok && buf[e->len - 1] == '\n' && memchr(buf, '\n', e->len) == buf + e->len - 1;
+    if (ok) {
+        cr_str_addn(out, buf, e->len);
+    }
+    free(buf);
+    return ok;
+}

@@ -1,0 +1,140 @@
+/* `crumple run` solves one scene and writes its result. */
+#include "cli/cli.h"
+#include "cli/word.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#define FORMATS "json|text|csv"
+enum format { FORMAT_JSON, FORMAT_TEXT, FORMAT_CSV };
+
+struct run_options {
+    int format;
+    bool trace;
+    const char *out;
+    struct cr_option_values set;
+    struct cr_cli_look look;
+};
+
+static const char about[] =
+    "Solves one scene (- reads it from standard input) and writes the result to standard\n"
+    "output. Exit status: 0 solved; 2 usage or file system; 3 the scene is invalid; 4 the\n"
+    "solver failed, for example because the participants never meet; 130 interrupted.\n";
+
+enum cr_err cr_cli_override(struct cr_scene *scene, const struct cr_option_values *set,
+                            struct cr_error *err) {
+    for (int i = 0; i < set->n; i++) {
+        const char *equals = strchr(set->value[i], '=');
+        char key[CR_NAME_MAX + 64];
+        if (equals == NULL || equals == set->value[i]) {
+            cr_err_set(err, CR_ERR_USAGE, "--set %s has no KEY=VALUE", set->value[i]);
+            cr_err_hint(err, "for example --set dt_ms=0.25 or --set A.speed_kmh=60");
+            return CR_ERR_USAGE;
+        }
+        size_t len = (size_t)(equals - set->value[i]);
+        if (len >= sizeof key) {
+            return cr_err_set(err, CR_ERR_USAGE, "--set: the key is too long: %s", set->value[i]);
+        }
+        memcpy(key, set->value[i], len);
+        key[len] = '\0';
+        enum cr_err code = cr_scene_set(scene, key, equals + 1, err);
+        if (code != CR_ERR_OK) {
+            if (err->src[0] == '\0') {
+                char given[200];
+                snprintf(given, sizeof given, "--set %s", set->value[i]);
+                cr_err_place(err, given, 0, 0);
+            }
+            return code;
+        }
+    }
+    return CR_ERR_OK;
+}
+
+static enum cr_err write_result(const struct cr_result *result, const struct run_options *opt,
+                                struct cr_str *text, struct cr_error *err) {
+    struct cr_result_opts form = {.trace = opt->trace, .resolved = true, .pretty = true};
+    if (opt->format == FORMAT_JSON) {
+        return cr_result_json(result, &form, text, err);
+    }
+    if (opt->format == FORMAT_CSV) {
+        return cr_result_csv(result, &form, text, err);
+    }
+    int width;
+    struct cr_look look = cr_cli_look_of(&opt->look, opt->out != NULL, &width);
+    return cr_render_report(result, &look, width, text, err);
+}
+
+static enum cr_err run(const char *path, const struct run_options *opt, struct cr_error *err) {
+    struct cr_cli_shared shared = {0};
+    struct cr_scene scene;
+    struct cr_result *result = NULL;
+    struct cr_str text = {0};
+    cr_scene_init(&scene);
+    const char *name = strcmp(path, "-") == 0 ? "standard input" : path;
+    enum cr_err code = cr_scene_load(path, &scene, err);
+    if (code != CR_ERR_OK && strcmp(err->src, "-") == 0) {
+        cr_err_place(err, name, err->line, err->col);
+    }
+    /* until here ^C ends the program at once, also while it waits for input */
+    cr_cli_catch();
+    if (code == CR_ERR_OK) {
+        code = cr_cli_override(&scene, &opt->set, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_cli_open(&shared, CR_CLI_NEEDED, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_result_run(&scene, &shared.ctx, &result, err);
+        /* faults that show once all is known have a pointer, which leads to the line */
+        if (code != CR_ERR_OK && err->src[0] == '\0') {
+            cr_scene_locate_file(path, name, err);
+        }
+    }
+    if (code == CR_ERR_OK) {
+        code = write_result(result, opt, &text, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_cli_emit(opt->out, &text, err);
+    }
+    cr_str_fini(&text);
+    cr_result_free(result);
+    cr_scene_fini(&scene);
+    cr_cli_close(&shared);
+    return code;
+}
+
+int cr_cli_run(int argc, char **argv) {
+    struct run_options opt = {.format = FORMAT_JSON};
+    const struct cr_option table[] = {
+        {.name = "format",
+         .letter = 'f',
+         .arg = FORMATS,
+         .number = &opt.format,
+         .help = "form of the result (json)"},
+        {.name = "trace", .letter = 't', .flag = &opt.trace, .help = "with the time series"},
+        {.name = "output",
+         .letter = 'o',
+         .arg = "FILE",
+         .text = &opt.out,
+         .help = "write to FILE, whole or not at all"},
+        {.name = "set",
+         .letter = 's',
+         .arg = "KEY=VALUE",
+         .values = &opt.set,
+         .help = "override a setting (dt_ms=0.25) or a value (A.speed_kmh=60)"},
+        CR_CLI_LOOK_OPTIONS(&opt.look),
+    };
+    const struct cr_usage usage = {.word = "run",
+                                   .operands = "SCENE.json",
+                                   .about = about,
+                                   .option = table,
+                                   .options = sizeof table / sizeof *table,
+                                   .least = 1,
+                                   .most = 1};
+    struct cr_error err = {0};
+    int operands, status = cr_cli_options(&usage, argc, argv, &operands);
+    if (status >= 0) {
+        return status;
+    }
+    return run(argv[1], &opt, &err) == CR_ERR_OK ? 0 : cr_cli_fail(&err);
+}

@@ -1,0 +1,68 @@
+/* Models and risk functions that all words of the command line share, opened once, and ^C. */
+#include "cli/word.h"
+
+#include <signal.h>
+#include <string.h>
+
+static volatile sig_atomic_t interrupted;
+
+static void on_signal(int sig) {
+    (void)sig;
+    interrupted = 1;
+}
+
+void cr_cli_catch(void) {
+    struct sigaction act = {.sa_handler = on_signal};
+    sigemptyset(&act.sa_mask);
+    /* a second ^C ends the program at once, should it be somewhere that does not poll */
+    act.sa_flags = (int)SA_RESETHAND;
+    static const int stops[] = {SIGINT, SIGTERM};
+    for (int i = 0; i < 2; i++) {
+        struct sigaction old;
+        /* a background job of a script is started with ^C ignored, and stays so */
+        if (sigaction(stops[i], NULL, &old) == 0 && old.sa_handler != SIG_IGN) {
+            sigaction(stops[i], &act, NULL);
+        }
+    }
+    struct sigaction ignore = {.sa_handler = SIG_IGN};
+    sigemptyset(&ignore.sa_mask);
+    sigaction(SIGPIPE, &ignore, NULL);
+    sigaction(SIGXFSZ, &ignore, NULL);
+}
+
+int cr_cli_cancelled(void *unused) {
+    (void)unused;
+    return interrupted;
+}
+
+enum cr_err cr_cli_open(struct cr_cli_shared *shared, enum cr_cli_recipes recipes,
+                        struct cr_error *err) {
+    char path[4200];
+    memset(shared, 0, sizeof *shared);
+    enum cr_err code = cr_cli_data("models", path, sizeof path, err);
+    if (code == CR_ERR_OK) {
+        code = cr_model_lib_open(path, &shared->models, err);
+    }
+    if (code == CR_ERR_OK && recipes == CR_CLI_ALL) {
+        code = cr_model_need_all(shared->models, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_cli_data("share/irf", path, sizeof path, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_irf_load(path, &shared->irf, err);
+    }
+    if (code != CR_ERR_OK) {
+        cr_cli_close(shared);
+        return code;
+    }
+    shared->ctx = (struct cr_context){
+        .models = shared->models, .irf = shared->irf, .cancel = cr_cli_cancelled};
+    return CR_ERR_OK;
+}
+
+void cr_cli_close(struct cr_cli_shared *shared) {
+    cr_model_lib_free(shared->models);
+    cr_irf_free(shared->irf);
+    memset(shared, 0, sizeof *shared);
+}

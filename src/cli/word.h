@@ -1,0 +1,70 @@
+/* What the words of the command line share: shared data, interruption, output and look. */
+#ifndef CR_CLI_WORD_H
+#define CR_CLI_WORD_H
+
+#include "base/err.h"
+#include "base/str.h"
+#include "cli/options.h"
+#include "render/render.h"
+#include "result/result.h"
+
+/* Print an error on standard error as one line ("crumple: error: ...", or the place first when it
+ * is known) and return its exit status. */
+int cr_cli_fail(const struct cr_error *err);
+
+/* Parse the options and operands of a word as cr_options_parse does. Returns -1 to go on; or, after
+ * printing the help or the fault, the exit status. */
+int cr_cli_options(const struct cr_usage *usage, int argc, char **argv, int *operands);
+
+/* Write a text to a file, whole or not at all, or to standard output when path is NULL or "-".
+ * Errors: IO, also for a closed pipe or a full disk behind standard output. */
+CR_MUST_CHECK enum cr_err cr_cli_emit(const char *path, const struct cr_str *text,
+                                      struct cr_error *err);
+
+/* Path of `name` inside the data folder, into buf. Errors: IO when there is no data folder. */
+CR_MUST_CHECK enum cr_err cr_cli_data(const char *name, char *buf, int size, struct cr_error *err);
+
+/* Apply --set KEY=VALUE in the order given, so that a later one wins. Errors: USAGE, and those of
+ * cr_scene_set. */
+CR_MUST_CHECK enum cr_err cr_cli_override(struct cr_scene *scene,
+                                          const struct cr_option_values *set, struct cr_error *err);
+
+/* The immutable data that every solve shares, and the polling of ^C. */
+struct cr_cli_shared {
+    struct cr_model_lib *models;
+    struct cr_irf_set *irf;
+    struct cr_context ctx; /* points into this struct's members */
+};
+/* Whether all six recipes are read at once, so that a broken one is reported before any work, or
+ * each when a scene needs it. */
+enum cr_cli_recipes { CR_CLI_ALL, CR_CLI_NEEDED };
+CR_MUST_CHECK enum cr_err cr_cli_open(struct cr_cli_shared *shared, enum cr_cli_recipes recipes,
+                                      struct cr_error *err);
+void cr_cli_close(struct cr_cli_shared *shared);
+
+/* Make SIGINT and SIGTERM set a flag, and a closed pipe and a limit of file size errors of writing.
+ */
+void cr_cli_catch(void);
+/* Non-zero once interrupted; has the shape of cr_context.cancel. */
+int cr_cli_cancelled(void *unused);
+
+/* --color, --ascii, --width: rows for an option table (CR_CLI_LOOK_OPTIONS(&x)), and what they
+ * come to for output to a file or (to_file false) standard output. */
+struct cr_cli_look {
+    int color;  /* index in CR_CLI_COLORS; 0: auto */
+    bool ascii; /* asked for; also taken where the locale is not UTF-8 */
+    int width;  /* columns; 0: the terminal's, 80 without one */
+};
+#define CR_CLI_COLORS "auto|always|never"
+#define CR_CLI_LOOK_OPTIONS(l)                                                                     \
+    {.name = "color",                                                                              \
+     .arg = CR_CLI_COLORS,                                                                         \
+     .number = &(l)->color,                                                                        \
+     .help = "colour in text; auto: on a terminal, unless NO_COLOR is set"},                       \
+        {.name = "ascii", .flag = &(l)->ascii, .help = "text without characters beyond ASCII"}, {  \
+        .name = "width", .arg = "N", .number = &(l)->width, .lo = 40, .hi = 400,                   \
+        .help = "columns of text (40..400; the terminal's, else 80)"                               \
+    }
+struct cr_look cr_cli_look_of(const struct cr_cli_look *look, bool to_file, int *width);
+
+#endif

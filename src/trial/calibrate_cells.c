@@ -1,0 +1,116 @@
+/* Where the energy of a front sits: the model against the load cells of a wall (NHTSA 10146, 2018
+ * Toyota Camry; stiffness.md 2.1 and 5). */
+#include "trial/calibrate.h"
+
+#include "base/arena.h"
+#include "base/file.h"
+#include "base/vec.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The wall: square cells, in columns on both sides of the centre line and rows from its lower
+ * edge, which stood 80 mm above the road (from memory: stiffness.md 5). */
+enum { COLUMNS = 8, ROWS = 11 };
+static const double cell_edge = 0.125, wall_bottom = 0.080;
+/* how far the front was crushed when the compartment stood still, m */
+static const double camry_crush = 0.746;
+
+struct shares {
+    double column[COLUMNS]; /* by distance from the centre line, both sides */
+    double row[ROWS];       /* from the lowest up */
+};
+
+static void scale(double *v, int n) {
+    double sum = 0;
+    for (int i = 0; i < n; i++) {
+        sum += v[i];
+    }
+    for (int i = 0; i < n && sum > 0; i++) {
+        v[i] *= 100 / sum;
+    }
+}
+
+static enum cr_err measured(const char *dir, struct shares *out, struct cr_error *err) {
+    char path[600], *text = NULL;
+    size_t len = 0;
+    snprintf(path, sizeof path, "%s/share/validation/data/camry_10146_loadcell_energy_kJ.csv", dir);
+    memset(out, 0, sizeof *out);
+    enum cr_err rc = cr_file_read(path, &text, &len, err);
+    if (rc) {
+        return rc;
+    }
+    for (const char *p = text; *p != '\0'; p += strcspn(p, "\n"), p += *p == '\n') {
+        if (p[0] < 'A' || p[0] > 'K' || p[1] != ',') {
+            continue;
+        }
+        const char *q = p + 2;
+        for (int i = 0; i < 2 * COLUMNS; i++) {
+            char *end = NULL;
+            double kj = strtod(q, &end);
+            int column = i < COLUMNS ? COLUMNS - 1 - i : i - COLUMNS;
+            out->column[column] += kj;
+            out->row['K' - p[0]] += kj;
+            q = *end == ',' ? end + 1 : end;
+        }
+    }
+    free(text);
+    scale(out->column, COLUMNS);
+    scale(out->row, ROWS);
+    return CR_ERR_OK;
+}
+
+static enum cr_err modelled(const struct cr_model_lib *lib, struct shares *out,
+                            struct cr_error *err) {
+    struct cr_model_query q = {.type = CR_TYPE_SEDAN, .voxel = 0.025, .z_hi = INFINITY};
+    struct cr_arena arena = {0};
+    struct cr_voxels v;
+    q.dims = *cr_model_dims(lib, q.type, &q.mass_kg);
+    memset(out, 0, sizeof *out);
+    enum cr_err rc = cr_model_voxels(lib, &q, &arena, &v, err);
+    size_t nx = rc ? 0 : (size_t)v.nx, n = rc ? 0 : nx * (size_t)v.ny * (size_t)v.nz;
+    for (size_t i = 0; i < n; i++) {
+        double depth = ((double)(nx - 1 - i % nx) + 0.5) * v.edge;
+        double y = v.y0 + ((double)(i / nx % (size_t)v.ny) + 0.5) * v.edge;
+        double z = v.z0 + ((double)(i / nx / (size_t)v.ny) + 0.5) * v.edge;
+        int column = (int)(fabs(y) / cell_edge), row = (int)floor((z - wall_bottom) / cell_edge);
+        if (depth < camry_crush && column < COLUMNS && row >= 0 && row < ROWS) {
+            out->column[column] += v.energy[i];
+            out->row[row] += v.energy[i];
+        }
+    }
+    cr_arena_free(&arena);
+    scale(out->column, COLUMNS);
+    scale(out->row, ROWS);
+    return rc;
+}
+
+static void print_row(const char *what, const double *v, int n, struct cr_str *out) {
+    cr_str_addf(out, "  %-9s", what);
+    for (int i = 0; i < n; i++) {
+        cr_str_addf(out, " %5.1f", v[i]);
+    }
+    cr_str_add(out, "\n");
+}
+
+enum cr_err cr_calibration_cells(const char *dir, const struct cr_model_lib *lib,
+                                 struct cr_str *out, struct cr_error *err) {
+    struct shares wall, model;
+    enum cr_err rc = measured(dir, &wall, err);
+    if (!rc) {
+        rc = modelled(lib, &model, err);
+    }
+    if (rc) {
+        return rc;
+    }
+    cr_str_add(out, "\nenergy of the sedan's front to 0.746 m by load cell (NHTSA 10146), %\n"
+                    "across, 125 mm each from the centre line outward, both sides\n");
+    print_row("measured", wall.column, COLUMNS, out);
+    print_row("model", model.column, COLUMNS, out);
+    cr_str_add(out, "in height, 125 mm each from 80 mm above the road upward\n");
+    print_row("measured", wall.row, ROWS, out);
+    print_row("model", model.row, ROWS, out);
+    return CR_ERR_OK;
+}

@@ -1,0 +1,111 @@
+/* Crash tests as scenes with reference values: records of tables by one rule (share/doc/
+ * validation.md), and scene files that bring their own expectations. */
+#ifndef CR_TRIAL_CRASHTEST_H
+#define CR_TRIAL_CRASHTEST_H
+
+#include "base/err.h"
+#include "trial/calibrate.h"
+#include "result/compare.h"
+#include "result/result.h"
+
+#include <stdbool.h>
+
+/* X(NAME, word, title) */
+#define CR_TEST_CLASS_LIST(X)                                                                      \
+    X(WALL, "wall", "full-width rigid wall")                                                       \
+    X(POLE, "pole", "side pole, 254 mm, 75 deg, 32 km/h")                                          \
+    X(CAR, "car-to-car", "car to car")                                                             \
+    X(SMALL_OVERLAP, "small-overlap", "small overlap, 64 km/h")                                    \
+    X(PULSE, "pulse", "wall with a full pulse")                                                    \
+    X(LOW_SPEED, "low-speed", "low speed and frontal pole")                                        \
+    X(OWN, "own", "own tests")
+
+enum cr_test_class {
+#define X(name, word, title) CR_TEST_##name,
+    CR_TEST_CLASS_LIST(X)
+#undef X
+        CR_TEST_CLASSES
+};
+
+/* What is compared. X(NAME, key in x_expect and in the result, label, unit, relative): relative
+ * errors are in percent of the reference, the others in the unit. */
+#define CR_MEASURE_LIST(X)                                                                         \
+    X(EES, "ees_kmh", "EES", "km/h", true)                                                         \
+    X(DELTA_V, "delta_v_kmh", "delta-v", "km/h", true)                                             \
+    X(DV_FORWARD, "delta_v_forward_kmh", "delta-v forward", "km/h", true)                          \
+    X(DV_LEFT, "delta_v_left_kmh", "delta-v left", "km/h", false)                                  \
+    X(YAW_RATE, "yaw_rate_change_deg_s", "yaw rate change", "deg/s", false)                        \
+    X(PLANAR_YAW, "planar_yaw_rate_change_deg_s", "planar yaw rate", "deg/s", false)               \
+    X(DEPTH, "face_depth_m", "depth residual, max", "m", true)                                     \
+    X(DYNAMIC, "face_depth_dynamic_m", "depth dynamic, max", "m", true)                            \
+    X(PROFILE, "crush_mean_m", "C1..C6 mean", "m", true)                                           \
+    X(CORNER, "crush_corner_ratio", "C1,C6 over C3,C4", "-", false)                                \
+    X(AREA, "deformation_area_m2", "damaged area", "m2", true)                                     \
+    X(PEAK, "acceleration_max_g", "peak acceleration", "g", true)                                  \
+    X(MEAN, "acceleration_mean_g", "mean acceleration", "g", true)                                 \
+    X(T_PEAK, "time_of_max_ms", "time to peak", "ms", true)                                        \
+    X(T_DEPTH, "time_of_depth_ms", "time to depth", "ms", true)
+
+enum cr_measure {
+#define X(name, key, label, unit, relative) CR_MEASURE_##name,
+    CR_MEASURE_LIST(X)
+#undef X
+        CR_MEASURES
+};
+
+/* Ratings of a pulse against a measured one; NaN without. The curves are owned by the list. */
+struct cr_test_pulse {
+    double iso, cora, rms_g;
+    struct cr_compare curves;
+};
+
+struct cr_test_outcome {
+    double value[CR_MEASURES]; /* in the unit of the list; NaN where the solve failed */
+    struct cr_test_pulse pulse;
+    char error[256]; /* why it failed, "" if it did not */
+};
+
+/* Runs of a test: the two methods, and `extended` with models that were calibrated without it. */
+enum { CR_TEST_CROSS = 2, CR_TEST_RUNS = 3 };
+
+struct cr_test {
+    enum cr_test_class class;
+    char id[CR_NAME_MAX];   /* "10146" or the name of the scene */
+    char part[CR_NAME_MAX]; /* the participant that was measured */
+    char title[96];
+    enum cr_type type;
+    double speed_kmh;
+    double reference[CR_MEASURES]; /* NaN where nothing was measured */
+    char *scene;                   /* JSON text, owned */
+    char dir[CR_PATH_MAX];         /* folder of the scene file */
+    char file[2 * CR_PATH_MAX];    /* measured pulse, "" without */
+    char column[CR_NAME_MAX];
+    double at; /* when the motion was read, s after the first contact; NaN: end of the contact */
+    double normal; /* of the planar impact that the reference is, world, rad; NaN: it is none */
+    struct cr_compare_opts pulse;
+    int number;                              /* test number of a record, 0 without */
+    struct cr_test_outcome of[CR_TEST_RUNS]; /* CR_METHOD_EXTENDED, _PAPER, CR_TEST_CROSS */
+};
+
+struct cr_test_list {
+    int n, size;
+    struct cr_test *item;
+};
+void cr_test_list_fini(struct cr_test_list *list);
+
+/* Append the tests of a class from the data folder's share/validation. Errors: IO, SYNTAX, TYPE,
+ * MISSING, with their place. */
+CR_MUST_CHECK enum cr_err cr_test_load(const char *dir, enum cr_test_class class,
+                                       const struct cr_type_rules *rules, struct cr_test_list *list,
+                                       struct cr_error *err);
+
+/* Append one's own tests: a CSV file with the columns of frontal_wall.csv or of side_pole.csv, or a
+ * scene file with x_expect. */
+CR_MUST_CHECK enum cr_err cr_test_load_own(const char *path, const struct cr_type_rules *rules,
+                                           struct cr_test_list *list, struct cr_error *err);
+
+/* Solve a test with the method of a run and take its measures; what goes wrong stands in the
+ * outcome. */
+void cr_test_solve(struct cr_test *test, int run, const struct cr_context *ctx);
+
+#endif

@@ -1,0 +1,91 @@
+/* A crash test as a solved scene: its measures, and its pulse against the measured one. */
+#include "trial/crashtest.h"
+
+#include "result/planar.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static void take_measures(const struct cr_severity *s, double *to) {
+    const double *c = s->profile;
+    const double value[CR_MEASURES] = {
+        [CR_MEASURE_EES] = cr_kmh(s->ees),
+        [CR_MEASURE_DELTA_V] = cr_kmh(s->delta_v),
+        [CR_MEASURE_DV_FORWARD] = cr_kmh(s->delta_v_body.x),
+        [CR_MEASURE_DV_LEFT] = cr_kmh(s->delta_v_body.y),
+        [CR_MEASURE_YAW_RATE] = cr_deg(s->yaw_rate_change),
+        [CR_MEASURE_DEPTH] = s->face_depth,
+        [CR_MEASURE_DYNAMIC] = s->face_depth_dynamic,
+        // trapezoid mean of equally spaced points
+        [CR_MEASURE_PROFILE] = (c[0] / 2 + c[1] + c[2] + c[3] + c[4] + c[5] / 2) / 5,
+        [CR_MEASURE_CORNER] = (c[0] + c[5]) / (c[2] + c[3]),
+        [CR_MEASURE_AREA] = s->deformation_area,
+        [CR_MEASURE_PEAK] = s->acceleration_max / CR_G,
+        [CR_MEASURE_MEAN] = s->acceleration_mean / CR_G,
+        [CR_MEASURE_T_PEAK] = 1e3 * s->t_max,
+        [CR_MEASURE_T_DEPTH] = 1e3 * s->t_depth_max,
+    };
+    memcpy(to, value, sizeof value);
+}
+
+/* Motion as it was read in the test, some time after the first contact: tyres and rubbing have
+ * turned the cars on since they parted. */
+static void take_motion(const struct cr_solution *sol, int body, double at, double *to) {
+    const struct cr_sample *before = &sol->body[body].before;
+    const struct cr_sample *then = cr_result_motion_at(sol, body, sol->t_contact + at);
+    struct cr_vec2 dv = cr_vec2_sub(then->vel, before->vel);
+    struct cr_vec2 own = cr_vec2_unrotate(dv, cos(before->heading), sin(before->heading));
+    to[CR_MEASURE_DELTA_V] = cr_kmh(cr_vec2_len(dv));
+    to[CR_MEASURE_DV_FORWARD] = cr_kmh(own.x);
+    to[CR_MEASURE_DV_LEFT] = cr_kmh(own.y);
+    to[CR_MEASURE_YAW_RATE] = cr_deg(then->yaw_rate - before->yaw_rate);
+}
+
+static enum cr_err rate_pulse(const struct cr_test *test, const struct cr_result *r, int body,
+                              struct cr_test_pulse *out, struct cr_error *err) {
+    struct cr_signal measured;
+    struct cr_compare c;
+    enum cr_err rc =
+        cr_signal_load(test->file, test->column[0] ? test->column : NULL, &measured, err);
+    if (rc) {
+        return rc;
+    }
+    rc = cr_compare_pulse(r->solution, body, &measured, &test->pulse, &c, err);
+    if (!rc) {
+        *out = (struct cr_test_pulse){c.iso.total, c.cora.total, c.rms / CR_G, c};
+    }
+    cr_signal_free(&measured);
+    return rc;
+}
+
+void cr_test_solve(struct cr_test *test, int run, const struct cr_context *ctx) {
+    struct cr_test_outcome *o = &test->of[run];
+    struct cr_scene scene;
+    struct cr_result *r = NULL;
+    struct cr_error err = {0};
+    enum cr_err rc = cr_scene_parse(test->scene, strlen(test->scene), test->id, &scene, &err);
+    snprintf(scene.dir, sizeof scene.dir, "%s", test->dir);
+    const char *name = run == CR_METHOD_PAPER ? "paper" : "extended";
+    rc = rc ? rc : cr_scene_set(&scene, "method", name, &err);
+    if (!rc && !isnan(test->at)) {
+        rc = cr_scene_set(&scene, "end", "rest", &err);
+    }
+    rc = rc ? rc : cr_result_run(&scene, ctx, &r, &err);
+    for (int i = 0; !rc && i < scene.n; i++) {
+        if (!strcmp(scene.part[i].id, test->part)) {
+            take_measures(&r->of[i], o->value);
+            struct cr_vec2 normal = cr_vec2(cos(test->normal), sin(test->normal));
+            o->value[CR_MEASURE_PLANAR_YAW] = cr_deg(cr_planar_yaw_change(r, i, normal));
+            if (!isnan(test->at)) {
+                take_motion(r->solution, i, test->at, o->value);
+            }
+            rc = test->file[0] ? rate_pulse(test, r, i, &o->pulse, &err) : CR_ERR_OK;
+        }
+    }
+    if (rc) {
+        snprintf(o->error, sizeof o->error, "%s", err.text);
+    }
+    cr_result_free(r);
+    cr_scene_fini(&scene);
+}

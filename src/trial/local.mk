@@ -1,0 +1,62 @@
+noinst_LIBRARIES += libtrial.a
+libtrial_a_SOURCES = \
+	src/trial/calibrate.c src/trial/calibrate.h \
+	src/trial/calibrate_cells.c src/trial/calibrate_data.c src/trial/calibrate_write.c \
+	src/trial/crashtest.c src/trial/crashtest.h \
+	src/trial/crashtest_solve.c \
+	src/trial/folds.c src/trial/folds.h \
+	src/trial/records.c src/trial/records.h \
+	src/trial/trial.h \
+	src/trial/validate.c \
+	src/trial/verdict.c src/trial/verdict.h \
+	src/trial/verdict_data.c \
+	src/trial/verdict_plot.c \
+	src/trial/verdict_text.c
+libtrial_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)
+validationdatadir = $(pkgdatadir)/share/validation/data
+dist_validationdata_DATA = \
+	share/validation/data/camry_10146_loadcell_energy_kJ.csv \
+	share/validation/data/camry_10146_pulse.csv \
+	share/validation/data/frontal_wall.csv \
+	share/validation/data/frontal_wall_pulse.csv \
+	share/validation/data/side_pole.csv \
+	share/validation/data/taurus_7292_veh1_pulse.csv \
+	share/validation/data/taurus_7292_veh2_pulse.csv
+validationcardir = $(pkgdatadir)/share/validation/car-to-car
+dist_validationcar_DATA = \
+	share/validation/car-to-car/nhtsa-4363.json \
+	share/validation/car-to-car/nhtsa-4364.json \
+	share/validation/car-to-car/nhtsa-4438.json \
+	share/validation/car-to-car/nhtsa-4474.json \
+	share/validation/car-to-car/nhtsa-7292.json
+validationsmalldir = $(pkgdatadir)/share/validation/small-overlap
+dist_validationsmall_DATA = \
+	share/validation/small-overlap/cen1203.json \
+	share/validation/small-overlap/cen1204.json \
+	share/validation/small-overlap/cen1205.json \
+	share/validation/small-overlap/cen1212.json \
+	share/validation/small-overlap/cf10001.json \
+	share/validation/small-overlap/cf10002.json \
+	share/validation/small-overlap/cf10005.json \
+	share/validation/small-overlap/cf10017.json \
+	share/validation/small-overlap/cf10020.json \
+	share/validation/small-overlap/cf10023.json \
+	share/validation/small-overlap/cf10024.json \
+	share/validation/small-overlap/cf10028.json \
+	share/validation/small-overlap/cf11002.json \
+	share/validation/small-overlap/cf11004.json \
+	share/validation/small-overlap/cf11005.json \
+	share/validation/small-overlap/cf11011.json \
+	share/validation/small-overlap/cf11012.json \
+	share/validation/small-overlap/cf11013.json \
+	share/validation/small-overlap/iihs-fleet.json
+validationlowdir = $(pkgdatadir)/share/validation/low-speed
+dist_validationlow_DATA = \
+	share/validation/low-speed/contour-pole.json \
+	share/validation/low-speed/polo-fiesta.json
+validationpulsedir = $(pkgdatadir)/share/validation/pulse
+dist_validationpulse_DATA = \
+	share/validation/pulse/camry-10146.json
+validationdocdir = $(pkgdatadir)/share/doc
+dist_validationdoc_DATA = share/doc/validation.md share/doc/method.md
+dist_man_MANS += man/crumple-validation.7

@@ -1,0 +1,351 @@
+/* crumple validate: crash tests against computed crashes. */
+#include "trial/folds.h"
+#include "trial/trial.h"
+#include "trial/verdict.h"
+
+#include "base/file.h"
+#include "base/pool.h"
+#include "cli/cli.h"
+#include "cli/word.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+static const char about[] =
+    "Solves crash tests and compares: mean percentage error, its spread and the mean amount, by\n"
+    "class, speed and vehicle type, for both methods, and cross-validated: walls and poles with\n"
+    "models that were calibrated on other tests; beside them the fleet's own scatter and the\n"
+    "published figures of impactEES. Classes: wall, pole, car-to-car, small-overlap, pulse,\n"
+    "low-speed (default: all). A FILE with own tests: .csv with the columns of the tables in\n"
+    "share/validation/data, or a scene .json with x_expect; see crumple-validation(7).\n"
+    "Exit status: 0 done; 1 with --targets and one of them missed; 2, 3 as for run.\n";
+
+#define FORMATS "text|json|csv"
+#define METHODS "both|extended|paper"
+
+struct options {
+    int format, method, jobs, worst;
+    bool cases, plot, targets, progress, fast;
+    const char *out, *scenes, *models;
+    struct cr_cli_look look;
+};
+
+struct batch {
+    struct cr_test_list tests;
+    struct cr_context ctx;
+    struct cr_folds folds;
+    unsigned runs;
+    int next;        /* number of the next job: fold, or test and run */
+    struct job *job; /* [CR_TEST_RUNS * tests], at least CR_FOLDS */
+    long done, all;
+    bool progress;
+};
+
+struct job {
+    struct cr_test *test;
+    int run, fold;
+    struct cr_error err;
+};
+
+static bool is_calibrated(const struct cr_test *t) {
+    return t->class == CR_TEST_WALL || t->class == CR_TEST_POLE;
+}
+
+static void *take_fold(void *user) {
+    struct batch *b = user;
+    if (b->next >= CR_FOLDS || cr_cli_cancelled(NULL)) {
+        return NULL;
+    }
+    struct job *j = &b->job[b->next];
+    j->fold = b->next++;
+    return j;
+}
+
+static void work_fold(void *user, void *item) {
+    struct batch *b = user;
+    struct job *j = item;
+    if (cr_folds_fit(&b->folds, j->fold, &b->ctx, &j->err) == CR_ERR_OK) {
+        j->err.code = CR_ERR_OK;
+    }
+}
+
+static void *take_test(void *user) {
+    struct batch *b = user;
+    while (b->next < CR_TEST_RUNS * b->tests.n && !cr_cli_cancelled(NULL)) {
+        struct job *j = &b->job[b->next];
+        j->test = &b->tests.item[b->next / CR_TEST_RUNS];
+        j->run = b->next++ % CR_TEST_RUNS;
+        bool crossed = j->run != CR_TEST_CROSS || is_calibrated(j->test);
+        if ((b->runs >> j->run & 1) && crossed) {
+            return j;
+        }
+    }
+    return NULL;
+}
+
+static void work_test(void *user, void *item) {
+    const struct batch *b = user;
+    struct job *j = item;
+    struct cr_context ctx = b->ctx;
+    if (j->run == CR_TEST_CROSS) {
+        ctx.models = b->folds.lib[cr_fold_of(j->test->number)];
+    }
+    cr_test_solve(j->test, j->run, &ctx);
+}
+
+static bool give(void *user, void *item) {
+    struct batch *b = user;
+    (void)item;
+    b->done++;
+    if (b->progress && b->done % 50 == 0) {
+        fprintf(stderr, "%ld solved\n", b->done);
+    }
+    return true;
+}
+
+static int find_class(const char *word) {
+    for (int c = 0; c < CR_TEST_OWN; c++) {
+        if (!strcmp(word, cr_test_class_word((enum cr_test_class)c))) {
+            return c;
+        }
+    }
+    return -1;
+}
+
+static enum cr_err load(char **name, int n, struct cr_test_list *list, struct cr_error *err) {
+    char dir[4096];
+    struct cr_type_rules rules;
+    // complains when there is no data folder
+    enum cr_err rc = cr_cli_data("share/validation", dir, sizeof dir, err);
+    rc = rc ? rc : cr_type_rules_read(cr_data_dir(dir, sizeof dir), &rules, err);
+    for (int c = 0; n == 0 && c < CR_TEST_OWN && !rc; c++) {
+        rc = cr_test_load(dir, (enum cr_test_class)c, &rules, list, err);
+    }
+    for (int i = 0; i < n && !rc; i++) {
+        int c = find_class(name[i]);
+        if (c >= 0) {
+            rc = cr_test_load(dir, (enum cr_test_class)c, &rules, list, err);
+        } else if (strchr(name[i], '.') || strchr(name[i], '/')) {
+            rc = cr_test_load_own(name[i], &rules, list, err);
+        } else {
+            const char *word[CR_TEST_OWN];
+            for (int k = 0; k < CR_TEST_OWN; k++) {
+                word[k] = cr_test_class_word((enum cr_test_class)k);
+            }
+            const char *near = cr_str_nearest(name[i], word, CR_TEST_OWN);
+            rc = cr_err_set(err, CR_ERR_USAGE, "no class of tests is called '%s'", name[i]);
+            cr_err_hint(err, near ? "did you mean %s?" : "crumple validate --help lists them",
+                        near);
+        }
+    }
+    return rc;
+}
+
+/* all scenes as files, to be opened and looked at */
+static enum cr_err write_scenes(const struct cr_test_list *list, const char *dir,
+                                struct cr_error *err) {
+    if (mkdir(dir, 0777) != 0 && errno != EEXIST) {
+        cr_err_set(err, CR_ERR_IO, "cannot make the folder: %s", strerror(errno));
+        cr_err_place(err, dir, 0, 0);
+        return CR_ERR_IO;
+    }
+    enum cr_err rc = CR_ERR_OK;
+    for (int i = 0; i < list->n && !rc; i++) {
+        struct cr_str path = {0};
+        cr_str_addf(&path, "%s/%s.json", dir, list->item[i].id);
+        rc =
+            cr_file_write(cr_str_get(&path), list->item[i].scene, strlen(list->item[i].scene), err);
+        cr_str_fini(&path);
+    }
+    return rc;
+}
+
+static enum cr_err work_all(struct batch *b, const struct cr_pool_work *work, int jobs,
+                            struct cr_error *err) {
+    b->next = 0;
+    enum cr_err rc = cr_pool_run(work, jobs, err);
+    if (!rc && cr_cli_cancelled(NULL)) {
+        rc = cr_err_set(err, CR_ERR_INTERRUPTED, "interrupted");
+    }
+    return rc;
+}
+
+/* calibrate the models of the folds, where there are tests for them */
+static enum cr_err prepare_folds(struct batch *b, const char *models, int jobs,
+                                 struct cr_error *err) {
+    const struct cr_pool_work pool = {
+        .take = take_fold, .work = work_fold, .give = give, .user = b};
+    char dir[4096], recipes[4200];
+    bool of[CR_TEST_CLASSES] = {false};
+    for (int i = 0; i < b->tests.n; i++) {
+        of[b->tests.item[i].class] = true;
+    }
+    if (!of[CR_TEST_WALL] && !of[CR_TEST_POLE]) {
+        b->runs &= ~(1u << CR_TEST_CROSS);
+        return CR_ERR_OK;
+    }
+    enum cr_err rc = cr_cli_data("models", recipes, sizeof recipes, err);
+    rc = rc ? rc
+            : cr_folds_open(cr_data_dir(dir, sizeof dir), models ? models : recipes,
+                            of[CR_TEST_WALL], of[CR_TEST_POLE], &b->folds, err);
+    rc = rc ? rc : work_all(b, &pool, jobs, err);
+    for (int k = 0; k < CR_FOLDS && !rc; k++) {
+        if (b->job[k].err.code) {
+            *err = b->job[k].err;
+            rc = err->code;
+        }
+    }
+    return rc;
+}
+
+static enum cr_err solve_all(struct batch *b, const char *models, int jobs, struct cr_error *err) {
+    const struct cr_pool_work pool = {
+        .take = take_test, .work = work_test, .give = give, .user = b};
+    b->job = calloc(CR_TEST_RUNS * (size_t)b->tests.n + CR_FOLDS, sizeof *b->job);
+    if (!b->job) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for %d tests", b->tests.n);
+    }
+    enum cr_err rc = CR_ERR_OK;
+    if (b->runs >> CR_TEST_CROSS & 1) {
+        rc = prepare_folds(b, models, jobs, err);
+    }
+    rc = rc ? rc : work_all(b, &pool, jobs, err);
+    cr_folds_close(&b->folds);
+    free(b->job);
+    return rc;
+}
+
+static enum cr_err report(const struct batch *b, const struct options *opt, bool *missed,
+                          struct cr_error *err) {
+    int width;
+    const struct cr_verdict_form form = {.look = cr_cli_look_of(&opt->look, opt->out, &width),
+                                         .runs = b->runs,
+                                         .cases = opt->cases,
+                                         .plot = opt->plot,
+                                         .worst = opt->worst,
+                                         .scenes = opt->scenes};
+    struct cr_verdict verdict;
+    struct cr_str text = {0};
+    enum cr_err rc = cr_verdict_make(&b->tests, b->runs, &verdict, err);
+    if (rc) {
+        return rc;
+    }
+    if (opt->format == 1) {
+        rc = cr_verdict_json(&verdict, &b->tests, &form, &text, err);
+    } else {
+        (opt->format == 2 ? cr_verdict_csv : cr_verdict_text)(&verdict, &b->tests, &form, &text);
+    }
+    for (int i = 0; i < verdict.targets; i++) {
+        *missed = *missed || !verdict.target[i].met;
+    }
+    rc = rc ? rc : cr_cli_emit(opt->out, &text, err);
+    cr_str_fini(&text);
+    cr_verdict_fini(&verdict);
+    return rc;
+}
+
+static enum cr_err validate(char **name, int n, const struct options *opt, bool *missed,
+                            struct cr_error *err) {
+    static const unsigned CROSS = 1u << CR_TEST_CROSS, PAPER = 1u << CR_METHOD_PAPER;
+    static const unsigned MASK[] = {7, 1u << CR_METHOD_EXTENDED | CROSS, PAPER};
+    struct batch b = {.runs = MASK[opt->method] & (opt->fast ? ~CROSS : ~0u),
+                      .progress = opt->progress};
+    struct cr_cli_shared shared = {0};
+    struct cr_model_lib *own = NULL;
+    enum cr_err rc = cr_cli_open(&shared, CR_CLI_ALL, err);
+    if (!rc && opt->models) {
+        rc = cr_model_lib_open(opt->models, &own, err);
+        rc = rc ? rc : cr_model_need_all(own, err);
+    }
+    rc = rc ? rc : load(name, n, &b.tests, err);
+    if (!rc && opt->scenes) {
+        rc = write_scenes(&b.tests, opt->scenes, err);
+    }
+    if (!rc) {
+        b.ctx = shared.ctx;
+        b.ctx.models = own ? own : shared.models;
+        cr_cli_catch();
+        rc = solve_all(&b, opt->models, opt->jobs, err);
+    }
+    rc = rc ? rc : report(&b, opt, missed, err);
+    cr_test_list_fini(&b.tests);
+    cr_model_lib_free(own);
+    cr_cli_close(&shared);
+    return rc;
+}
+
+enum { OPTIONS = 15 };
+
+static void list_options(struct options *opt, struct cr_option list[OPTIONS]) {
+    const struct cr_option table[OPTIONS] = {
+        {.name = "format",
+         .letter = 'f',
+         .arg = FORMATS,
+         .number = &opt->format,
+         .help = "form of the table (text)"},
+        {.name = "method",
+         .letter = 'm',
+         .arg = METHODS,
+         .number = &opt->method,
+         .help = "one method only (both)"},
+        {.name = "cases", .letter = 'c', .flag = &opt->cases, .help = "every test"},
+        {.name = "plot", .letter = 'p', .flag = &opt->plot, .help = "scatter, errors, pulses"},
+        {.name = "worst",
+         .arg = "N",
+         .number = &opt->worst,
+         .lo = 0,
+         .hi = 1000,
+         .help = "list the N greatest errors of each class (10)"},
+        {.name = "scenes", .arg = "DIR", .text = &opt->scenes, .help = "write the scenes there"},
+        {.name = "models", .arg = "DIR", .text = &opt->models, .help = "other recipes"},
+        {.name = "fast", .flag = &opt->fast, .help = "without cross-validation"},
+        {.name = "targets", .flag = &opt->targets, .help = "status 1 if a target is missed"},
+        {.name = "output",
+         .letter = 'o',
+         .arg = "FILE",
+         .text = &opt->out,
+         .help = "write to FILE, whole or not at all"},
+        {.name = "jobs",
+         .letter = 'j',
+         .arg = "N",
+         .number = &opt->jobs,
+         .lo = 0,
+         .hi = CR_POOL_JOBS_MAX,
+         .help = "threads (0, the default: one per processor)"},
+        {.name = "progress", .flag = &opt->progress, .help = "tell on stderr how far it is"},
+        CR_CLI_LOOK_OPTIONS(&opt->look),
+    };
+    memcpy(list, table, sizeof table);
+}
+
+/* options and operands; -1, or the exit status if that is all there is to do */
+static int read_options(int argc, char **argv, struct options *opt, int *operands) {
+    struct cr_option table[OPTIONS];
+    list_options(opt, table);
+    const struct cr_usage usage = {.word = "validate",
+                                   .operands = "[CLASS|FILE ...]",
+                                   .about = about,
+                                   .option = table,
+                                   .options = OPTIONS,
+                                   .least = 0,
+                                   .most = -1};
+    return cr_cli_options(&usage, argc, argv, operands);
+}
+
+int cr_trial_validate(int argc, char **argv) {
+    struct options opt = {.worst = 10};
+    struct cr_error err = {0};
+    int operands;
+    bool missed = false;
+    int status = read_options(argc, argv, &opt, &operands);
+    if (status >= 0) {
+        return status;
+    }
+    if (validate(argv + 1, operands, &opt, &missed, &err) != CR_ERR_OK) {
+        return cr_cli_fail(&err);
+    }
+    return opt.targets && missed ? 1 : 0;
+}

@@ -1,0 +1,412 @@
+/* Statistics of crash tests: errors per class, group and measure, the fleet's own scatter, and the
+ * targets. */
+#include "trial/verdict.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double NONE = (double)NAN;
+
+static const struct {
+    const char *key, *label, *unit;
+    bool relative;
+} MEASURE[CR_MEASURES] = {
+#define X(name, key, label, unit, relative) {key, label, unit, relative},
+    CR_MEASURE_LIST(X)
+#undef X
+};
+
+static const struct {
+    const char *word, *title;
+} CLASS[CR_TEST_CLASSES] = {
+#define X(name, word, title) {word, title},
+    CR_TEST_CLASS_LIST(X)
+#undef X
+};
+
+const int cr_test_run_order[CR_TEST_RUNS] = {CR_METHOD_PAPER, CR_METHOD_EXTENDED, CR_TEST_CROSS};
+
+const char *cr_test_run_word(int run) {
+    return run == CR_TEST_CROSS ? "cross-validated" : run == CR_METHOD_PAPER ? "paper" : "extended";
+}
+bool cr_test_measure_is_relative(enum cr_measure measure) {
+    return MEASURE[measure].relative;
+}
+const char *cr_test_measure_key(enum cr_measure measure) {
+    return MEASURE[measure].key;
+}
+const char *cr_test_measure_label(enum cr_measure measure) {
+    return MEASURE[measure].label;
+}
+const char *cr_test_measure_unit(enum cr_measure measure) {
+    return MEASURE[measure].unit;
+}
+const char *cr_test_class_word(enum cr_test_class class) {
+    return CLASS[class].word;
+}
+const char *cr_test_class_title(enum cr_test_class class) {
+    return CLASS[class].title;
+}
+
+/* Breitlauch et al. 2023, MPE, SD, MAPE (method.md 8); EES and delta-v are of all their tests */
+static const struct {
+    enum cr_test_class class;
+    enum cr_measure measure;
+    double mpe, sd, mape;
+} PUBLISHED[] = {
+    {CR_TEST_WALL, CR_MEASURE_DEPTH, -9.6, NAN, NAN},
+    {CR_TEST_WALL, CR_MEASURE_PEAK, -7.2, NAN, NAN},
+    {CR_TEST_POLE, CR_MEASURE_DEPTH, 107.6, NAN, NAN},
+    {CR_TEST_POLE, CR_MEASURE_PEAK, -47.7, NAN, NAN},
+    {CR_TEST_CAR, CR_MEASURE_DEPTH, 14.6, NAN, NAN},
+    {CR_TEST_CAR, CR_MEASURE_PEAK, -37.1, NAN, NAN},
+    {CR_TEST_CAR, CR_MEASURE_EES, -2.0, 8.4, NAN},
+    {CR_TEST_CAR, CR_MEASURE_DELTA_V, -1.2, 14.2, 10.7},
+};
+
+double cr_verdict_error(const struct cr_test *test, enum cr_measure m, int run) {
+    double ref = test->reference[m], got = test->of[run].value[m];
+    return MEASURE[m].relative ? 100 * (got - ref) / ref : got - ref;
+}
+
+/* groups a test is counted in, beside all of its class */
+static int groups_of(const struct cr_test *t, char group[2][32]) {
+    static const struct {
+        double below;
+        const char *name;
+    } SPEED[] = {{36, "below 36 km/h"}, {44, "40 km/h"}, {52, "48 km/h"}, {INFINITY, "56 km/h"}};
+    int n = 0;
+    if (t->class != CR_TEST_WALL && t->class != CR_TEST_POLE) {
+        return 0;
+    }
+    for (size_t i = 0; t->class == CR_TEST_WALL && i < sizeof SPEED / sizeof *SPEED; i++) {
+        if (t->speed_kmh < SPEED[i].below) {
+            snprintf(group[n++], 32, "%s", SPEED[i].name);
+            break;
+        }
+    }
+    snprintf(group[n++], 32, "%s", cr_type_word(t->type));
+    return n;
+}
+
+static bool is_in(const struct cr_test *t, enum cr_test_class class, const char *group) {
+    char own[2][32];
+    if (t->class != class) {
+        return false;
+    }
+    int n = groups_of(t, own);
+    bool in = !strcmp(group, "all");
+    for (int i = 0; i < n; i++) {
+        in = in || !strcmp(group, own[i]);
+    }
+    return in;
+}
+
+/* mean, spread and mean amount of differences, where percentages make no sense */
+static struct cr_stats_error differences(const double *got, const double *ref, int n) {
+    struct cr_stats_error e = cr_stats_errors(got, ref, n);
+    double *d = calloc((size_t)n + 1, sizeof *d);
+    e.mape = 0;
+    for (int i = 0; d && i < n; i++) {
+        d[i] = got[i] - ref[i];
+        e.mape += fabs(d[i]) / n;
+    }
+    e.mpe = e.bias;
+    e.sd = d ? cr_stats_sd(d, n) : NONE;
+    free(d);
+    return e;
+}
+
+/* Sums for the line of a type's measured values over speed. */
+struct line {
+    double n, sx, sy, sxx, sxy;
+    double a, b; /* value = a + b speed */
+    bool sloped;
+};
+
+static bool counts(const struct cr_test *t, enum cr_test_class class, enum cr_measure m) {
+    return t->class == class && isfinite(t->reference[m]) && t->reference[m] > 0;
+}
+
+static void fit_lines(const struct cr_test_list *tests, enum cr_test_class class, enum cr_measure m,
+                      struct line line[CR_TYPES]) {
+    for (int i = 0; i < tests->n; i++) {
+        const struct cr_test *t = &tests->item[i];
+        struct line *l = &line[t->type];
+        double x = t->speed_kmh, y = t->reference[m];
+        if (counts(t, class, m)) {
+            l->n += 1;
+            l->sx += x;
+            l->sy += y;
+            l->sxx += x * x;
+            l->sxy += x * y;
+        }
+    }
+    for (int i = 0; i < CR_TYPES; i++) {
+        struct line *l = &line[i];
+        double spread = l->n * l->sxx - l->sx * l->sx;
+        // a line where the speeds differ by more than a km/h or so, else the mean
+        l->sloped = class == CR_TEST_WALL && l->n > 3 && spread > l->n * l->n;
+        l->b = l->sloped ? (l->n * l->sxy - l->sx * l->sy) / spread : 0;
+        l->a = (l->sy - l->b * l->sx) / l->n;
+    }
+}
+
+/* Spread of the percentage errors of the best that a model of the type can know: the mean of its
+ * measured values, or their line over speed; the degrees of freedom taken off. */
+static double fleet_scatter(const struct cr_test_list *tests, enum cr_test_class class,
+                            enum cr_measure m) {
+    struct line line[CR_TYPES] = {{0}};
+    double sum = 0, squares = 0, n = 0, freedom = 0;
+    fit_lines(tests, class, m, line);
+    for (int i = 0; i < tests->n; i++) {
+        const struct cr_test *t = &tests->item[i];
+        if (counts(t, class, m)) {
+            const struct line *l = &line[t->type];
+            double off = 100 * ((l->a + l->b * t->speed_kmh) / t->reference[m] - 1);
+            sum += off;
+            squares += off * off;
+            n += 1;
+        }
+    }
+    for (int i = 0; i < CR_TYPES; i++) {
+        freedom += line[i].n > 0 ? line[i].n - 1 - line[i].sloped : 0;
+    }
+    return freedom > 3 ? sqrt((squares - sum * sum / n) / freedom) : NONE;
+}
+
+static struct cr_verdict_row *new_row(struct cr_verdict *v) {
+    if (v->rows == v->row_size) {
+        int size = v->row_size ? 2 * v->row_size : 64;
+        struct cr_verdict_row *more = realloc(v->row, (size_t)size * sizeof *more);
+        if (!more) {
+            return NULL;
+        }
+        v->row = more;
+        v->row_size = size;
+    }
+    struct cr_verdict_row *r = &v->row[v->rows++];
+    *r = (struct cr_verdict_row){.fleet_sd = NONE, .published = {NONE, NONE, NONE}};
+    return r;
+}
+
+/* statistics of one line; a line without tests is taken back */
+static enum cr_err make_row(const struct cr_test_list *tests, enum cr_test_class class,
+                            const char *group, enum cr_measure m, unsigned runs,
+                            struct cr_verdict *v) {
+    struct cr_verdict_row *r = new_row(v);
+    double *x = calloc(2 * (size_t)tests->n + 1, sizeof *x);
+    int most = 0;
+    if (!r || !x) {
+        free(x);
+        return CR_ERR_MEMORY;
+    }
+    double *ref = x + tests->n;
+    r->class = class;
+    r->measure = m;
+    snprintf(r->group, sizeof r->group, "%s", group);
+    for (int run = 0; run < CR_TEST_RUNS; run++) {
+        int n = 0;
+        for (int i = 0; i < tests->n; i++) {
+            const struct cr_test *t = &tests->item[i];
+            if ((runs >> run & 1) && is_in(t, class, group) && isfinite(t->reference[m]) &&
+                isfinite(t->of[run].value[m])) {
+                x[n] = t->of[run].value[m];
+                ref[n++] = t->reference[m];
+            }
+        }
+        r->of[run] = MEASURE[m].relative ? cr_stats_errors(x, ref, n) : differences(x, ref, n);
+        most = n > most ? n : most;
+    }
+    free(x);
+    if (most == 0) {
+        v->rows--;
+        return CR_ERR_OK;
+    }
+    bool all = !strcmp(group, "all");
+    bool bookkeeping = m == CR_MEASURE_EES || m == CR_MEASURE_DELTA_V;
+    if (all && !bookkeeping && MEASURE[m].relative &&
+        (class == CR_TEST_WALL || class == CR_TEST_POLE)) {
+        r->fleet_sd = fleet_scatter(tests, class, m);
+    }
+    for (size_t i = 0; all && i < sizeof PUBLISHED / sizeof *PUBLISHED; i++) {
+        if (PUBLISHED[i].class == class && PUBLISHED[i].measure == m) {
+            r->published[0] = PUBLISHED[i].mpe;
+            r->published[1] = PUBLISHED[i].sd;
+            r->published[2] = PUBLISHED[i].mape;
+        }
+    }
+    return CR_ERR_OK;
+}
+
+static enum cr_err make_class(const struct cr_test_list *tests, enum cr_test_class class,
+                              unsigned runs, struct cr_verdict *v) {
+    static const char *const SPEED[] = {"below 36 km/h", "40 km/h", "48 km/h", "56 km/h"};
+    static const enum cr_measure BY_GROUP[] = {CR_MEASURE_DEPTH, CR_MEASURE_DYNAMIC,
+                                               CR_MEASURE_PEAK};
+    enum cr_err rc = CR_ERR_OK;
+    for (int m = 0; m < CR_MEASURES && !rc; m++) {
+        rc = make_row(tests, class, "all", (enum cr_measure)m, runs, v);
+    }
+    for (size_t k = 0; k < sizeof BY_GROUP / sizeof *BY_GROUP; k++) {
+        for (int i = 0; i < 4 && !rc; i++) {
+            rc = make_row(tests, class, SPEED[i], BY_GROUP[k], runs, v);
+        }
+        for (int i = 0; i < CR_TYPES && !rc; i++) {
+            rc = make_row(tests, class, cr_type_word((enum cr_type)i), BY_GROUP[k], runs, v);
+        }
+    }
+    return rc;
+}
+
+static enum cr_err add_target(struct cr_verdict *v, const char *name, double value, double limit,
+                              bool at_least) {
+    if (v->targets == v->target_size) {
+        int size = v->target_size ? 2 * v->target_size : 32;
+        struct cr_verdict_target *more = realloc(v->target, (size_t)size * sizeof *more);
+        if (!more) {
+            return CR_ERR_MEMORY;
+        }
+        v->target = more;
+        v->target_size = size;
+    }
+    struct cr_verdict_target *t = &v->target[v->targets++];
+    *t = (struct cr_verdict_target){.value = value, .limit = limit, .at_least = at_least};
+    snprintf(t->name, sizeof t->name, "%s", name);
+    // what could not be computed has not met its target
+    t->met = at_least ? value >= limit : fabs(value) <= limit;
+    return CR_ERR_OK;
+}
+
+/* Limits of the mean percentage error of `extended` over a class, in percent. */
+static const struct {
+    enum cr_test_class class;
+    enum cr_measure measure;
+    double limit;
+} LIMIT[] = {
+    {CR_TEST_WALL, CR_MEASURE_EES, 1},   {CR_TEST_WALL, CR_MEASURE_DELTA_V, 1},
+    {CR_TEST_WALL, CR_MEASURE_DEPTH, 2}, {CR_TEST_WALL, CR_MEASURE_PEAK, 4},
+    {CR_TEST_POLE, CR_MEASURE_DEPTH, 3},
+};
+static const double GROUP_LIMIT = 6;                   /* %, of the depth by speed and by type */
+static const int GROUP_LEAST = 8;                      /* tests for a group to have a target */
+static const double SPREAD_MORE = 2;                   /* points above the fleet's own scatter */
+static const double PULSE_RMS = 4.9, PULSE_ISO = 0.65; /* g; literature.md 4.10 */
+
+static enum cr_err row_targets(const struct cr_verdict_row *r, struct cr_verdict *v) {
+    bool crossed = r->of[CR_TEST_CROSS].n > 0;
+    const struct cr_stats_error *e = &r->of[crossed ? CR_TEST_CROSS : CR_METHOD_EXTENDED];
+    char name[96];
+    enum cr_err rc = CR_ERR_OK;
+    bool all = !strcmp(r->group, "all");
+    for (size_t i = 0; i < sizeof LIMIT / sizeof *LIMIT && all && !rc; i++) {
+        if (LIMIT[i].class == r->class && LIMIT[i].measure == r->measure) {
+            snprintf(name, sizeof name, "%s: MPE of %s, %%", CLASS[r->class].word,
+                     MEASURE[r->measure].label);
+            rc = add_target(v, name, e->mpe, LIMIT[i].limit, false);
+        }
+    }
+    if (!rc && r->measure == CR_MEASURE_DEPTH && !all && e->n >= GROUP_LEAST) {
+        snprintf(name, sizeof name, "%s, %s: MPE of %s, %%", CLASS[r->class].word, r->group,
+                 MEASURE[r->measure].label);
+        rc = add_target(v, name, e->mpe, GROUP_LIMIT, false);
+    }
+    if (!rc && r->measure == CR_MEASURE_DEPTH && all && isfinite(r->fleet_sd)) {
+        snprintf(name, sizeof name, "%s: SD of %s, points", CLASS[r->class].word,
+                 MEASURE[r->measure].label);
+        rc = add_target(v, name, e->sd, r->fleet_sd + SPREAD_MORE, false);
+    }
+    return rc;
+}
+
+/* Car to car: each vehicle by itself (issue on the physics). */
+static const double CAR_DELTA_V = 5, CAR_YAW = 30; /* %, deg/s */
+/* Median damaged plan area of 474 side pole tests, m2 (stiffness.md 3.1), and how far off, %. */
+static const double POLE_AREA = 0.223, POLE_AREA_OFF = 10;
+
+static enum cr_err car_targets(const struct cr_test *t, struct cr_verdict *v) {
+    // a reference that is a planar impact is compared with one
+    bool planar = isfinite(t->reference[CR_MEASURE_PLANAR_YAW]);
+    const enum cr_measure OF[] = {CR_MEASURE_DELTA_V,
+                                  planar ? CR_MEASURE_PLANAR_YAW : CR_MEASURE_YAW_RATE};
+    enum cr_err rc = CR_ERR_OK;
+    for (int i = 0; i < 2 && !rc; i++) {
+        char name[96];
+        bool percent = MEASURE[OF[i]].relative;
+        if (isfinite(t->reference[OF[i]])) {
+            snprintf(name, sizeof name, "%.20s %.20s: %s, %s", t->id, t->part, MEASURE[OF[i]].label,
+                     percent ? "%" : MEASURE[OF[i]].unit);
+            rc = add_target(v, name, cr_verdict_error(t, OF[i], CR_METHOD_EXTENDED),
+                            percent ? CAR_DELTA_V : CAR_YAW, false);
+        }
+    }
+    return rc;
+}
+
+static enum cr_err area_target(const struct cr_test_list *tests, struct cr_verdict *v) {
+    double *area = calloc((size_t)tests->n + 1, sizeof *area);
+    int n = 0;
+    for (int i = 0; area && i < tests->n; i++) {
+        double x = tests->item[i].of[CR_METHOD_EXTENDED].value[CR_MEASURE_AREA];
+        if (tests->item[i].class == CR_TEST_POLE && isfinite(x)) {
+            area[n++] = x;
+        }
+    }
+    enum cr_err rc = area ? CR_ERR_OK : CR_ERR_MEMORY;
+    if (n > 0) {
+        rc = add_target(v, "pole: median damaged area, %",
+                        100 * (cr_stats_median(area, n) / POLE_AREA - 1), POLE_AREA_OFF, false);
+    }
+    free(area);
+    return rc;
+}
+
+static enum cr_err make_targets(const struct cr_test_list *tests, struct cr_verdict *v) {
+    enum cr_err rc = CR_ERR_OK;
+    for (int i = 0; i < v->rows && !rc; i++) {
+        rc = row_targets(&v->row[i], v);
+    }
+    rc = rc ? rc : area_target(tests, v);
+    for (int i = 0; i < tests->n && !rc; i++) {
+        const struct cr_test *t = &tests->item[i];
+        rc = t->class == CR_TEST_CAR ? car_targets(t, v) : CR_ERR_OK;
+    }
+    for (int i = 0; i < tests->n && !rc; i++) {
+        const struct cr_test *t = &tests->item[i];
+        const struct cr_test_pulse *p = &t->of[CR_METHOD_EXTENDED].pulse;
+        char name[96];
+        if (t->class != CR_TEST_PULSE || !t->file[0]) {
+            continue;
+        }
+        snprintf(name, sizeof name, "%.40s: RMS error of the pulse, g", t->id);
+        rc = add_target(v, name, p->rms_g, PULSE_RMS, false);
+        snprintf(name, sizeof name, "%.40s: ISO/TS 18571 rating", t->id);
+        rc = rc ? rc : add_target(v, name, p->iso, PULSE_ISO, true);
+    }
+    return rc;
+}
+
+enum cr_err cr_verdict_make(const struct cr_test_list *tests, unsigned runs, struct cr_verdict *out,
+                            struct cr_error *err) {
+    *out = (struct cr_verdict){0};
+    enum cr_err rc = CR_ERR_OK;
+    for (int c = 0; c < CR_TEST_CLASSES && !rc; c++) {
+        rc = make_class(tests, (enum cr_test_class)c, runs, out);
+    }
+    if (!rc && (runs >> CR_METHOD_EXTENDED & 1)) {
+        rc = make_targets(tests, out);
+    }
+    if (rc) {
+        cr_verdict_fini(out);
+        return cr_err_set(err, rc, "no memory for the statistics of %d tests", tests->n);
+    }
+    return CR_ERR_OK;
+}
+
+void cr_verdict_fini(struct cr_verdict *verdict) {
+    free(verdict->row);
+    free(verdict->target);
+    *verdict = (struct cr_verdict){0};
+}

@@ -1,0 +1,182 @@
+/* The table of crumple validate as CSV and JSON. */
+#include "config.h"
+
+#include "trial/verdict.h"
+
+#include "base/json.h"
+#include "base/number.h"
+
+#include <cjson/cJSON.h>
+#include <math.h>
+#include <string.h>
+
+static void field(struct cr_str *out, double x) {
+    if (isfinite(x)) {
+        cr_str_addf(out, ",%.6g", x);
+    } else {
+        cr_str_add(out, ",");
+    }
+}
+
+static void text(struct cr_str *out, const char *s) {
+    cr_str_add(out, "\"");
+    for (; *s; s++) {
+        cr_str_addn(out, *s == '"' ? "\"\"" : s, *s == '"' ? 2 : 1);
+    }
+    cr_str_add(out, "\"");
+}
+
+static void csv_cases(const struct cr_test_list *tests, unsigned runs, struct cr_str *out) {
+    cr_str_add(out, "class,id,participant,title,type,speed_kmh,method,measure,unit,measured,"
+                    "computed,error,relative\n");
+    for (int i = 0; i < tests->n; i++) {
+        const struct cr_test *t = &tests->item[i];
+        for (int k = 0; k < CR_TEST_RUNS * CR_MEASURES; k++) {
+            enum cr_measure m = (enum cr_measure)(k / CR_TEST_RUNS);
+            int run = cr_test_run_order[k % CR_TEST_RUNS];
+            if (!isfinite(t->reference[m]) || !(runs >> run & 1) ||
+                (run == CR_TEST_CROSS && !isfinite(t->of[run].value[m]))) {
+                continue;
+            }
+            cr_str_addf(out, "%s,", cr_test_class_word(t->class));
+            text(out, t->id);
+            cr_str_addf(out, ",%s,", t->part);
+            text(out, t->title);
+            cr_str_addf(out, ",%s", cr_type_word(t->type));
+            field(out, t->speed_kmh);
+            cr_str_addf(out, ",%s,%s,%s", cr_test_run_word(run), cr_test_measure_key(m),
+                        cr_test_measure_unit(m));
+            field(out, t->reference[m]);
+            field(out, t->of[run].value[m]);
+            field(out, cr_verdict_error(t, m, run));
+            cr_str_addf(out, ",%d\n", cr_test_measure_is_relative(m));
+        }
+    }
+}
+
+void cr_verdict_csv(const struct cr_verdict *v, const struct cr_test_list *tests,
+                    const struct cr_verdict_form *form, struct cr_str *out) {
+    if (form->cases) {
+        csv_cases(tests, form->runs, out);
+        return;
+    }
+    cr_str_add(out, "class,group,measure,unit,relative,method,n,mpe,sd,mape,rms,fleet_sd,"
+                    "published_mpe,published_sd,published_mape\n");
+    for (int i = 0; i < v->rows; i++) {
+        const struct cr_verdict_row *r = &v->row[i];
+        for (int j = 0; j < CR_TEST_RUNS; j++) {
+            int m = cr_test_run_order[j];
+            if (!(form->runs >> m & 1) || r->of[m].n == 0) {
+                continue;
+            }
+            cr_str_addf(out, "%s,%s,%s,%s,%d,%s,%d", cr_test_class_word(r->class), r->group,
+                        cr_test_measure_key(r->measure), cr_test_measure_unit(r->measure),
+                        cr_test_measure_is_relative(r->measure), cr_test_run_word(m), r->of[m].n);
+            const double x[] = {r->of[m].mpe, r->of[m].sd,     r->of[m].mape,   r->of[m].rms,
+                                r->fleet_sd,  r->published[0], r->published[1], r->published[2]};
+            for (size_t k = 0; k < sizeof x / sizeof *x; k++) {
+                field(out, x[k]);
+            }
+            cr_str_add(out, "\n");
+        }
+    }
+}
+
+static void put(cJSON *to, const char *key, double x) {
+    cJSON_AddItemToObject(to, key,
+                          isfinite(x) ? cJSON_CreateNumber(cr_round12(x)) : cJSON_CreateNull());
+}
+
+static void json_rows(const struct cr_verdict *v, unsigned runs, cJSON *json) {
+    cJSON *list = cJSON_AddArrayToObject(json, "rows");
+    for (int i = 0; i < v->rows; i++) {
+        const struct cr_verdict_row *r = &v->row[i];
+        cJSON *one = cJSON_CreateObject();
+        cJSON_AddItemToArray(list, one);
+        cJSON_AddStringToObject(one, "class", cr_test_class_word(r->class));
+        cJSON_AddStringToObject(one, "group", r->group);
+        cJSON_AddStringToObject(one, "measure", cr_test_measure_key(r->measure));
+        cJSON_AddBoolToObject(one, "relative", cr_test_measure_is_relative(r->measure));
+        for (int j = 0; j < CR_TEST_RUNS; j++) {
+            int m = cr_test_run_order[j];
+            if ((runs >> m & 1) && r->of[m].n > 0) {
+                cJSON *e = cJSON_AddObjectToObject(one, cr_test_run_word(m));
+                put(e, "n", r->of[m].n);
+                put(e, "mpe", r->of[m].mpe);
+                put(e, "sd", r->of[m].sd);
+                put(e, "mape", r->of[m].mape);
+                put(e, "rms", r->of[m].rms);
+            }
+        }
+        put(one, "fleet_sd", r->fleet_sd);
+        if (isfinite(r->published[0])) {
+            cJSON *p = cJSON_AddObjectToObject(one, "impactees");
+            put(p, "mpe", r->published[0]);
+            put(p, "sd", r->published[1]);
+            put(p, "mape", r->published[2]);
+        }
+    }
+}
+
+static void json_case(const struct cr_test *t, unsigned runs, cJSON *list) {
+    cJSON *one = cJSON_CreateObject();
+    cJSON_AddItemToArray(list, one);
+    cJSON_AddStringToObject(one, "class", cr_test_class_word(t->class));
+    cJSON_AddStringToObject(one, "id", t->id);
+    cJSON_AddStringToObject(one, "participant", t->part);
+    cJSON_AddStringToObject(one, "title", t->title);
+    cJSON_AddStringToObject(one, "type", cr_type_word(t->type));
+    put(one, "speed_kmh", t->speed_kmh);
+    cJSON *measured = cJSON_AddObjectToObject(one, "measured");
+    for (int m = 0; m < CR_MEASURES; m++) {
+        if (isfinite(t->reference[m])) {
+            put(measured, cr_test_measure_key((enum cr_measure)m), t->reference[m]);
+        }
+    }
+    for (int i = 0; i < CR_TEST_RUNS; i++) {
+        int k = cr_test_run_order[i];
+        bool solved = isfinite(t->of[k].value[CR_MEASURE_EES]);
+        if (!(runs >> k & 1) || (!solved && !t->of[k].error[0])) {
+            continue;
+        }
+        cJSON *got = cJSON_AddObjectToObject(one, cr_test_run_word(k));
+        for (int m = 0; m < CR_MEASURES && !t->of[k].error[0]; m++) {
+            put(got, cr_test_measure_key((enum cr_measure)m), t->of[k].value[m]);
+        }
+        if (t->of[k].error[0]) {
+            cJSON_AddStringToObject(got, "error", t->of[k].error);
+        }
+        if (isfinite(t->of[k].pulse.iso)) {
+            put(got, "pulse_rms_g", t->of[k].pulse.rms_g);
+            put(got, "pulse_iso18571", t->of[k].pulse.iso);
+            put(got, "pulse_cora", t->of[k].pulse.cora);
+        }
+    }
+}
+
+enum cr_err cr_verdict_json(const struct cr_verdict *v, const struct cr_test_list *tests,
+                            const struct cr_verdict_form *form, struct cr_str *out,
+                            struct cr_error *err) {
+    cJSON *json = cJSON_CreateObject();
+    put(json, "crumple_validation", 1);
+    cJSON_AddStringToObject(json, "version", PACKAGE_VERSION);
+    json_rows(v, form->runs, json);
+    cJSON *list = cJSON_AddArrayToObject(json, "targets");
+    for (int i = 0; i < v->targets; i++) {
+        cJSON *one = cJSON_CreateObject();
+        cJSON_AddItemToArray(list, one);
+        cJSON_AddStringToObject(one, "name", v->target[i].name);
+        put(one, "value", v->target[i].value);
+        put(one, v->target[i].at_least ? "at_least" : "within", v->target[i].limit);
+        cJSON_AddBoolToObject(one, "met", v->target[i].met);
+    }
+    list = form->cases ? cJSON_AddArrayToObject(json, "cases") : NULL;
+    for (int i = 0; list && i < tests->n; i++) {
+        json_case(&tests->item[i], form->runs, list);
+    }
+    if (!cr_json_add(json, true, out)) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for the validation as JSON");
+    }
+    cr_str_add(out, "\n");
+    return CR_ERR_OK;
+}
