@@ -5,6 +5,8 @@ libcmd_a_SOURCES = \
 	src/cmd/cmd.h src/cmd/cmd_priv.h \
 	src/cmd/compare.c \
 	src/cmd/complete.c \
+	src/cmd/export.c src/cmd/export.h \
+	src/cmd/export_picture.c \
 	src/cmd/files.c \
 	src/cmd/help.c \
 	src/cmd/hints.c \
