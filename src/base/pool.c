@@ -30,12 +30,12 @@ static void *take(struct pool *p, long *number) {
     }
     bool over = p->over;
     pthread_mutex_unlock(&p->lock);
-    // the input may be a slow pipe: results must come out while this waits for it
+    /* the input may be a slow pipe: results must come out while this waits for it */
     if (!over) {
         item = p->work->take(p->work->user);
     }
     pthread_mutex_lock(&p->lock);
-    if (item) {
+    if (item != NULL) {
         *number = p->taken++;
     } else {
         p->over = true;
@@ -68,7 +68,7 @@ static void give_all(struct pool *p) {
     pthread_mutex_lock(&p->lock);
     for (;;) {
         void **slot = &p->ring[p->given % p->window], *item = *slot;
-        if (item) {
+        if (item != NULL) {
             *slot = NULL;
             pthread_mutex_unlock(&p->lock);
             bool go_on = p->work->give(p->work->user, item);
@@ -78,6 +78,10 @@ static void give_all(struct pool *p) {
             pthread_cond_broadcast(&p->space);
         } else if (p->running == 0) {
             break;
+        } else if (p->work->idle != NULL) {
+            pthread_mutex_unlock(&p->lock);
+            p->work->idle(p->work->user);
+            pthread_mutex_lock(&p->lock);
         } else {
             pthread_cond_wait(&p->ready, &p->lock);
         }
@@ -109,17 +113,17 @@ enum cr_err cr_pool_run(const struct cr_pool_work *work, int jobs, struct cr_err
     struct pool p = {.work = work, .window = ALIVE * jobs};
     pthread_t *thread = calloc((size_t)jobs, sizeof *thread);
     p.ring = calloc((size_t)p.window, sizeof *p.ring);
-    enum cr_err rc = CR_ERR_OK;
+    enum cr_err code = CR_ERR_OK;
     int n = 0;
     pthread_mutex_init(&p.taking, NULL);
     pthread_mutex_init(&p.lock, NULL);
     pthread_cond_init(&p.space, NULL);
     pthread_cond_init(&p.ready, NULL);
-    if (thread && p.ring) {
+    if (thread != NULL && p.ring != NULL) {
         n = start(&p, thread, jobs);
     }
     if (n == 0) {
-        rc = cr_err_set(err, CR_ERR_MEMORY, "cannot start a thread to work on");
+        code = cr_err_set(err, CR_ERR_MEMORY, "cannot start a thread to work on");
         cr_err_hint(err, "raise the limits of processes and memory");
     } else {
         give_all(&p);
@@ -133,5 +137,5 @@ enum cr_err cr_pool_run(const struct cr_pool_work *work, int jobs, struct cr_err
     pthread_mutex_destroy(&p.taking);
     free(p.ring);
     free(thread);
-    return rc;
+    return code;
 }

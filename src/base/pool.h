@@ -17,6 +17,9 @@ struct cr_pool_work {
     /* Give out an item and free it: in order, in the thread that called cr_pool_run. False stops
      * the taking; what was taken is still given. */
     bool (*give)(void *user, void *item);
+    /* Called again and again in the thread that called cr_pool_run while nothing can be given out:
+     * to show progress, to ask whether to stop. Takes a nap itself. NULL: that thread sleeps. */
+    void (*idle)(void *user);
     void *user;
 };
 

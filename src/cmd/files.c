@@ -6,24 +6,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 enum { SOURCE_DEPTH = 16 };
-
-static bool exists(const char *path) {
-    struct stat st;
-    return stat(path, &st) == 0;
-}
-
-const char *cr_session_find_file(const struct cr_session *s, const char *path, char *buf,
-                                 int size) {
-    if (!exists(path) && path[0] != '/' && s->data_dir[0] != '\0') {
-        snprintf(buf, (size_t)size, "%s/%s", s->data_dir, path);
-        return exists(buf) ? buf : path;
-    }
-    return path;
-}
 
 /* ---- load, save ---- */
 
@@ -73,7 +58,7 @@ enum cr_err cr_cmd_load(struct cr_call *call, struct cr_error *err) {
 }
 
 enum cr_err cr_cmd_may_write(struct cr_call *call, const char *path, struct cr_error *err) {
-    if (call->force || strcmp(path, cr_session_file(call->s)) == 0 || !exists(path)) {
+    if (call->force || strcmp(path, cr_session_file(call->s)) == 0 || access(path, F_OK) != 0) {
         return CR_ERR_OK;
     }
     cr_err_set(err, CR_ERR_DUPLICATE, "%.150s is there already", path);

@@ -2,9 +2,12 @@ noinst_LIBRARIES += libcmd.a
 libcmd_a_SOURCES = \
 	src/cmd/args.c \
 	src/cmd/assert.c \
+	src/cmd/autosave.c \
 	src/cmd/cmd.h src/cmd/cmd_priv.h \
 	src/cmd/compare.c \
 	src/cmd/complete.c \
+	src/cmd/describe.c \
+	src/cmd/edit.c \
 	src/cmd/export.c src/cmd/export.h \
 	src/cmd/export_picture.c \
 	src/cmd/files.c \
@@ -13,7 +16,9 @@ libcmd_a_SOURCES = \
 	src/cmd/look.c \
 	src/cmd/measure.c src/cmd/measure.h \
 	src/cmd/model.c \
-	src/cmd/place.c \
+	src/cmd/open.c \
+	src/cmd/picture.c \
+	src/cmd/place.c src/cmd/placed.c \
 	src/cmd/project.c \
 	src/cmd/pulse.c \
 	src/cmd/run.c \
@@ -22,11 +27,13 @@ libcmd_a_SOURCES = \
 	src/cmd/session.c \
 	src/cmd/set.c \
 	src/cmd/solve.c \
+	src/cmd/state.c \
 	src/cmd/sweep.c src/cmd/sweep.h \
 	src/cmd/sweep_table.c \
 	src/cmd/table.c \
 	src/cmd/token.c \
-	src/cmd/undo.c
+	src/cmd/words.c \
+	src/cmd/work.c
 libcmd_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)
 
 tutorialdir = $(pkgdatadir)/share/tutorial

@@ -4,9 +4,9 @@
 #include "cmd/measure.h"
 
 #include "base/file.h"
+#include "base/pool.h"
 
 #include <math.h>
-#include <pthread.h>
 #include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -220,7 +220,9 @@ struct job {
     const struct cr_irf_set *irf;
     struct cr_sweep *sweep;
     const struct variable *var;
-    atomic_int next, finished;
+    struct cr_session *session; /* for the thread of the session alone */
+    int next;
+    atomic_int finished;
     atomic_bool stop;
     atomic_int *phase;          /* [runs] enum phase */
     struct cr_sweep_run *shown; /* [runs] copies of what is ready, for who watches */
@@ -267,19 +269,25 @@ static void solve_run(struct job *job, struct cr_sweep_run *run) {
     cr_state_free(state);
 }
 
-static void *worker(void *user) {
+static void *take_run(void *user) {
     struct job *job = user;
-    while (!atomic_load(&job->stop)) {
-        int i = atomic_fetch_add(&job->next, 1);
-        if (i >= job->sweep->n) {
-            break;
-        }
-        atomic_store(&job->phase[i], RUNNING);
-        solve_run(job, &job->sweep->run[i]);
-        atomic_store(&job->phase[i], READY);
-        atomic_fetch_add(&job->finished, 1);
-    }
-    return NULL;
+    bool over = atomic_load(&job->stop) || job->next >= job->sweep->n;
+    return over ? NULL : &job->sweep->run[job->next++];
+}
+
+static void work_run(void *user, void *item) {
+    struct job *job = user;
+    struct cr_sweep_run *run = item;
+    long i = run - job->sweep->run;
+    atomic_store(&job->phase[i], RUNNING);
+    solve_run(job, run);
+    atomic_store(&job->phase[i], READY);
+    atomic_fetch_add(&job->finished, 1);
+}
+
+static bool give_run(void *user, void *item) {
+    (void)item; /* it lies where it shall stay */
+    return !stopped(user);
 }
 
 /* the table as it is now; a run that is under way is not touched */
@@ -297,67 +305,53 @@ static struct cr_sweep so_far(struct job *job) {
     return sweep;
 }
 
-static void watch(struct cr_session *s, struct job *job) {
-    const struct timespec nap = {0, 10 * 1000 * 1000};
-    while (atomic_load(&job->finished) < job->sweep->n && !atomic_load(&job->stop)) {
-        double elapsed;
-        int done = atomic_load(&job->finished);
-        nanosleep(&nap, NULL);
-        if (cr_work_due(s, &elapsed)) {
-            const struct cr_sweep now = so_far(job);
-            struct cr_progress p = {.what = "SWEEP",
-                                    .sweep = &now,
-                                    .share = (double)done / job->sweep->n,
-                                    .done = done,
-                                    .total = job->sweep->n,
-                                    .elapsed = elapsed,
-                                    .left = done > 0 ? elapsed / done * (job->sweep->n - done)
-                                                     : (double)NAN,
-                                    .time = NAN};
-            s->opts.out.progress(s->opts.out.user, &p);
-        }
-        if (cr_work_cancelled(s) != 0) {
-            atomic_store(&job->stop, true);
-        }
+/* Shows how far the sweep is, and asks whether it shall go on. */
+static void watch(void *user) {
+    const struct timespec nap = {0, 2 * 1000 * 1000}; /* less than a quick run takes */
+    struct job *job = user;
+    struct cr_session *s = job->session;
+    double elapsed;
+    nanosleep(&nap, NULL);
+    if (cr_work_due(s, &elapsed)) {
+        const struct cr_sweep now = so_far(job);
+        int done = atomic_load(&job->finished), left = job->sweep->n - done;
+        struct cr_progress p = {.what = "SWEEP",
+                                .sweep = &now,
+                                .share = (double)done / job->sweep->n,
+                                .done = done,
+                                .total = job->sweep->n,
+                                .elapsed = elapsed,
+                                .left = done > 0 ? elapsed / done * left : (double)NAN,
+                                .time = NAN};
+        s->opts.out.progress(s->opts.out.user, &p);
+    }
+    if (cr_work_cancelled(s) != 0) {
+        atomic_store(&job->stop, true);
     }
 }
 
-static enum cr_err run_all(struct cr_session *s, struct job *job, int jobs, struct cr_error *err) {
-    enum { JOBS_MAX = 256 };
-    pthread_t thread[JOBS_MAX];
-    int started = 0;
+static enum cr_err run_all(struct job *job, int jobs, struct cr_error *err) {
+    const struct cr_pool_work work = {
+        .take = take_run, .work = work_run, .give = give_run, .idle = watch, .user = job};
+    enum cr_err code = CR_ERR_OK;
     job->phase = calloc((size_t)job->sweep->n, sizeof *job->phase);
     job->shown = calloc((size_t)job->sweep->n, sizeof *job->shown);
     if (job->phase == NULL || job->shown == NULL) {
-        free(job->phase);
-        free(job->shown);
-        return cr_err_set(err, CR_ERR_MEMORY, "out of memory");
+        code = cr_err_set(err, CR_ERR_MEMORY, "out of memory");
+        goto out;
     }
     for (int i = 0; i < job->sweep->n; i++) {
         memcpy(job->shown[i].at, job->sweep->run[i].at, sizeof job->shown[i].at);
     }
-    jobs = jobs < job->sweep->n ? jobs : job->sweep->n;
-    s->solving = true;
-    cr_work_begin(s);
-    for (; started < jobs && started < JOBS_MAX; started++) {
-        if (pthread_create(&thread[started], NULL, worker, job) != 0) {
-            break;
-        }
-    }
-    if (started > 0) {
-        watch(s, job);
-    }
-    for (int i = 0; i < started; i++) {
-        pthread_join(thread[i], NULL);
-    }
-    cr_work_end(s);
-    s->solving = false;
+    job->session->solving = true;
+    cr_work_begin(job->session);
+    code = cr_pool_run(&work, jobs < job->sweep->n ? jobs : job->sweep->n, err);
+    cr_work_end(job->session);
+    job->session->solving = false;
+out:
     free(job->phase);
     free(job->shown);
-    if (started == 0) {
-        return cr_err_set(err, CR_ERR_MEMORY, "no thread could be started");
-    }
-    return CR_ERR_OK;
+    return code;
 }
 
 /* ---- the command ---- */
@@ -511,10 +505,14 @@ enum cr_err cr_cmd_sweep(struct cr_call *call, struct cr_error *err) {
         cr_sweep_free(sweep);
         return code;
     }
-    struct job job = {
-        .base = cr_session_now(s), .models = s->models, .irf = s->irf, .sweep = sweep, .var = var};
+    struct job job = {.base = cr_session_now(s),
+                      .models = s->models,
+                      .irf = s->irf,
+                      .sweep = sweep,
+                      .var = var,
+                      .session = s};
     s->view.pane = CR_PANE_SWEEP; /* a screen shows the runs as they come */
-    code = run_all(s, &job, (int)cr_cmd_number(call, "jobs", 1), err);
+    code = run_all(&job, (int)cr_cmd_number(call, "jobs", 1), err);
     cr_session_take_sweep(s, sweep);
     if (code == CR_ERR_OK) {
         code = cr_sweep_say(s, err);

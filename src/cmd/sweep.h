@@ -19,6 +19,5 @@ enum cr_err cr_sweep_what(struct cr_call *call, const struct cr_sweep *sweep, in
                           const struct cr_measure **measure, struct cr_error *err);
 /* Curves over one swept input, maps over two. */
 enum cr_err cr_sweep_draw(struct cr_call *call, struct cr_error *err);
-void cr_sweep_free(struct cr_sweep *sweep);
 
 #endif

@@ -8,16 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-void cr_sweep_free(struct cr_sweep *sweep) {
-    if (sweep != NULL) {
-        free(sweep->axis[0].value);
-        free(sweep->axis[1].value);
-        free(sweep->run);
-        free(sweep->severity);
-        free(sweep);
-    }
-}
-
 static double shown(const struct cr_sweep_axis *axis, double si) {
     return si * axis->unit->div / axis->unit->mul;
 }

@@ -433,3 +433,9 @@ const struct cr_command *cr_commands(int *n) {
     *n = (int)(sizeof commands / sizeof commands[0]);
     return commands;
 }
+
+const struct cr_command *cr_command_find(const char *word, bool *many) {
+    int n;
+    const struct cr_command *table = cr_commands(&n);
+    return cr_command_among(table, n, word, many);
+}

@@ -194,7 +194,7 @@ static void draw_material(struct cr_sheet *s, const struct cr_pic_body *b) {
         uint32_t ink = s->pic.field == CR_FIELD_NONE ? 0xf2f2f2 : cr_ink_ramp(step);
         if (add_runs(s, b, step)) {
             /* drawn over its edge, else viewers leave seams of light between the rows */
-            cr_canvas_paint(s->canvas, &(struct cr_paint){.fill = ink, .line = ink, .width = 0.3});
+            cr_canvas_paint(s->canvas, &(struct cr_paint){.fill = ink, .line = ink, .width = 0.5});
         }
     }
 }

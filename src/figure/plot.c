@@ -66,24 +66,34 @@ static void letter(const struct cr_axes *a, const struct cr_curve_line *c) {
     }
 }
 
-static void legend(struct cr_canvas *c, struct cr_box at, const struct cr_plot *plot,
-                   const struct cr_figure_words *words) {
+/* "A", or "A deformation" */
+static void entry_text(const struct cr_curve_line *line, const struct cr_figure_words *words,
+                       char *buf, size_t size) {
+    char mark[2] = {line->mark, '\0'};
+    const char *name = line->name != NULL ? line->name : "";
+    bool named = name[0] != '\0' && strcmp(name, mark) != 0;
+    snprintf(buf, size, "%s%s%.80s", mark, named ? " " : "",
+             named ? cr_figure_say(words, name) : "");
+}
+
+/* The entries from the right end leftward; with draw = false only how wide they are. */
+static double legend(struct cr_canvas *c, double right, double y, const struct cr_plot *plot,
+                     const struct cr_figure_words *words, bool draw) {
     struct cr_type_face face = {.size = SMALL, .ink = CR_INK_TEXT};
-    double x = at.x + at.w - 10;
+    double x = right;
     for (int k = plot->curves - 1; k >= 0; k--) {
         const struct cr_curve_line *line = &plot->curve[k];
-        const char *name = line->name != NULL ? line->name : "";
-        char text[96], mark[2] = {line->mark, '\0'};
-        bool named = name[0] != '\0' && strcmp(name, mark) != 0;
-        snprintf(text, sizeof text, "%s%s%.80s", mark, named ? " " : "",
-                 named ? cr_figure_say(words, name) : "");
+        char text[96];
+        entry_text(line, words, text, sizeof text);
         x -= cr_text_width(&face, text);
-        cr_canvas_text(c, x, at.y + 10, &face, text);
-        x -= 24;
-        cr_figure_rule(c, x, at.y + 7, x + 20, at.y + 7, cr_ink_of(line->role), 1.3,
-                       dash_of(plot, k));
-        x -= 10;
+        if (draw) {
+            cr_canvas_text(c, x, y, &face, text);
+            cr_figure_rule(c, x - 24, y - 3, x - 4, y - 3, cr_ink_of(line->role), 1.3,
+                           dash_of(plot, k));
+        }
+        x -= 34;
     }
+    return right - x;
 }
 
 void cr_figure_plot(struct cr_canvas *canvas, struct cr_box at, const struct cr_plot *plot,
@@ -91,16 +101,25 @@ void cr_figure_plot(struct cr_canvas *canvas, struct cr_box at, const struct cr_
     struct cr_plot_range r = cr_plot_range(plot);
     struct cr_axes a = {
         .canvas = canvas, .x_lo = r.x_lo, .x_hi = r.x_hi, .y_lo = r.y_lo, .y_hi = r.y_hi};
-    cr_axes_fit(&a, at, true);
+    struct cr_type_face bold = {.size = 10.5, .bold = true};
+    char title[120] = "";
+    bool unit = plot->y_unit != NULL && plot->y_unit[0] != '\0';
     if (plot->title != NULL) {
-        char title[120];
-        bool unit = plot->y_unit != NULL && plot->y_unit[0] != '\0';
         snprintf(title, sizeof title, "%.90s%s%.20s", cr_figure_say(words, plot->title),
                  unit ? ", " : "", unit ? plot->y_unit : "");
         cr_figure_title(canvas, at, title);
     }
+    /* beside the title where there is room, else below it */
+    bool beside =
+        legend(canvas, 0, 0, plot, words, false) + cr_text_width(&bold, title) < at.w - 20;
+    legend(canvas, at.x + at.w - 10, at.y + (beside ? 10 : 22), plot, words, true);
+    if (!beside) {
+        at.y += 12;
+        at.h -= 12;
+    }
+    cr_axes_fit(&a, at, true);
     cr_axes_draw(&a, plot->x_unit != NULL ? cr_figure_say(words, plot->x_unit) : "",
-                 plot->title == NULL && plot->y_unit != NULL ? plot->y_unit : "");
+                 plot->title == NULL && unit ? plot->y_unit : "");
     if (plot->cursor >= a.x_lo && plot->cursor <= a.x_hi) {
         double x = cr_axes_x(&a, plot->cursor);
         cr_figure_rule(canvas, x, a.at.y, x, a.at.y + a.at.h, CR_INK_FORCE, 0.8, CR_DASH_LONG);
@@ -115,5 +134,4 @@ void cr_figure_plot(struct cr_canvas *canvas, struct cr_box at, const struct cr_
     for (int k = 0; k < plot->curves; k++) {
         letter(&a, &plot->curve[k]);
     }
-    legend(canvas, at, plot, words);
 }

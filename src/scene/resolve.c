@@ -65,8 +65,12 @@ static double rule_overhang(const struct basis *b) {
 }
 
 /* share of the wheelbase 0.308 + 7.7e-5 per kg, s 0.025 (stiffness.md 7.3) */
+double cr_scene_cg_rule(double mass, double wheelbase) {
+    return wheelbase * cr_clamp(0.308 + 7.7e-5 * mass, 0.36, 0.6);
+}
+
 static double rule_cg(const struct basis *b) {
-    return b->part->wheelbase * cr_clamp(0.308 + 7.7e-5 * b->part->mass, 0.36, 0.6);
+    return cr_scene_cg_rule(b->part->mass, b->part->wheelbase);
 }
 
 static double rule_cg_height(const struct basis *b) {

@@ -145,6 +145,9 @@ void cr_assumed_fini(struct cr_assumed *assumed);
 CR_MUST_CHECK enum cr_err cr_scene_resolve(struct cr_scene *scene, const struct cr_model_lib *lib,
                                            struct cr_assumed *assumed, struct cr_error *err);
 
+/* CG behind the front axle, m, of a car whose CG was not given: mass in kg, wheelbase in m. */
+double cr_scene_cg_rule(double mass, double wheelbase);
+
 /* How far an end of a braking vehicle goes down, m, the rear comes up: quasi-static load transfer
  * on its springs. Given a resolved vehicle, the friction of the road, and which end. */
 double cr_scene_dive(const struct cr_participant *p, double road_friction, bool front);

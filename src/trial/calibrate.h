@@ -1,4 +1,4 @@
-/* `crumple calibrate`: the public tests the models are calibrated on, and which count as what. */
+/* Calibration: the faces of the models fitted to public crash tests, and written into recipes. */
 #ifndef CR_TRIAL_CALIBRATE_H
 #define CR_TRIAL_CALIBRATE_H
 
@@ -6,61 +6,60 @@
 #include "base/str.h"
 #include "model/model.h"
 #include "result/result.h"
+#include "trial/crashtest.h"
 
 enum { CR_CALIBRATE_TESTS = 1024 };
 
-/* Which car counts as which type: share/calibration/types.json, the first rule that fits decides.
- */
-struct cr_type_rule {
-    enum cr_type type;
-    char body[16]; /* letters; "" for any */
-    double most_kg, most_m;
-};
-enum { CR_TYPE_RULES = 16 };
-struct cr_type_rules {
+/* Some of the tests of a list; those belong to it. */
+struct cr_test_set {
     int n;
-    struct cr_type_rule row[CR_TYPE_RULES];
-    int borrows[CR_TYPES]; /* type whose tests count as well, -1: none */
-};
-
-/* Read the table below the data folder. Errors: IO, MODEL. */
-CR_MUST_CHECK enum cr_err cr_type_rules_read(const char *dir, struct cr_type_rules *out,
-                                             struct cr_error *err);
-
-/* Type of a car: body letter of the data files, mass as tested in kg, length in m or NaN; -1 if no
- * rule fits. */
-int cr_type_rules_find(const struct cr_type_rules *rules, const char *body, double mass,
-                       double length);
-
-/* A full-width rigid wall test of share/validation/data/frontal_wall.csv. */
-struct cr_wall_test {
-    int number, year;
-    enum cr_type type;
-    double mass, speed, width; /* kg, m/s, m */
-    double c[6];               /* residual crush, m */
-    double dynamic;            /* dynamic crush, m; NaN: not known or not to be trusted */
-    double peak_g;             /* NaN likewise */
-};
-
-/* A side pole test of share/validation/data/side_pole.csv. */
-struct cr_pole_test {
-    int number;
-    enum cr_type type;
-    double mass, speed, length, width, wheelbase, cg; /* kg, m/s, m; CG behind the front axle */
-    double crush;                                     /* greatest residual depth, m */
+    const struct cr_test **item; /* owned array */
 };
 
 struct cr_calibration_data {
-    int walls, poles;
-    struct cr_wall_test *wall;
-    struct cr_pole_test *pole;
+    struct cr_test_list tests; /* owns the tests; empty where they are another's */
+    struct cr_test_set walls, poles;
     int borrows[CR_TYPES]; /* type whose tests count as well, -1: none */
 };
 
-/* Read the data and the table of types below the data folder. Errors: IO, SYNTAX, ... */
+/* Read the tests of walls and poles and the table of types below the data folder: the tests that
+ * `crumple validate` compares with, as it solves them. Errors: those of cr_test_load; RANGE for
+ * more than CR_CALIBRATE_TESTS. */
 CR_MUST_CHECK enum cr_err cr_calibration_read(const char *dir, struct cr_calibration_data *out,
                                               struct cr_error *err);
 void cr_calibration_fini(struct cr_calibration_data *data);
+
+/* How well a face does in its tests: percentage errors of the residual depth. */
+struct cr_calibration_fit {
+    int tests, borrowed; /* own ones, and those of the neighbour */
+    double depth_mpe, depth_sd;
+    int dynamic_tests;
+    double dynamic_mpe, dynamic_sd; /* NaN without tests */
+};
+
+/* A calibration in the making. */
+struct cr_calibration {
+    const struct cr_calibration_data *data;
+    struct cr_model_lib *lib;
+    struct cr_context ctx;
+    struct cr_calibration_fit out[CR_TYPES][2];
+    /* per wall test: dynamic and residual depth, m, peak g; per pole test: -, depth, area */
+    double *sim[3];
+    double shift; /* added to all springbacks, so that the mean percentage error of depth is 0, m */
+    double *own[2]; /* per wall test solved as its own type: residual depth, m, peak g */
+};
+
+/* Room for what the tests come to, to be dropped also after an error; rounds of solving all tests
+ * and fitting the faces; and the last word: every test of a type and of its neighbour solved as
+ * that type. Errors: MEMORY, those of the solves. */
+CR_MUST_CHECK enum cr_err cr_calibration_take(struct cr_calibration *f, struct cr_error *err);
+CR_MUST_CHECK enum cr_err cr_calibration_rounds(struct cr_calibration *f, int rounds,
+                                                struct cr_error *err);
+CR_MUST_CHECK enum cr_err cr_calibration_measure(struct cr_calibration *f, struct cr_error *err);
+void cr_calibration_drop(struct cr_calibration *f);
+
+/* w of a front, 1/s: EES over depth at the depth of a wall test at 50 km/h. */
+double cr_calibration_slope(const struct cr_model_face *face);
 
 /* Fit the faces of a library to the data, from where they are, in some rounds of solving all tests;
  * a face without tests stays as it is. The library must not be in use elsewhere. Errors: those of
@@ -72,14 +71,6 @@ CR_MUST_CHECK enum cr_err cr_calibration_fit(const struct cr_calibration_data *d
 /* Table of where the energy of a front sits, measured and modelled. Errors: IO, MEMORY. */
 CR_MUST_CHECK enum cr_err cr_calibration_cells(const char *dir, const struct cr_model_lib *lib,
                                                struct cr_str *out, struct cr_error *err);
-
-/* How well a face does in its tests: percentage errors of the residual depth. */
-struct cr_calibration_fit {
-    int tests, borrowed; /* own ones, and those of the neighbour */
-    double depth_mpe, depth_sd;
-    int dynamic_tests;
-    double dynamic_mpe, dynamic_sd; /* NaN without tests */
-};
 
 /* Replace faces and calibration of a recipe's text. Errors: MODEL if there are none to replace. */
 CR_MUST_CHECK enum cr_err cr_calibration_write(const char *recipe,

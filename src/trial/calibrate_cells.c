@@ -38,9 +38,9 @@ static enum cr_err measured(const char *dir, struct shares *out, struct cr_error
     size_t len = 0;
     snprintf(path, sizeof path, "%s/share/validation/data/camry_10146_loadcell_energy_kJ.csv", dir);
     memset(out, 0, sizeof *out);
-    enum cr_err rc = cr_file_read(path, &text, &len, err);
-    if (rc) {
-        return rc;
+    enum cr_err code = cr_file_read(path, &text, &len, err);
+    if (code != CR_ERR_OK) {
+        return code;
     }
     for (const char *p = text; *p != '\0'; p += strcspn(p, "\n"), p += *p == '\n') {
         if (p[0] < 'A' || p[0] > 'K' || p[1] != ',') {
@@ -69,8 +69,8 @@ static enum cr_err modelled(const struct cr_model_lib *lib, struct shares *out,
     struct cr_voxels v;
     q.dims = *cr_model_dims(lib, q.type, &q.mass_kg);
     memset(out, 0, sizeof *out);
-    enum cr_err rc = cr_model_voxels(lib, &q, &arena, &v, err);
-    size_t nx = rc ? 0 : (size_t)v.nx, n = rc ? 0 : nx * (size_t)v.ny * (size_t)v.nz;
+    enum cr_err code = cr_model_voxels(lib, &q, &arena, &v, err);
+    size_t nx = code ? 0 : (size_t)v.nx, n = code ? 0 : nx * (size_t)v.ny * (size_t)v.nz;
     for (size_t i = 0; i < n; i++) {
         double depth = ((double)(nx - 1 - i % nx) + 0.5) * v.edge;
         double y = v.y0 + ((double)(i / nx % (size_t)v.ny) + 0.5) * v.edge;
@@ -84,7 +84,7 @@ static enum cr_err modelled(const struct cr_model_lib *lib, struct shares *out,
     cr_arena_free(&arena);
     scale(out->column, COLUMNS);
     scale(out->row, ROWS);
-    return rc;
+    return code;
 }
 
 static void print_row(const char *what, const double *v, int n, struct cr_str *out) {
@@ -98,12 +98,12 @@ static void print_row(const char *what, const double *v, int n, struct cr_str *o
 enum cr_err cr_calibration_cells(const char *dir, const struct cr_model_lib *lib,
                                  struct cr_str *out, struct cr_error *err) {
     struct shares wall, model;
-    enum cr_err rc = measured(dir, &wall, err);
-    if (!rc) {
-        rc = modelled(lib, &model, err);
+    enum cr_err code = measured(dir, &wall, err);
+    if (code == CR_ERR_OK) {
+        code = modelled(lib, &model, err);
     }
-    if (rc) {
-        return rc;
+    if (code != CR_ERR_OK) {
+        return code;
     }
     cr_str_add(out, "\nenergy of the sedan's front to 0.746 m by load cell (NHTSA 10146), %\n"
                     "across, 125 mm each from the centre line outward, both sides\n");

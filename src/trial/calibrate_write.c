@@ -4,6 +4,7 @@
 #include "base/vec.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* End of the object that begins at p, behind its closing brace; NULL if there is none. */
@@ -71,7 +72,10 @@ static void add_calibration(const struct cr_calibration_fit fit[2], struct cr_st
     cr_str_add(out, "{\n");
     add_fit(&fit[0], "front", "frontal_wall.csv, frontal_wall_pulse.csv (NHTSA)", out);
     cr_str_add(out, ",\n");
-    add_fit(&fit[1], "side", "side_pole.csv (NHTSA); damaged area 0.223 m2: stiffness.md 3.1", out);
+    char side[96];
+    snprintf(side, sizeof side, "side_pole.csv (NHTSA); damaged area %.3f m2: stiffness.md 3.1",
+             cr_test_pole_area);
+    add_fit(&fit[1], "side", side, out);
     cr_str_add(out, ",\n    \"rear\": { \"basis\": \"assumption\", \"tests\": 0, \"borrowed\": 0,\n"
                     "      \"source\": \"0.8 of the force of the front at the same depth; evidence "
                     "runs from 0.5 to 1.0 (stiffness.md 4.4)\" }\n  }");

@@ -4,9 +4,10 @@
 #define CR_TRIAL_CRASHTEST_H
 
 #include "base/err.h"
-#include "trial/calibrate.h"
+#include "base/str.h"
 #include "result/compare.h"
 #include "result/result.h"
+#include "trial/types.h"
 
 #include <stdbool.h>
 
@@ -83,7 +84,7 @@ struct cr_test {
     double at; /* when the motion was read, s after the first contact; NaN: end of the contact */
     double normal; /* of the planar impact that the reference is, world, rad; NaN: it is none */
     struct cr_compare_opts pulse;
-    int number;                              /* test number of a record, 0 without */
+    int number, year;                        /* test number and model year of a record, 0 without */
     struct cr_test_outcome of[CR_TEST_RUNS]; /* CR_METHOD_EXTENDED, _PAPER, CR_TEST_CROSS */
 };
 
@@ -92,6 +93,19 @@ struct cr_test_list {
     struct cr_test *item;
 };
 void cr_test_list_fini(struct cr_test_list *list);
+/* New test at the end of a list, without references; NULL and an error without memory. */
+struct cr_test *cr_test_list_add(struct cr_test_list *list, struct cr_error *err);
+/* The test takes over the text as its scene. Errors: MEMORY, if it ran out while it was written. */
+CR_MUST_CHECK enum cr_err cr_test_set_scene(struct cr_test *test, struct cr_str *text,
+                                            struct cr_error *err);
+
+/* Speed class of a full wall, by the programmes that drive them; below CR_SPEEDS. */
+enum { CR_SPEEDS = 4 };
+int cr_test_speed_of(double speed_kmh);
+const char *cr_test_speed_word(int speed); /* "48 km/h" */
+
+/* Damaged plan area that the median side pole test leaves, m2. */
+extern const double cr_test_pole_area;
 
 /* Append the tests of a class from the data folder's share/validation. Errors: IO, SYNTAX, TYPE,
  * MISSING, with their place. */
@@ -104,8 +118,16 @@ CR_MUST_CHECK enum cr_err cr_test_load(const char *dir, enum cr_test_class class
 CR_MUST_CHECK enum cr_err cr_test_load_own(const char *path, const struct cr_type_rules *rules,
                                            struct cr_test_list *list, struct cr_error *err);
 
-/* Solve a test with the method of a run and take its measures; what goes wrong stands in the
- * outcome. */
+/* Solve a test and take its measures, and the rating of its pulse where one was measured. */
+struct cr_test_how {
+    enum cr_method method;
+    enum cr_type type; /* of the vehicle; the test's own, or that of a neighbour it is lent to */
+};
+CR_MUST_CHECK enum cr_err cr_test_measure(const struct cr_test *test, struct cr_test_how how,
+                                          const struct cr_context *ctx, struct cr_test_outcome *out,
+                                          struct cr_error *err);
+
+/* Solve a test with the method of a run; what goes wrong stands in the outcome. */
 void cr_test_solve(struct cr_test *test, int run, const struct cr_context *ctx);
 
 #endif

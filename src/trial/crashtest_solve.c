@@ -17,7 +17,7 @@ static void take_measures(const struct cr_severity *s, double *to) {
         [CR_MEASURE_YAW_RATE] = cr_deg(s->yaw_rate_change),
         [CR_MEASURE_DEPTH] = s->face_depth,
         [CR_MEASURE_DYNAMIC] = s->face_depth_dynamic,
-        // trapezoid mean of equally spaced points
+        /* trapezoid mean of equally spaced points */
         [CR_MEASURE_PROFILE] = (c[0] / 2 + c[1] + c[2] + c[3] + c[4] + c[5] / 2) / 5,
         [CR_MEASURE_CORNER] = (c[0] + c[5]) / (c[2] + c[3]),
         [CR_MEASURE_AREA] = s->deformation_area,
@@ -46,46 +46,69 @@ static enum cr_err rate_pulse(const struct cr_test *test, const struct cr_result
                               struct cr_test_pulse *out, struct cr_error *err) {
     struct cr_signal measured;
     struct cr_compare c;
-    enum cr_err rc =
+    enum cr_err code =
         cr_signal_load(test->file, test->column[0] ? test->column : NULL, &measured, err);
-    if (rc) {
-        return rc;
+    if (code != CR_ERR_OK) {
+        return code;
     }
-    rc = cr_compare_pulse(r->solution, body, &measured, &test->pulse, &c, err);
-    if (!rc) {
+    code = cr_compare_pulse(r->solution, body, &measured, &test->pulse, &c, err);
+    if (code == CR_ERR_OK) {
         *out = (struct cr_test_pulse){c.iso.total, c.cora.total, c.rms / CR_G, c};
     }
     cr_signal_free(&measured);
-    return rc;
+    return code;
 }
 
-void cr_test_solve(struct cr_test *test, int run, const struct cr_context *ctx) {
-    struct cr_test_outcome *o = &test->of[run];
+static enum cr_err take(const struct cr_test *test, const struct cr_result *r, int body,
+                        struct cr_test_outcome *out, struct cr_error *err) {
+    struct cr_vec2 normal = cr_vec2(cos(test->normal), sin(test->normal));
+    take_measures(&r->of[body], out->value);
+    out->value[CR_MEASURE_PLANAR_YAW] = cr_deg(cr_planar_yaw_change(r, body, normal));
+    if (!isnan(test->at)) {
+        take_motion(r->solution, body, test->at, out->value);
+    }
+    return test->file[0] != '\0' ? rate_pulse(test, r, body, &out->pulse, err) : CR_ERR_OK;
+}
+
+enum cr_err cr_test_measure(const struct cr_test *test, struct cr_test_how how,
+                            const struct cr_context *ctx, struct cr_test_outcome *out,
+                            struct cr_error *err) {
     struct cr_scene scene;
     struct cr_result *r = NULL;
-    struct cr_error err = {0};
-    enum cr_err rc = cr_scene_parse(test->scene, strlen(test->scene), test->id, &scene, &err);
+    char type[CR_NAME_MAX + 8];
+    snprintf(type, sizeof type, "%s.type", test->part);
+    enum cr_err code = cr_scene_parse(test->scene, strlen(test->scene), test->id, &scene, err);
     snprintf(scene.dir, sizeof scene.dir, "%s", test->dir);
-    const char *name = run == CR_METHOD_PAPER ? "paper" : "extended";
-    rc = rc ? rc : cr_scene_set(&scene, "method", name, &err);
-    if (!rc && !isnan(test->at)) {
-        rc = cr_scene_set(&scene, "end", "rest", &err);
+    if (code == CR_ERR_OK) {
+        const char *word = how.method == CR_METHOD_PAPER ? "paper" : "extended";
+        code = cr_scene_set(&scene, "method", word, err);
     }
-    rc = rc ? rc : cr_result_run(&scene, ctx, &r, &err);
-    for (int i = 0; !rc && i < scene.n; i++) {
-        if (!strcmp(scene.part[i].id, test->part)) {
-            take_measures(&r->of[i], o->value);
-            struct cr_vec2 normal = cr_vec2(cos(test->normal), sin(test->normal));
-            o->value[CR_MEASURE_PLANAR_YAW] = cr_deg(cr_planar_yaw_change(r, i, normal));
-            if (!isnan(test->at)) {
-                take_motion(r->solution, i, test->at, o->value);
-            }
-            rc = test->file[0] ? rate_pulse(test, r, i, &o->pulse, &err) : CR_ERR_OK;
+    if (code == CR_ERR_OK && how.type != test->type) {
+        code = cr_scene_set(&scene, type, cr_type_word(how.type), err);
+    }
+    if (code == CR_ERR_OK && !isnan(test->at)) {
+        code = cr_scene_set(&scene, "end", "rest", err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_result_run(&scene, ctx, &r, err);
+    }
+    for (int i = 0; code == CR_ERR_OK && i < scene.n; i++) {
+        if (strcmp(scene.part[i].id, test->part) == 0) {
+            code = take(test, r, i, out, err);
         }
-    }
-    if (rc) {
-        snprintf(o->error, sizeof o->error, "%s", err.text);
     }
     cr_result_free(r);
     cr_scene_fini(&scene);
+    return code;
+}
+
+void cr_test_solve(struct cr_test *test, int run, const struct cr_context *ctx) {
+    struct cr_test_outcome *out = &test->of[run];
+    struct cr_error err = {0};
+    const struct cr_test_how how = {.method = run == CR_METHOD_PAPER ? CR_METHOD_PAPER
+                                                                     : CR_METHOD_EXTENDED,
+                                    .type = test->type};
+    if (cr_test_measure(test, how, ctx, out, &err) != CR_ERR_OK) {
+        snprintf(out->error, sizeof out->error, "%s", err.text);
+    }
 }

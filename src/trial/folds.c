@@ -12,42 +12,52 @@ int cr_fold_of(int number) {
     return number % CR_FOLDS;
 }
 
-/* all tests but those of the fold */
-static enum cr_err leave_out(const struct cr_calibration_data *all, int fold, bool walls,
-                             bool poles, struct cr_calibration_data *out, struct cr_error *err) {
-    *out = *all;
-    out->walls = out->poles = 0;
-    out->wall = calloc((size_t)all->walls + 1, sizeof *out->wall);
-    out->pole = calloc((size_t)all->poles + 1, sizeof *out->pole);
-    if (!out->wall || !out->pole) {
+/* the tests of a set but those of the fold */
+static enum cr_err leave_out(const struct cr_test_set *all, int fold, struct cr_test_set *out,
+                             struct cr_error *err) {
+    *out = (struct cr_test_set){.item = calloc((size_t)all->n + 1, sizeof *out->item)};
+    if (out->item == NULL) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for the tests of a fold");
     }
-    for (int i = 0; walls && i < all->walls; i++) {
-        if (cr_fold_of(all->wall[i].number) != fold) {
-            out->wall[out->walls++] = all->wall[i];
-        }
-    }
-    for (int i = 0; poles && i < all->poles; i++) {
-        if (cr_fold_of(all->pole[i].number) != fold) {
-            out->pole[out->poles++] = all->pole[i];
+    for (int i = 0; i < all->n; i++) {
+        if (cr_fold_of(all->item[i]->number) != fold) {
+            out->item[out->n++] = all->item[i];
         }
     }
     return CR_ERR_OK;
 }
 
+static enum cr_err open_fold(struct cr_folds *f, int fold, const char *models, bool walls,
+                             bool poles, struct cr_error *err) {
+    struct cr_calibration_data *part = &f->part[fold];
+    enum cr_err code = CR_ERR_OK;
+    memcpy(part->borrows, f->all.borrows, sizeof part->borrows);
+    if (walls) {
+        code = leave_out(&f->all.walls, fold, &part->walls, err);
+    }
+    if (code == CR_ERR_OK && poles) {
+        code = leave_out(&f->all.poles, fold, &part->poles, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_model_lib_open(models, &f->lib[fold], err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_model_need_all(f->lib[fold], err);
+    }
+    return code;
+}
+
 enum cr_err cr_folds_open(const char *dir, const char *models, bool walls, bool poles,
                           struct cr_folds *out, struct cr_error *err) {
     memset(out, 0, sizeof *out);
-    enum cr_err rc = cr_calibration_read(dir, &out->all, err);
-    for (int k = 0; k < CR_FOLDS && !rc; k++) {
-        rc = leave_out(&out->all, k, walls, poles, &out->part[k], err);
-        rc = rc ? rc : cr_model_lib_open(models, &out->lib[k], err);
-        rc = rc ? rc : cr_model_need_all(out->lib[k], err);
+    enum cr_err code = cr_calibration_read(dir, &out->all, err);
+    for (int k = 0; k < CR_FOLDS && code == CR_ERR_OK; k++) {
+        code = open_fold(out, k, models, walls, poles, err);
     }
-    if (rc) {
+    if (code != CR_ERR_OK) {
         cr_folds_close(out);
     }
-    return rc;
+    return code;
 }
 
 void cr_folds_close(struct cr_folds *folds) {

@@ -1,12 +1,14 @@
 noinst_LIBRARIES += libtrial.a
 libtrial_a_SOURCES = \
 	src/trial/calibrate.c src/trial/calibrate.h \
-	src/trial/calibrate_cells.c src/trial/calibrate_data.c src/trial/calibrate_write.c \
+	src/trial/calibrate_cells.c src/trial/calibrate_fit.c src/trial/calibrate_write.c \
 	src/trial/crashtest.c src/trial/crashtest.h \
-	src/trial/crashtest_solve.c \
+	src/trial/crashtest_load.c src/trial/crashtest_read.h \
+	src/trial/crashtest_solve.c src/trial/crashtest_table.c \
 	src/trial/folds.c src/trial/folds.h \
 	src/trial/records.c src/trial/records.h \
 	src/trial/trial.h \
+	src/trial/types.c src/trial/types.h \
 	src/trial/validate.c \
 	src/trial/verdict.c src/trial/verdict.h \
 	src/trial/verdict_data.c \

@@ -63,8 +63,8 @@ enum cr_err cr_records_load(const char *path, struct cr_records *out, struct cr_
     int size = 0, number = 0;
     memset(out, 0, sizeof *out);
     snprintf(out->src, sizeof out->src, "%s", path);
-    enum cr_err rc = cr_file_read(path, &out->text, &len, err);
-    for (char *line = out->text; line && *line && !rc;) {
+    enum cr_err code = cr_file_read(path, &out->text, &len, err);
+    for (char *line = out->text; line && *line && code == CR_ERR_OK;) {
         char *end = line + strcspn(line, "\n"), *next = *end ? end + 1 : end;
         *end = '\0';
         if (end > line && end[-1] == '\r') {
@@ -76,14 +76,14 @@ enum cr_err cr_records_load(const char *path, struct cr_records *out, struct cr_
                 out->column[out->columns++] = field(&at);
             }
         } else if (*line && *line != '#') {
-            rc = add_row(out, line, number, &size, err);
+            code = add_row(out, line, number, &size, err);
         }
         line = next;
     }
-    if (rc) {
+    if (code != CR_ERR_OK) {
         cr_records_fini(out);
     }
-    return rc;
+    return code;
 }
 
 void cr_records_fini(struct cr_records *records) {
@@ -95,7 +95,7 @@ void cr_records_fini(struct cr_records *records) {
 
 int cr_records_find(const struct cr_records *records, const char *column) {
     for (int i = 0; i < records->columns; i++) {
-        if (!strcmp(records->column[i], column)) {
+        if (strcmp(records->column[i], column) == 0) {
             return i;
         }
     }

@@ -108,7 +108,7 @@ static bool give(void *user, void *item) {
 
 static int find_class(const char *word) {
     for (int c = 0; c < CR_TEST_OWN; c++) {
-        if (!strcmp(word, cr_test_class_word((enum cr_test_class)c))) {
+        if (strcmp(word, cr_test_class_word((enum cr_test_class)c)) == 0) {
             return c;
         }
     }
@@ -118,30 +118,32 @@ static int find_class(const char *word) {
 static enum cr_err load(char **name, int n, struct cr_test_list *list, struct cr_error *err) {
     char dir[4096];
     struct cr_type_rules rules;
-    // complains when there is no data folder
-    enum cr_err rc = cr_cli_data("share/validation", dir, sizeof dir, err);
-    rc = rc ? rc : cr_type_rules_read(cr_data_dir(dir, sizeof dir), &rules, err);
-    for (int c = 0; n == 0 && c < CR_TEST_OWN && !rc; c++) {
-        rc = cr_test_load(dir, (enum cr_test_class)c, &rules, list, err);
+    /* complains when there is no data folder */
+    enum cr_err code = cr_cli_data("share/validation", dir, sizeof dir, err);
+    if (code == CR_ERR_OK) {
+        code = cr_type_rules_read(cr_data_dir(dir, sizeof dir), &rules, err);
     }
-    for (int i = 0; i < n && !rc; i++) {
+    for (int c = 0; n == 0 && c < CR_TEST_OWN && code == CR_ERR_OK; c++) {
+        code = cr_test_load(dir, (enum cr_test_class)c, &rules, list, err);
+    }
+    for (int i = 0; i < n && code == CR_ERR_OK; i++) {
         int c = find_class(name[i]);
         if (c >= 0) {
-            rc = cr_test_load(dir, (enum cr_test_class)c, &rules, list, err);
+            code = cr_test_load(dir, (enum cr_test_class)c, &rules, list, err);
         } else if (strchr(name[i], '.') || strchr(name[i], '/')) {
-            rc = cr_test_load_own(name[i], &rules, list, err);
+            code = cr_test_load_own(name[i], &rules, list, err);
         } else {
             const char *word[CR_TEST_OWN];
             for (int k = 0; k < CR_TEST_OWN; k++) {
                 word[k] = cr_test_class_word((enum cr_test_class)k);
             }
             const char *near = cr_str_nearest(name[i], word, CR_TEST_OWN);
-            rc = cr_err_set(err, CR_ERR_USAGE, "no class of tests is called '%s'", name[i]);
+            code = cr_err_set(err, CR_ERR_USAGE, "no class of tests is called '%s'", name[i]);
             cr_err_hint(err, near ? "did you mean %s?" : "crumple validate --help lists them",
                         near);
         }
     }
-    return rc;
+    return code;
 }
 
 /* all scenes as files, to be opened and looked at */
@@ -152,25 +154,25 @@ static enum cr_err write_scenes(const struct cr_test_list *list, const char *dir
         cr_err_place(err, dir, 0, 0);
         return CR_ERR_IO;
     }
-    enum cr_err rc = CR_ERR_OK;
-    for (int i = 0; i < list->n && !rc; i++) {
+    enum cr_err code = CR_ERR_OK;
+    for (int i = 0; i < list->n && code == CR_ERR_OK; i++) {
         struct cr_str path = {0};
         cr_str_addf(&path, "%s/%s.json", dir, list->item[i].id);
-        rc =
+        code =
             cr_file_write(cr_str_get(&path), list->item[i].scene, strlen(list->item[i].scene), err);
         cr_str_fini(&path);
     }
-    return rc;
+    return code;
 }
 
 static enum cr_err work_all(struct batch *b, const struct cr_pool_work *work, int jobs,
                             struct cr_error *err) {
     b->next = 0;
-    enum cr_err rc = cr_pool_run(work, jobs, err);
-    if (!rc && cr_cli_cancelled(NULL)) {
-        rc = cr_err_set(err, CR_ERR_INTERRUPTED, "interrupted");
+    enum cr_err code = cr_pool_run(work, jobs, err);
+    if (code == CR_ERR_OK && cr_cli_cancelled(NULL)) {
+        code = cr_err_set(err, CR_ERR_INTERRUPTED, "interrupted");
     }
-    return rc;
+    return code;
 }
 
 /* calibrate the models of the folds, where there are tests for them */
@@ -187,18 +189,21 @@ static enum cr_err prepare_folds(struct batch *b, const char *models, int jobs,
         b->runs &= ~(1u << CR_TEST_CROSS);
         return CR_ERR_OK;
     }
-    enum cr_err rc = cr_cli_data("models", recipes, sizeof recipes, err);
-    rc = rc ? rc
-            : cr_folds_open(cr_data_dir(dir, sizeof dir), models ? models : recipes,
-                            of[CR_TEST_WALL], of[CR_TEST_POLE], &b->folds, err);
-    rc = rc ? rc : work_all(b, &pool, jobs, err);
-    for (int k = 0; k < CR_FOLDS && !rc; k++) {
+    enum cr_err code = cr_cli_data("models", recipes, sizeof recipes, err);
+    if (code == CR_ERR_OK) {
+        code = cr_folds_open(cr_data_dir(dir, sizeof dir), models ? models : recipes,
+                             of[CR_TEST_WALL], of[CR_TEST_POLE], &b->folds, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = work_all(b, &pool, jobs, err);
+    }
+    for (int k = 0; k < CR_FOLDS && code == CR_ERR_OK; k++) {
         if (b->job[k].err.code) {
             *err = b->job[k].err;
-            rc = err->code;
+            code = err->code;
         }
     }
-    return rc;
+    return code;
 }
 
 static enum cr_err solve_all(struct batch *b, const char *models, int jobs, struct cr_error *err) {
@@ -208,14 +213,16 @@ static enum cr_err solve_all(struct batch *b, const char *models, int jobs, stru
     if (!b->job) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for %d tests", b->tests.n);
     }
-    enum cr_err rc = CR_ERR_OK;
+    enum cr_err code = CR_ERR_OK;
     if (b->runs >> CR_TEST_CROSS & 1) {
-        rc = prepare_folds(b, models, jobs, err);
+        code = prepare_folds(b, models, jobs, err);
     }
-    rc = rc ? rc : work_all(b, &pool, jobs, err);
+    if (code == CR_ERR_OK) {
+        code = work_all(b, &pool, jobs, err);
+    }
     cr_folds_close(&b->folds);
     free(b->job);
-    return rc;
+    return code;
 }
 
 static enum cr_err report(const struct batch *b, const struct options *opt, bool *missed,
@@ -229,22 +236,24 @@ static enum cr_err report(const struct batch *b, const struct options *opt, bool
                                          .scenes = opt->scenes};
     struct cr_verdict verdict;
     struct cr_str text = {0};
-    enum cr_err rc = cr_verdict_make(&b->tests, b->runs, &verdict, err);
-    if (rc) {
-        return rc;
+    enum cr_err code = cr_verdict_make(&b->tests, b->runs, &verdict, err);
+    if (code != CR_ERR_OK) {
+        return code;
     }
     if (opt->format == 1) {
-        rc = cr_verdict_json(&verdict, &b->tests, &form, &text, err);
+        code = cr_verdict_json(&verdict, &b->tests, &form, &text, err);
     } else {
         (opt->format == 2 ? cr_verdict_csv : cr_verdict_text)(&verdict, &b->tests, &form, &text);
     }
     for (int i = 0; i < verdict.targets; i++) {
         *missed = *missed || !verdict.target[i].met;
     }
-    rc = rc ? rc : cr_cli_emit(opt->out, &text, err);
+    if (code == CR_ERR_OK) {
+        code = cr_cli_emit(opt->out, &text, err);
+    }
     cr_str_fini(&text);
     cr_verdict_fini(&verdict);
-    return rc;
+    return code;
 }
 
 static enum cr_err validate(char **name, int n, const struct options *opt, bool *missed,
@@ -255,26 +264,32 @@ static enum cr_err validate(char **name, int n, const struct options *opt, bool 
                       .progress = opt->progress};
     struct cr_cli_shared shared = {0};
     struct cr_model_lib *own = NULL;
-    enum cr_err rc = cr_cli_open(&shared, CR_CLI_ALL, err);
-    if (!rc && opt->models) {
-        rc = cr_model_lib_open(opt->models, &own, err);
-        rc = rc ? rc : cr_model_need_all(own, err);
+    enum cr_err code = cr_cli_open(&shared, CR_CLI_ALL, err);
+    if (code == CR_ERR_OK && opt->models) {
+        code = cr_model_lib_open(opt->models, &own, err);
+        if (code == CR_ERR_OK) {
+            code = cr_model_need_all(own, err);
+        }
     }
-    rc = rc ? rc : load(name, n, &b.tests, err);
-    if (!rc && opt->scenes) {
-        rc = write_scenes(&b.tests, opt->scenes, err);
+    if (code == CR_ERR_OK) {
+        code = load(name, n, &b.tests, err);
     }
-    if (!rc) {
+    if (code == CR_ERR_OK && opt->scenes) {
+        code = write_scenes(&b.tests, opt->scenes, err);
+    }
+    if (code == CR_ERR_OK) {
         b.ctx = shared.ctx;
         b.ctx.models = own ? own : shared.models;
         cr_cli_catch();
-        rc = solve_all(&b, opt->models, opt->jobs, err);
+        code = solve_all(&b, opt->models, opt->jobs, err);
     }
-    rc = rc ? rc : report(&b, opt, missed, err);
+    if (code == CR_ERR_OK) {
+        code = report(&b, opt, missed, err);
+    }
     cr_test_list_fini(&b.tests);
     cr_model_lib_free(own);
     cr_cli_close(&shared);
-    return rc;
+    return code;
 }
 
 enum { OPTIONS = 15 };

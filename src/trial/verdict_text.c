@@ -33,7 +33,7 @@ static unsigned runs_of(enum cr_test_class class, unsigned runs) {
 
 static void put_row(const struct cr_verdict_row *r, unsigned runs, struct cr_str *out) {
     char label[64];
-    bool all = !strcmp(r->group, "all"), percent = cr_test_measure_is_relative(r->measure);
+    bool all = strcmp(r->group, "all") == 0, percent = cr_test_measure_is_relative(r->measure);
     int n = 0;
     snprintf(label, sizeof label, "%s%s%s%s", all ? cr_test_measure_label(r->measure) : "  ",
              all ? "" : r->group, percent ? "" : ", ",
