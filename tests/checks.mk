@@ -30,8 +30,8 @@ EXTRA_DIST += tests/update_validation.sh
 check_PROGRAMS += crumple-manual
 crumple_manual_SOURCES = tests/manual.c
 crumple_manual_CFLAGS = $(CR_CFLAGS)
-crumple_manual_LDADD = libcmd.a librender.a libresult.a libscene.a libsolver.a libmodel.a \
-	libbase.a $(CJSON_LIBS) $(NETTLE_LIBS)
+crumple_manual_LDADD = libcmd.a libfigure.a librender.a libresult.a libscene.a libsolver.a libmodel.a \
+	libbase.a $(CJSON_LIBS) $(NETTLE_LIBS) $(CAIRO_LIBS)
 update-manual: crumple-manual$(EXEEXT)
 	./crumple-manual$(EXEEXT) >$(srcdir)/man/crumple-commands.7
 .PHONY: update-manual

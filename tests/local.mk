@@ -7,6 +7,7 @@ include $(srcdir)/tests/unit/solver.mk
 include $(srcdir)/tests/unit/scene.mk
 include $(srcdir)/tests/unit/result.mk
 include $(srcdir)/tests/unit/render.mk
+include $(srcdir)/tests/unit/figure.mk
 include $(srcdir)/tests/unit/cmd.mk
 include $(srcdir)/tests/unit/repl.mk
 include $(srcdir)/tests/unit/tui.mk

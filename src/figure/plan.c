@@ -139,32 +139,35 @@ static bool add_runs(const struct cr_sheet *s, const struct cr_pic_body *b, int 
     return any;
 }
 
-/* Diagonals through the voxels of a kind, every so manyth, in one or both directions. */
+/* The voxels of a kind on the diagonal ix = d + iy (way 0) or ix = d - iy, as lines. */
+static void diagonal(const struct cr_sheet *s, const struct cr_pic_body *b, int step, int way,
+                     int d) {
+    const struct cr_grid *g = b->grid;
+    int sign = way == 0 ? 1 : -1, shift = way == 0 ? 0 : 1, from = -1;
+    for (int iy = 0; iy <= g->ny; iy++) {
+        int ix = d + sign * iy;
+        bool in = iy < g->ny && ix >= 0 && ix < g->nx && step_of(s, b, ix, iy) == step;
+        if (in && from < 0) {
+            from = iy;
+        } else if (!in && from >= 0) {
+            double x0 = d + sign * from + shift, x1 = d + sign * iy + shift;
+            struct cr_vec2 p = own_at(s, b, g->x0 + x0 * g->h, g->y0 + from * g->h);
+            struct cr_vec2 q = own_at(s, b, g->x0 + x1 * g->h, g->y0 + iy * g->h);
+            cr_canvas_move(s->canvas, p.x, p.y);
+            cr_canvas_line(s->canvas, q.x, q.y);
+            from = -1;
+        }
+    }
+}
+
+/* Slanting lines over the voxels of a kind, in one or both directions. */
 static void hatch(const struct cr_sheet *s, const struct cr_pic_body *b, int step, bool both) {
     const struct cr_grid *g = b->grid;
     int every = (int)fmax(ceil(5 / (g->h * s->k)), 1);
     for (int way = 0; way < (both ? 2 : 1); way++) {
         for (int d = -g->ny; d < g->nx + g->ny; d++) {
-            if (d % every != 0) {
-                continue;
-            }
-            /* the voxels of the diagonal d: ix = d +- iy */
-            for (int iy = 0; iy < g->ny; iy++) {
-                int from = iy;
-                for (; iy < g->ny; iy++) {
-                    int ix = way == 0 ? d + iy : d - iy;
-                    if (ix < 0 || ix >= g->nx || step_of(s, b, ix, iy) != step) {
-                        break;
-                    }
-                }
-                if (iy == from) {
-                    continue;
-                }
-                double x0 = way == 0 ? d + from : d - from + 1, x1 = way == 0 ? d + iy : d - iy + 1;
-                struct cr_vec2 p = own_at(s, b, g->x0 + x0 * g->h, g->y0 + from * g->h);
-                struct cr_vec2 q = own_at(s, b, g->x0 + x1 * g->h, g->y0 + iy * g->h);
-                cr_canvas_move(s->canvas, p.x, p.y);
-                cr_canvas_line(s->canvas, q.x, q.y);
+            if (d % every == 0) {
+                diagonal(s, b, step, way, d);
             }
         }
     }
