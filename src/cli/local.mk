@@ -13,6 +13,10 @@ libcli_a_SOURCES = \
 	src/cli/stack.c \
 	src/cli/word.h
 # where the data are: of a build in its source tree, and once installed (data.c)
-libcli_a_CPPFLAGS = $(AM_CPPFLAGS) -DPKGDATADIR='"$(pkgdatadir)"' \
-	-DSRCDIR='"$(CR_SRCDIR)"' -DBUILDDIR='"$(abs_builddir)"'
+libcli_a_CPPFLAGS = $(AM_CPPFLAGS) -DPKGDATADIR='"$(pkgdatadir)"'
+# tells a program that was not installed where its source tree is; no path is in the program itself
+noinst_DATA = source-folder
+CLEANFILES += source-folder
+source-folder: Makefile
+	$(AM_V_GEN)echo '$(CR_SRCDIR)' >$@
 libcli_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)

@@ -23,31 +23,11 @@ static const char about[] =
 
 enum cr_err cr_cli_override(struct cr_scene *scene, const struct cr_option_values *set,
                             struct cr_error *err) {
-    for (int i = 0; i < set->n; i++) {
-        const char *equals = strchr(set->value[i], '=');
-        char key[CR_NAME_MAX + 64];
-        if (equals == NULL || equals == set->value[i]) {
-            cr_err_set(err, CR_ERR_USAGE, "--set %s has no KEY=VALUE", set->value[i]);
-            cr_err_hint(err, "for example --set dt_ms=0.25 or --set A.speed_kmh=60");
-            return CR_ERR_USAGE;
-        }
-        size_t len = (size_t)(equals - set->value[i]);
-        if (len >= sizeof key) {
-            return cr_err_set(err, CR_ERR_USAGE, "--set: the key is too long: %s", set->value[i]);
-        }
-        memcpy(key, set->value[i], len);
-        key[len] = '\0';
-        enum cr_err code = cr_scene_set(scene, key, equals + 1, err);
-        if (code != CR_ERR_OK) {
-            if (err->src[0] == '\0') {
-                char given[200];
-                snprintf(given, sizeof given, "--set %s", set->value[i]);
-                cr_err_place(err, given, 0, 0);
-            }
-            return code;
-        }
+    enum cr_err code = CR_ERR_OK;
+    for (int i = 0; i < set->n && code == CR_ERR_OK; i++) {
+        code = cr_scene_assign(scene, set->value[i], err);
     }
-    return CR_ERR_OK;
+    return code;
 }
 
 static enum cr_err write_result(const struct cr_result *result, const struct run_options *opt,

@@ -36,7 +36,7 @@ libcmd_a_SOURCES = \
 	src/cmd/work.c
 libcmd_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)
 
-tutorialdir = $(pkgdatadir)/share/tutorial
+tutorialdir = $(pkgdatadir)/tutorial
 dist_tutorial_DATA = \
 	share/tutorial/1-first-crash.crumple \
 	share/tutorial/2-ees-and-delta-v.crumple \

@@ -1,4 +1,5 @@
 /* The session: what commands work on, its log, and the data that is read when first needed. */
+#include "base/file.h"
 #include "cmd/sweep.h"
 
 #include <math.h>
@@ -215,7 +216,7 @@ enum cr_err cr_session_remember(struct cr_session *s, const char *line, struct c
 const char *cr_session_find_file(const struct cr_session *s, const char *path, char *buf,
                                  int size) {
     if (access(path, F_OK) != 0 && path[0] != '/' && s->data_dir[0] != '\0') {
-        snprintf(buf, (size_t)size, "%s/%s", s->data_dir, path);
+        cr_file_part(s->data_dir, path, buf, (size_t)size);
         return access(buf, F_OK) == 0 ? buf : path;
     }
     return path;
@@ -237,7 +238,7 @@ enum cr_err cr_session_need_models(struct cr_session *s, struct cr_error *err) {
         s->models = NULL;
         return code;
     }
-    snprintf(path, sizeof path, "%s/share/irf", s->data_dir);
+    cr_file_part(s->data_dir, "irf", path, sizeof path);
     struct cr_error irf_err;
     if (cr_irf_load(path, &s->irf, &irf_err) != CR_ERR_OK) {
         s->irf = NULL;

@@ -277,9 +277,10 @@ static enum cr_err print(cJSON *json, bool pretty, struct cr_str *out, struct cr
                : cr_err_set(err, CR_ERR_MEMORY, "no memory for the JSON of a result");
 }
 
-enum cr_err cr_result_json(const struct cr_result *r, const struct cr_result_opts *opts,
-                           struct cr_str *out, struct cr_error *err) {
+enum cr_err cr_result_tree(const struct cr_result *r, const struct cr_result_opts *opts,
+                           cJSON **out, struct cr_error *err) {
     cJSON *json = cJSON_CreateObject();
+    *out = NULL;
     put(json, "crumple_result", 1);
     cJSON_AddStringToObject(json, "scene", r->scene.name);
     cJSON_AddStringToObject(json, "version", PACKAGE_VERSION);
@@ -300,7 +301,15 @@ enum cr_err cr_result_json(const struct cr_result *r, const struct cr_result_opt
     if (opts->trace) {
         put_trace(r, json);
     }
-    return print(json, opts->pretty, out, err);
+    *out = json;
+    return CR_ERR_OK;
+}
+
+enum cr_err cr_result_json(const struct cr_result *r, const struct cr_result_opts *opts,
+                           struct cr_str *out, struct cr_error *err) {
+    cJSON *json;
+    enum cr_err code = cr_result_tree(r, opts, &json, err);
+    return code == CR_ERR_OK ? print(json, opts->pretty, out, err) : code;
 }
 
 enum cr_err cr_result_error_json(const char *scene, const struct cr_error *what, bool pretty,

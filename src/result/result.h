@@ -100,6 +100,8 @@ CR_MUST_CHECK enum cr_err cr_result_measure(struct cr_result *result, const stru
 CR_MUST_CHECK enum cr_err cr_irf_load(const char *dir, struct cr_irf_set **out,
                                       struct cr_error *err);
 void cr_irf_free(struct cr_irf_set *set);
+/* SHA-256 of all files of the set. */
+const char *cr_irf_hash(const struct cr_irf_set *set);
 
 /* The injury risks of a participant at another delta-v, m/s, with the direction and partner of the
  * result and with closing speed and EES changed in proportion, into out->injury. irf NULL: none. */
@@ -112,6 +114,11 @@ struct cr_result_opts {
     bool pretty;   /* indented JSON, else one line */
 };
 
+/* Result -> tree of cJSON, which the caller deletes. Errors: MEMORY. */
+struct cJSON;
+CR_MUST_CHECK enum cr_err cr_result_tree(const struct cr_result *result,
+                                         const struct cr_result_opts *opts, struct cJSON **out,
+                                         struct cr_error *err);
 /* Result -> JSON text with a newline at the end, appended to out. */
 CR_MUST_CHECK enum cr_err cr_result_json(const struct cr_result *result,
                                          const struct cr_result_opts *opts, struct cr_str *out,
@@ -159,6 +166,10 @@ enum cr_quantity {
  * velocities vx, vy: world for v, vehicle frame of that instant for a). */
 double cr_result_quantity(const struct cr_solution *sol, int sample, int body,
                           enum cr_quantity quantity);
+
+/* EES (km/h) of a crush of the whole face down to each voxel of a grid, ees[iy * nx + ix], by the
+ * face that reaches it at the least EES. mass in kg. */
+void cr_result_ees(const struct cr_grid *grid, double mass, double *ees);
 
 /* Phaseless CFC filter of SAE J211 (literature.md 4.3) over n samples of spacing dt, in place.
  * cfc 60, 180, 600, 1000. Errors: RANGE when dt is too coarse for the class. */

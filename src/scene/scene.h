@@ -132,6 +132,11 @@ CR_MUST_CHECK enum cr_err cr_scene_save(const struct cr_scene *scene, const char
 CR_MUST_CHECK enum cr_err cr_scene_set(struct cr_scene *scene, const char *key, const char *value,
                                        struct cr_error *err);
 
+/* The same out of one text "KEY=VALUE", as `--set` has it; an error without a place of its own gets
+ * that text as its place. Errors: USAGE and those of cr_scene_set. */
+CR_MUST_CHECK enum cr_err cr_scene_assign(struct cr_scene *scene, const char *text,
+                                          struct cr_error *err);
+
 /* List of "A.track_m" keys that cr_scene_resolve assumed. */
 struct cr_assumed {
     int n;

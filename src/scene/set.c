@@ -239,6 +239,29 @@ enum cr_err cr_scene_set(struct cr_scene *scene, const char *key, const char *va
     return code;
 }
 
+enum cr_err cr_scene_assign(struct cr_scene *scene, const char *text, struct cr_error *err) {
+    const char *equals = strchr(text, '=');
+    char key[CR_NAME_MAX + 64];
+    if (equals == NULL || equals == text) {
+        cr_err_set(err, CR_ERR_USAGE, "--set %s has no KEY=VALUE", text);
+        cr_err_hint(err, "for example --set dt_ms=0.25 or --set A.speed_kmh=60");
+        return CR_ERR_USAGE;
+    }
+    size_t len = (size_t)(equals - text);
+    if (len >= sizeof key) {
+        return cr_err_set(err, CR_ERR_USAGE, "--set: the key is too long: %s", text);
+    }
+    memcpy(key, text, len);
+    key[len] = '\0';
+    enum cr_err code = cr_scene_set(scene, key, equals + 1, err);
+    if (code != CR_ERR_OK && err != NULL && err->src[0] == '\0') {
+        char given[200];
+        snprintf(given, sizeof given, "--set %s", text);
+        cr_err_place(err, given, 0, 0);
+    }
+    return code;
+}
+
 enum cr_err cr_scene_get(const struct cr_scene *scene, const char *key, struct cr_str *out,
                          struct cr_error *err) {
     struct target t;

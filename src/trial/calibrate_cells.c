@@ -36,7 +36,7 @@ static void scale(double *v, int n) {
 static enum cr_err measured(const char *dir, struct shares *out, struct cr_error *err) {
     char path[600], *text = NULL;
     size_t len = 0;
-    snprintf(path, sizeof path, "%s/share/validation/data/camry_10146_loadcell_energy_kJ.csv", dir);
+    cr_file_part(dir, "validation/data/camry_10146_loadcell_energy_kJ.csv", path, sizeof path);
     memset(out, 0, sizeof *out);
     enum cr_err code = cr_file_read(path, &text, &len, err);
     if (code != CR_ERR_OK) {

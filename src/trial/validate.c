@@ -119,7 +119,7 @@ static enum cr_err load(char **name, int n, struct cr_test_list *list, struct cr
     char dir[4096];
     struct cr_type_rules rules;
     /* complains when there is no data folder */
-    enum cr_err code = cr_cli_data("share/validation", dir, sizeof dir, err);
+    enum cr_err code = cr_cli_data("validation", dir, sizeof dir, err);
     if (code == CR_ERR_OK) {
         code = cr_type_rules_read(cr_data_dir(dir, sizeof dir), &rules, err);
     }
