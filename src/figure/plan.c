@@ -45,11 +45,6 @@ enum cr_err cr_figure_plan_height(const struct cr_figure_plan *plan, double widt
     return CR_ERR_OK;
 }
 
-struct cr_vec2 cr_sheet_at(const struct cr_sheet *s, struct cr_vec2 world) {
-    return cr_vec2(s->map.x + s->map.w / 2 + (world.x - s->centre.x) * s->k,
-                   s->map.y + s->map.h / 2 - (world.y - s->centre.y) * s->k);
-}
-
 static struct cr_vec2 own_at(const struct cr_sheet *s, const struct cr_pic_body *b, double x,
                              double y) {
     struct cr_vec2 p = cr_vec2_rotate(cr_vec2(x, y), b->c, b->s);

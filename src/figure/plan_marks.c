@@ -11,6 +11,11 @@
 static const double WAY = 0.06, LEAST = 0.5, MOST = 2.0, FORCE_LEAST = 0.25, FORCE_SPAN = 1.25;
 static const double SHOWN = 0.02; /* share of the greatest force from which one is drawn */
 
+struct cr_vec2 cr_sheet_at(const struct cr_sheet *s, struct cr_vec2 world) {
+    return cr_vec2(s->map.x + s->map.w / 2 + (world.x - s->centre.x) * s->k,
+                   s->map.y + s->map.h / 2 - (world.y - s->centre.y) * s->k);
+}
+
 static void trail(const struct cr_sheet *s, int body) {
     const struct cr_solution *sol = s->pic.sol;
     if (sol == NULL || !s->pic.moved || !s->pic.body[body].moves) {
