@@ -173,11 +173,14 @@ static enum cr_err vehicle_of(const struct cr_picture_source *s, int *body, stru
     return cr_err_set(err, CR_ERR_MISSING, "there is no vehicle in the scene");
 }
 
-/* columns of the struck face that are damaged, as m along it from its middle */
+/* C1 and C6 along the struck face, m from the middle of the vehicle's box: from left to right on the
+ * ends, from rear to front on the sides. */
 static void span(const struct cr_result *r, int body, struct cr_damage_plan *p) {
-    double half = 0.5 * r->of[body].damage_width;
-    p->from = -half;
-    p->to = half;
+    const struct cr_severity *of = &r->of[body];
+    double middle = cr_face_is_end(p->face) ? p->centre.y - of->profile_middle
+                                            : of->profile_middle - p->centre.x;
+    p->from = middle - 0.5 * of->profile_width;
+    p->to = middle + 0.5 * of->profile_width;
 }
 
 static enum cr_err damage(const struct cr_picture_source *s, struct cr_canvas **out,
@@ -202,13 +205,13 @@ static enum cr_err damage(const struct cr_picture_source *s, struct cr_canvas **
                                .outline_n = of->outline_n,
                                .outline = of->outline};
     char title[120];
+    p.centre = cr_vec2(g->x0 + p.length / 2, g->y0 + p.width / 2);
     span(s->result, body, &p);
     p.measured_from = p.from;
     p.measured_to = p.to;
     snprintf(title, sizeof title, "%s: %s, %s", part->id, say(s, faces[of->face]),
              say(s, "residual crush C1 to C6"));
     p.title = title;
-    p.centre = cr_vec2(g->x0 + p.length / 2, g->y0 + p.width / 2);
     code = new_canvas(300, out, err);
     if (code == CR_ERR_OK) {
         cr_figure_damage(*out, box(300), &p, &s->words);

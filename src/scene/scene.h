@@ -192,13 +192,17 @@ int cr_scene_outline(const struct cr_participant *part, struct cr_vec2 *out, int
 
 /* Placement (command `place`): put `part` against another, which stays. Vehicles count as the
  * rectangle of length and width, so both must have dimensions (a resolved scene). Their outlines
- * end up exactly `gap` apart; 0 touches without overlap. facing   its front against the other's
- * front, heading against it behind   its front against the other's rear, heading with it beside
- * flank against the other's flank on `side`, heading with it hitting  its front against `side` of
- * the other, square to it Front and rear: `overlap` is the share of the narrower width that meets,
- * from the other's edge on overlap_side. Flanks: `along` says where. `angle` turns it about the
- * point of first touch, counter-clockwise, before it is brought together. A trajectory of `part` is
- * dropped; its speed and course are kept. Errors: NAME, RANGE, MISSING (dimensions). */
+ * end up exactly `gap` apart; 0 touches without overlap.
+ *
+ *     facing   its front against the other's front, heading against it
+ *     behind   its front against the other's rear, heading with it
+ *     beside   flank against the other's flank on `side`, heading with it
+ *     hitting  its front against `side` of the other, square to it
+ *
+ * Front and rear: `overlap` is the share of the narrower width that meets, from the other's edge on
+ * overlap_side. Flanks: `along` says where. `angle` turns it about the point of first touch,
+ * counter-clockwise, before it is brought together. A trajectory of `part` is dropped; its speed
+ * and course are kept. Errors: NAME, RANGE, MISSING (dimensions). */
 enum cr_place_rel { CR_PLACE_FACING, CR_PLACE_BEHIND, CR_PLACE_BESIDE, CR_PLACE_HITTING };
 struct cr_place {
     enum cr_place_rel rel;

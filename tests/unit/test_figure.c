@@ -320,7 +320,8 @@ static void test_damage(void **state) {
     render_double_init(&d);
     static const double measured[3] = {0.30, 0.20, 0.10};
     struct cr_picture_source source = source_of(&d);
-    d.result.of[0].damage_width = 1.5;
+    d.result.of[0].profile_width = 1.5;
+    d.result.of[0].profile_middle = 0.2; /* left of the centre line */
     source.measured = measured;
     source.measured_n = 3;
     char *svg = picture(CR_PICTURE_DAMAGE, &source);
@@ -336,6 +337,9 @@ static void test_damage(void **state) {
     for (int i = 0; i < 3; i++) {
         check_near((at[i][1] - face[0][1]) / k, measured[i], 0.001);
     }
+    double middle = (face[0][0] + face[1][0]) / 2; /* left is at the left */
+    check_near((own[0][0] - middle) / k, -0.2 - 0.75, 0.001);
+    check_near((own[5][0] - middle) / k, -0.2 + 0.75, 0.001);
     for (int i = 0; i < 6; i++) {
         check_near((own[i][1] - face[0][1]) / k, d.result.of[0].profile[i], 0.001);
     }
