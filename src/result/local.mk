@@ -11,6 +11,7 @@ libresult_a_SOURCES = \
 	src/result/irf.c \
 	src/result/json.c src/result/json_priv.h src/result/json_severity.c \
 	src/result/measure.c \
+	src/result/measures.c src/result/measures.h \
 	src/result/names.c src/result/names.h \
 	src/result/outline.c \
 	src/result/planar.c src/result/planar.h \
