@@ -60,8 +60,10 @@ hears() {
     sleep 0.2
     kill -s "$hears_signal" $hears_pid
     (sleep 10 && kill -s KILL $hears_pid) 2>/dev/null &
+    hears_end=$!
     wait $hears_pid
     same "$hears_name" "$?" "$hears_want"
+    kill $hears_end
 }
 hears "the first SIGTERM while a stack waits for a pipe" TERM 130 stack pipe
 
