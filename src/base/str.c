@@ -70,6 +70,17 @@ void cr_str_fill(struct cr_str *str, char c, int n) {
     }
 }
 
+void cr_str_csv(struct cr_str *str, const char *text) {
+    bool formula = text[0] != '\0' && strchr("=+-@\t\r", text[0]) != NULL;
+    const char *quote = strpbrk(text, ",;\"\r\n") != NULL ? "\"" : "";
+    cr_str_add(str, quote);
+    cr_str_add(str, formula ? "'" : "");
+    for (; *text != '\0'; text++) {
+        cr_str_addn(str, *text == '"' ? "\"\"" : text, *text == '"' ? 2 : 1);
+    }
+    cr_str_add(str, quote);
+}
+
 void cr_str_clear(struct cr_str *str) {
     str->len = 0;
     if (str->s != NULL) {

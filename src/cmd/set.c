@@ -31,7 +31,7 @@ static enum cr_err say_setting(struct cr_session *s, const struct cr_scene *scen
                                const struct cr_arg *arg, struct cr_error *err) {
     const struct cr_key *key = cr_arg_key(arg);
     struct cr_str help = {0}, value = {0};
-    char text[120] = "";
+    char text[CR_NAME_MAX + 8] = "";
     enum cr_err code = CR_ERR_OK;
     if (key != NULL) {
         code = cr_scene_get(scene, key->name, &value, err);
@@ -215,7 +215,7 @@ enum cr_err cr_cmd_check(struct cr_call *call, struct cr_error *err) {
     if (cr_scene_resolve(&scene, s->models, &assumed, &found) != CR_ERR_OK ||
         cr_session_compiled(s, &found) == NULL ||
         cr_result_solver(&scene, &s->compiled->cs, &solver, &found) != CR_ERR_OK) {
-        cr_cmd_name_place(s, &found);
+        cr_cmd_name_place(cr_session_scene(s), &found);
         cr_say(s, "%s%s%s%s%s", found.where, found.where[0] != '\0' ? ": " : "", found.src,
                found.src[0] != '\0' ? ": " : "", found.text);
         cr_say(s, "  %s", remedy(&found, how, sizeof how));

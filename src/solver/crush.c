@@ -75,7 +75,7 @@ static bool follow_all(struct cr_side *k) {
         }
         for (int i = 0; i < k->cells; i++) {
             struct cr_cell *c = &k->cell[i];
-            if (!c->core && !cr_crush_voxel(k, c->voxel, c->at, c->next, c->normal, c->normal)) {
+            if (!c->core && !cr_crush_voxel(k, c->voxel, c->at, c->next, c->normal, k->push)) {
                 return false;
             }
         }
@@ -92,7 +92,7 @@ static bool recede(struct cr_side *k, double pass) {
         }
         double phi = c->phi + pass * k->share * c->overlap;
         double press = c->met * c->strength * fmax(1 - fabs(phi) / h, 0);
-        if (!cr_crush_voxel(k, c->voxel, c->at, phi, c->normal, c->normal)) {
+        if (!cr_crush_voxel(k, c->voxel, c->at, phi, c->normal, k->push)) {
             return false;
         }
         k->pressure = cr_vec2_axpy(k->pressure, press, c->normal);

@@ -111,7 +111,7 @@ static double look_at(struct cr_side *k, const struct opponent *o, int ix, int i
     c.met = c.core && c.approach > 0
                 ? fmin(c.overlap / (c.approach * o->dt), 1) * fmin(c.approach / whole, 1)
                 : 0;
-    c.strength = inside ? cr_unit_energy(k, voxel, c.normal) * f->dense[voxel] / h : 0;
+    c.strength = inside ? cr_unit_energy(k, voxel, k->push) * f->dense[voxel] / h : 0;
     k->cell[k->cells++] = c;
     return 1;
 }
@@ -156,6 +156,15 @@ static void sum_cells(struct cr_side *k) {
     }
 }
 
+/* Direction in which a body is pushed, its frame: that of the force in the last slice, before the first
+ * that of the motion. */
+static struct cr_vec2 push_on(const struct cr_duo *d, int side) {
+    const struct cr_moving *m = side == 0 ? d->ma : d->mb;
+    struct cr_vec2 ahead = cr_vec2_unit(cr_vec2_sub(d->ma->vel, d->mb->vel), cr_vec2(1, 0));
+    struct cr_vec2 on_b = d->touch->record >= 0 ? d->touch->direction : ahead;
+    return cr_vec2_unrotate(side == 0 ? cr_vec2_scale(on_b, -1) : on_b, m->c, m->s);
+}
+
 static bool find_side(struct cr_duo *d, int side) {
     struct cr_side *k = &d->s->side[side];
     struct cr_moving *me = side == 0 ? d->ma : d->mb, *other = side == 0 ? d->mb : d->ma;
@@ -169,6 +178,7 @@ static bool find_side(struct cr_duo *d, int side) {
         return true;
     }
     k->unit = me->unit[side == 0 ? d->b : d->a];
+    k->push = push_on(d, side);
     struct opponent o = opponent_of(me, other, d->s->dt);
     return find_cells(k, &o);
 }

@@ -66,6 +66,7 @@ struct cr_loss {
 struct cr_side {
     struct cr_moving *m;
     const double *const *unit; /* of m against the opponent, [CR_PUSHES] */
+    struct cr_vec2 push;       /* unit vector along which the opponent pushes, body frame */
     int cells, cells_size;
     struct cr_cell *cell;
     int losses, losses_size;

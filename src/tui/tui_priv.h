@@ -25,8 +25,9 @@ void cr_term_close(void);
 void cr_term_suspend(void);
 /* Takes over the terminal's new size. */
 void cr_term_resize(int *w, int *h);
-/* Everything is to be drawn again, whatever the terminal shows. */
+/* Everything is to be drawn again, whatever the terminal shows; how often that was asked. */
 void cr_term_redraw(void);
+unsigned cr_term_redraws(void);
 enum cr_color cr_term_color(void);   /* colours of the terminal, NO_COLOR considered */
 enum cr_ground cr_term_ground(void); /* of the terminal, as far as it has told */
 bool cr_term_ascii(void);            /* no UTF-8, or block characters of a doubtful width */
@@ -45,8 +46,17 @@ struct cr_input {
     unsigned long mouse; /* its buttons, when code is KEY_MOUSE */
 };
 bool cr_term_read(struct cr_input *out); /* false: no key is waiting */
+/* A function key of its own: something was pasted, and is in cr_term_pasted(). */
+enum { CR_KEY_PASTE = 2100 };
+/* What was pasted since the last call; valid until more is. */
+const char *cr_term_pasted(void);
 
-/* What libraries have written to standard error since the last call, appended to out. */
+/* ---- standard error (stderr.c) ---- */
+
+void cr_stderr_capture(void);
+void cr_stderr_restore(void); /* for a handler of signals: only calls that POSIX allows there */
+void cr_stderr_release(void);
+/* What libraries have written to it since the last call, appended to out. */
 void cr_term_stderr(struct cr_str *out);
 
 /* ---- events of the mouse (pointer.c) ---- */
@@ -66,6 +76,22 @@ void cr_pointer_begin(struct cr_pointer *p, bool decimal);
  * matters); NOT: it was none, and `in` is a key of its own. */
 enum cr_pointer_step cr_pointer_read(struct cr_pointer *p, const struct cr_input *in,
                                      struct cr_input *out);
+
+/* ---- what is pasted (paste.c) ---- */
+
+/* The text between the terminal's marks (bracketed paste). */
+struct cr_paste {
+    bool on, taken, cut; /* taken: somebody has looked; cut: there was more than 1 MB */
+    bool returned;       /* the last character was a CR */
+    double last;         /* s, of its last character */
+    struct cr_str text;  /* UTF-8: line ends are LF, tabs blanks, nothing in it acts */
+};
+#define CR_PASTE_BEGIN "\033[200~"
+#define CR_PASTE_END   "\033[201~"
+void cr_paste_begin(struct cr_paste *p, double now);
+void cr_paste_char(struct cr_paste *p, const struct cr_input *in, double now);
+bool cr_paste_silent(const struct cr_paste *p, double now); /* its end mark does not come */
+const char *cr_paste_end(struct cr_paste *p);               /* without blank ends */
 
 /* ---- drawing cells (paint.c) ---- */
 
@@ -100,12 +126,21 @@ void cr_prompt_key(const struct cr_input *in);
 const char *cr_prompt_line(int *point); /* the line so far, and its cursor in bytes */
 bool cr_prompt_empty(void);
 void cr_prompt_set(const char *line); /* replaces what is typed */
-void cr_prompt_clear(void);           /* ^C: gives the line up */
-void cr_prompt_remember(const char *line, bool file);
+/* Puts a text into the line as if it were typed, but for its keys: lines stay lines in it. */
+void cr_prompt_insert(const char *text);
+void cr_prompt_clear(void); /* ^C: gives the line up */
 /* Draws it into a row; *x receives the column of the cursor. */
 void cr_prompt_draw(struct cr_cells *cells, struct cr_rect at, int *x);
 
+/* ---- lines typed before (history.c) ---- */
+
+void cr_history_open(const char *state_dir); /* "": none on disk */
+void cr_history_close(void);
+void cr_history_add(const char *line, bool keep); /* keep: also on disk */
+
 /* ---- the program ---- */
+
+enum { CR_PROMPT_W = 9 }; /* columns of "crumple> " */
 
 enum cr_overlay { CR_OVERLAY_NONE, CR_OVERLAY_HELP, CR_OVERLAY_PALETTE };
 enum { CR_FILTER_MAX = 40, CR_PENDING = 256, CR_SHEET_END = 1 << 20 };
@@ -166,9 +201,9 @@ void cr_tui_greet(struct cr_tui *t, const char *state_dir);
  * history; or one step of many, which is not (play and drag end with one that is). */
 void cr_tui_run(struct cr_tui *t, const char *line);
 void cr_tui_run_key(struct cr_tui *t, const char *line);
-void cr_tui_run_quiet(struct cr_tui *t, const char *line);
+bool cr_tui_run_quiet(struct cr_tui *t, const char *line); /* false: it failed */
 
-/* ---- screen.c ---- */
+/* ---- look.c, screen.c ---- */
 /* Colours, glyphs and theme as the session has them now. */
 struct cr_look cr_tui_look(const struct cr_tui *t);
 /* The screen as it is now into t->cells, of t->w x t->h; *cursor_x < 0: no cursor. */
@@ -179,8 +214,11 @@ void cr_tui_draw(struct cr_tui *t);
 int cr_tui_draw_due(struct cr_tui *t);
 int cr_tui_frame_due(const struct cr_tui *t); /* ms until a next frame may be begun */
 
-/* ---- keys.c, overlay.c, mouse.c, play.c ---- */
+/* ---- input.c, keys.c, overlay.c, zoom.c, mouse.c, play.c ---- */
 void cr_tui_input(struct cr_tui *t, const struct cr_input *in);
+void cr_tui_paste(struct cr_tui *t, const char *text); /* into the prompt; Enter runs it */
+/* Runs what a key stands for; false: nothing where the focus is. */
+bool cr_tui_key(struct cr_tui *t, const struct cr_input *in);
 /* Keys of the bar for the present focus; returns how many. */
 int cr_tui_bar(const struct cr_tui *t, struct cr_render_key *out, int max);
 /* Runs what the key of that name in the bar stands for. */
@@ -197,10 +235,15 @@ void cr_overlay_draw(struct cr_tui *t);
 bool cr_overlay_input(struct cr_tui *t, const struct cr_input *in); /* true: it was for it */
 void cr_sheet_draw(struct cr_tui *t);
 
-void cr_mouse(struct cr_tui *t, const struct cr_input *in);
+bool cr_rect_has(struct cr_rect r, int x, int y);
+struct cr_rect cr_rect_inner(struct cr_rect r); /* without its frame */
+/* The scene picture as it is drawn, to be finished by cr_pic_fini; false when there is none. */
+struct cr_pic;
+bool cr_scene_picture(struct cr_tui *t, struct cr_pic *pic);
 /* Scale of the scene picture one round step up (1) or down (-1); its middle moved (h, j, k, l). */
 void cr_scene_zoom(struct cr_tui *t, int step);
 void cr_scene_pan(struct cr_tui *t, int key);
+void cr_mouse(struct cr_tui *t, const struct cr_input *in);
 
 void cr_play_toggle(struct cr_tui *t);
 void cr_play_start(struct cr_tui *t, int frame);
