@@ -95,7 +95,7 @@ static void front_into_flank(void **state) {
 static double energy_ahead_of(const struct cr_result *r, double depth) {
     const struct cr_body *b = &r->compiled.cs.body[0];
     const struct cr_grid *g = &b->grid;
-    const double *energy = b->energy_against[1] != NULL ? b->energy_against[1] : g->energy;
+    const double *energy = b->against[1].energy[0] != NULL ? b->against[1].energy[0] : b->strength.energy[0];
     const double *left = r->solution->body[0].left;
     double ahead = 0, all = 0;
     for (int k = 0; k < g->nx * g->ny; k++) {
@@ -157,7 +157,7 @@ static double energy_met(const char *settings, const char *a, const char *b, int
     assert_int_equal(cr_scene_resolve(&scene, ctx.models, &assumed, &err), CR_ERR_OK);
     assert_int_equal(cr_scene_compile(&scene, ctx.models, pdof, &c, &err), CR_ERR_OK);
     const struct cr_grid *g = &c.cs.body[body].grid;
-    const double *energy = c.cs.body[body].energy_against[1 - body];
+    const double *energy = c.cs.body[body].against[1 - body].energy[0];
     double sum = 0;
     for (int k = 0; k < g->nx * g->ny; k++) {
         sum += (energy != NULL ? energy : g->energy)[k];

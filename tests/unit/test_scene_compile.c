@@ -332,16 +332,16 @@ static void test_heights_that_meet(void **state) {
     compile(&s, &c);
     const struct cr_body *a = &c.cs.body[0];
     double whole = sum(a->grid.energy, &a->grid);
-    assert_non_null(a->energy_against[1]);
-    assert_true(sum(a->energy_against[1], &a->grid) < 0.5 * whole);
-    assert_null(a->energy_against[2]);
-    assert_non_null(a->energy_against[3]);
-    check_near(sum(a->energy_against[3], &a->grid), 0, 0);
-    assert_ptr_equal(a->energy_against[4], a->energy_against[1]);
+    assert_non_null(a->against[1].energy[0]);
+    assert_true(sum(a->against[1].energy[0], &a->grid) < 0.5 * whole);
+    assert_null(a->against[2].energy[0]);
+    assert_non_null(a->against[3].energy[0]);
+    check_near(sum(a->against[3].energy[0], &a->grid), 0, 0);
+    assert_ptr_equal(a->against[4].energy[0], a->against[1].energy[0]);
     cr_compiled_fini(&c);
     s.set.heights = 0;
     compile(&s, &c);
-    assert_null(c.cs.body[0].energy_against[1]);
+    assert_null(c.cs.body[0].against[1].energy[0]);
     cr_compiled_fini(&c);
     cr_scene_fini(&s);
 }

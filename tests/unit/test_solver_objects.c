@@ -134,7 +134,7 @@ static void a_pole_with_mass_flies_off(void **state) {
     cr_arena_free(&arena);
 }
 
-/* energy_against: what meets the partner in height. Half the layers: twice the depth, the same
+/* against: what meets the partner in height. Half the layers: twice the depth, the same
  * energy; none: the body passes through without force and meets what is behind. */
 static void layers_that_meet_in_height(void **state) {
     (void)state;
@@ -148,7 +148,7 @@ static void layers_that_meet_in_height(void **state) {
         for (size_t i = 0; i < n; i++) {
             low[i] = 0.5 * car.grid.energy[i];
         }
-        car.energy_against[1] = k == 1 ? low : NULL;
+        car.against[1] = k == 1 ? (struct cr_strength){{low, low, low}} : (struct cr_strength){{NULL}};
         struct cr_case cs = case_of(car, wall_body(0, 0, CR_PI));
         struct cr_solver *s = solved(&cs);
         depth[k] = cr_solver_solution(s)->body[0].rest.crushed / width;
@@ -166,7 +166,7 @@ static void under_the_tail_to_the_wall_behind(void **state) {
     struct cr_arena arena = {0};
     struct cr_body car = block(&arena, &strength, 1500, -6, 0, 0, 10);
     double *none = cr_arena_take(&arena, (size_t)(car.grid.nx * car.grid.ny), sizeof *none);
-    car.energy_against[1] = none;
+    car.against[1] = (struct cr_strength){{none, none, none}};
     struct cr_case cs = {.n = 3, .opts = cr_opts_default()};
     cs.body[0] = car;
     cs.body[1] = polygon_body(-3, 0, 0, box, 4);
@@ -196,7 +196,7 @@ static void two_cars_at_different_heights(void **state) {
     struct cr_body a = block(&arena, &strength, 1500, -5, 0, 0, 10);
     struct cr_body b = block(&arena, &strength, 1500, 0, 0, CR_PI, 0);
     double *none = cr_arena_take(&arena, (size_t)(a.grid.nx * a.grid.ny), sizeof *none);
-    a.energy_against[1] = b.energy_against[0] = none;
+    a.against[1] = b.against[0] = (struct cr_strength){{none, none, none}};
     struct cr_case cs = case_of(a, b);
     cs.opts.max_time = 2;
     struct cr_solver *s;
