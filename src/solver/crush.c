@@ -55,14 +55,15 @@ static double share_to_pass(const struct cr_duo *d) {
     return thick > 0 ? fmin(cr_pass_most * closing * d->s->dt / thick, 1) : 0;
 }
 
-/* A voxel further from the surface is as far from it as its neighbour on the way there says, m. */
+/* A voxel further from the surface is as far from it as its neighbours on the way there say, m. */
 static double follow(const struct cr_side *k, const struct cr_cell *c) {
     const struct cr_surface *f = &k->m->surface;
-    bool along_x = fabs(c->normal.x) >= fabs(c->normal.y);
-    double part = along_x ? c->normal.x : c->normal.y;
-    int inward = (part > 0 ? 1 : -1) * (along_x ? 1 : f->stride);
-    double deeper = c->phi < c->other ? -1 : 1; /* the voxel lies inside or outside */
-    return f->phi[c->at + (deeper < 0 ? -inward : inward)] + deeper * fabs(part) * f->grid->h;
+    double h = f->grid->h, deeper = c->phi < c->other ? -1 : 1; /* it lies inside or outside */
+    double nx = deeper * c->normal.x, ny = deeper * c->normal.y;
+    int to_x = nx < 0 ? -1 : 1, to_y = ny < 0 ? -f->stride : f->stride;
+    double by_x = f->phi[c->at + to_x] + deeper * fabs(nx) * h;
+    double by_y = f->phi[c->at + to_y] + deeper * fabs(ny) * h;
+    return nx * nx * by_x + ny * ny * by_y;
 }
 
 /* All at once, so that the order of the voxels does not matter: a step outward and inward from the

@@ -23,7 +23,7 @@ static double imbalance(const struct cr_duo *d, double t) {
 /* root of imbalance by bisection of the odds: it rises with t */
 static double balanced_share(const struct cr_duo *d) {
     double lo = -40, hi = 40;
-    for (int i = 0; i < 36; i++) {
+    for (int i = 0; i < 56; i++) {
         double middle = 0.5 * (lo + hi);
         *(imbalance(d, middle) > 0 ? &hi : &lo) = middle;
     }
