@@ -312,8 +312,7 @@ enum cr_err cr_result_json(const struct cr_result *r, const struct cr_result_opt
     return code == CR_ERR_OK ? print(json, opts->pretty, out, err) : code;
 }
 
-enum cr_err cr_result_error_json(const char *scene, const struct cr_error *what, bool pretty,
-                                 struct cr_str *out, struct cr_error *err) {
+cJSON *cr_result_error_tree(const char *scene, const struct cr_error *what) {
     cJSON *json = cJSON_CreateObject();
     put(json, "crumple_result", 1);
     cJSON_AddStringToObject(json, "scene", scene ? scene : "");
@@ -335,5 +334,10 @@ enum cr_err cr_result_error_json(const char *scene, const struct cr_error *what,
     cr_str_add(&s, what->where);
     cJSON_AddStringToObject(e, "where", cr_str_get(&s));
     cr_str_fini(&s);
-    return print(json, pretty, out, err);
+    return json;
+}
+
+enum cr_err cr_result_error_json(const char *scene, const struct cr_error *what, bool pretty,
+                                 struct cr_str *out, struct cr_error *err) {
+    return print(cr_result_error_tree(scene, what), pretty, out, err);
 }
