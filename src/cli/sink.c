@@ -15,8 +15,9 @@ struct cr_sink {
     FILE *out;
     const char *name; /* of out in messages */
     struct cr_fields fields;
-    bool settled, header, gone;
-    cJSON *early; /* failed scenes before the first solved one, which says what the columns are */
+    bool settled, begun, gone;
+    cJSON *early; /* failed scenes before the first solved one, which says whether the columns can
+                     be */
     struct cr_pair_set *pairs;
     struct cr_study *study; /* NULL: neither summary nor plot */
 };
@@ -94,33 +95,41 @@ static enum cr_err put(struct cr_sink *s, const struct cr_str *text, struct cr_e
     return CR_ERR_OK;
 }
 
-/* the head of a table, once, and what had to wait for it */
-static void put_header(struct cr_sink *s, struct cr_str *text) {
-    const cJSON *record;
-    cr_rows_csv_header(&s->fields, text);
-    s->header = true;
-    cJSON_ArrayForEach(record, s->early) {
-        cr_rows_csv(&s->fields, record, text);
+static enum cr_err add_row(const struct cr_sink *s, const cJSON *record, struct cr_str *text,
+                           struct cr_error *err) {
+    if (s->opt->format == CR_SINK_JSON) {
+        return cr_rows_json(&s->fields, record, text, err);
     }
+    cr_rows_csv(&s->fields, record, text);
+    return CR_ERR_OK;
+}
+
+/* the head of a table, once, and what had to wait for it */
+static enum cr_err begin_table(struct cr_sink *s, struct cr_str *text, struct cr_error *err) {
+    const cJSON *record;
+    enum cr_err code = CR_ERR_OK;
+    if (s->opt->format == CR_SINK_CSV) {
+        cr_rows_csv_header(&s->fields, text);
+    }
+    s->begun = true;
+    cJSON_ArrayForEach(record, s->early) {
+        code = code == CR_ERR_OK ? add_row(s, record, text, err) : code;
+    }
+    return code;
 }
 
 static enum cr_err put_row(struct cr_sink *s, const cJSON *record, struct cr_error *err) {
     struct cr_str text = {0};
     enum cr_err code = CR_ERR_OK;
-    bool csv = s->opt->format == CR_SINK_CSV;
-    if (csv && !s->header && !s->settled && !s->fields.given) {
+    if (!s->settled) {
         s->early = s->early != NULL ? s->early : cJSON_CreateArray();
         bool kept = cJSON_AddItemToArray(s->early, cJSON_Duplicate(record, true));
         return kept ? code : cr_err_set(err, CR_ERR_MEMORY, "no memory for a row");
     }
-    if (csv && !s->header) {
-        put_header(s, &text);
+    if (!s->begun) {
+        code = begin_table(s, &text, err);
     }
-    if (csv) {
-        cr_rows_csv(&s->fields, record, &text);
-    } else {
-        code = cr_rows_json(&s->fields, record, &text, err);
-    }
+    code = code == CR_ERR_OK ? add_row(s, record, &text, err) : code;
     code = code == CR_ERR_OK ? put(s, &text, err) : code;
     cr_str_fini(&text);
     return code;
@@ -153,8 +162,8 @@ enum cr_err cr_sink_pairs(struct cr_sink *sink, int *failed, struct cr_error *er
     if (table(sink)) {
         cr_str_clear(&lines);
     }
-    if (sink->opt->format == CR_SINK_CSV && !sink->header) {
-        put_header(sink, &lines);
+    if (code == CR_ERR_OK && table(sink) && !sink->begun) {
+        code = begin_table(sink, &lines, err);
     }
     code = code == CR_ERR_OK ? put(sink, &lines, err) : code;
     cr_str_fini(&lines);

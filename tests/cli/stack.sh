@@ -167,8 +167,10 @@ run stack "$tmp/twelve.jsonl" -o "$tmp/link"
 [ ! -e "$tmp/elsewhere" ]
 report $? "a link that lies where the part goes is not followed"
 
-{ "$crumple" stack "$tmp/twelve.jsonl" "$tmp/twelve.jsonl" 2>"$tmp/errs"; echo $? >"$tmp/status"; } |
-    head -n 1 >"$tmp/out"
+{
+    "$crumple" stack "$tmp/twelve.jsonl" "$tmp/twelve.jsonl" 2>"$tmp/errs"
+    echo $? >"$tmp/status"
+} | head -n 1 >"$tmp/out"
 same "| head ends quietly" "$(cat "$tmp/status"):$(cat "$tmp/errs")" "0:"
 
 # pairs

@@ -26,13 +26,16 @@ same "CSV has a row per scene" "$status:$(wc -l <"$tmp/out" | tr -d ' ')" 1:16
 same "its columns are those of the vehicles" "$(head -n 1 "$tmp/out")" \
     "index,scene,pair,A.ees_kmh,A.delta_v_kmh,A.pdof_deg,A.deformation_max_m,A.acceleration_max_g,\
 A.olc_g,error"
-has "a failed scene has its error" "$(sed -n 2p "$tmp/out")" '^0,s.jsonl:1,,,,,,,,"?the scene has no'
+has "a failed scene has its error" "$(sed -n 2p "$tmp/out")" \
+    '^0,s.jsonl:1,,,,,,,,"?the scene has no'
 run stack "$tmp/s.jsonl" -f csv --fields A.speed_kmh,A.ees --fields A.cdc,friction
 same "the fields that are asked for, of results and inputs" "$(sed -n '1p;3p' "$tmp/out" |
     sed 's/,[0-9]*\.[0-9]*,/,X,/')" \
-    "$(printf 'index,scene,pair,A.speed_kmh,A.ees,A.cdc,friction,error\n1,sa1,p1,33,X,12FDEW1,auto,')"
+    "index,scene,pair,A.speed_kmh,A.ees,A.cdc,friction,error
+1,sa1,p1,33,X,12FDEW1,auto,"
 run stack "$tmp/s.jsonl" --fields A.ees_kmh
-has "as JSON" "$(sed -n 2p "$tmp/out")" '^[{]"index":1,"scene":"sa1","pair":"p1","A.ees_kmh":[0-9.]+[}]$'
+has "as JSON" "$(sed -n 2p "$tmp/out")" \
+    '^[{]"index":1,"scene":"sa1","pair":"p1","A.ees_kmh":[0-9.]+[}]$'
 has "with the errors" "$(sed -n 1p "$tmp/out")" '"error":[{]"code":"missing"'
 want=$(sed -n 2p "$tmp/all" | sed 's/.*"id":"A","ees_kmh":\([0-9.]*\),.*/\1/')
 has "the numbers are those of the results" "$(sed -n 2p "$tmp/out")" "\"A.ees_kmh\":$want[}]"
@@ -81,7 +84,8 @@ run merge "$tmp/merged" "$tmp/part1"
 same "the same part twice is fine" "$(cksum <"$tmp/out")" "$(cksum <"$tmp/all")"
 sed 's/"ees_kmh":[0-9]/"ees_kmh":9/' "$tmp/part2" >"$tmp/other"
 run merge "$tmp/part2" "$tmp/other"
-has "two results of one scene are not" "$status:$errs" '^3:.*other: error: scene [0-9]+ is in .*part2'
+has "two results of one scene are not" "$status:$errs" \
+    '^3:.*other: error: scene [0-9]+ is in .*part2'
 head -c 3000 "$tmp/part2" >"$tmp/short"
 refused "a part that was cut" 3 'short:[0-9]+:1: error: the last line is cut' merge "$tmp/short"
 refused "a part that is none" 3 's.jsonl:1:1: error: this is no result' merge "$tmp/s.jsonl"
