@@ -3,6 +3,7 @@ libcli_a_SOURCES = \
 	src/cli/cli.h \
 	src/cli/data.c \
 	src/cli/feed.c src/cli/feed.h \
+	src/cli/mc.c \
 	src/cli/models.c src/cli/models.h src/cli/models_list.c \
 	src/cli/options.c src/cli/options.h \
 	src/cli/output.c \
@@ -10,6 +11,7 @@ libcli_a_SOURCES = \
 	src/cli/pair.c src/cli/pair.h \
 	src/cli/part.c src/cli/part.h \
 	src/cli/record.c src/cli/record.h \
+	src/cli/pictures.c src/cli/pictures.h \
 	src/cli/resume.c src/cli/resume.h \
 	src/cli/rows.c src/cli/rows.h \
 	src/cli/run.c \

@@ -40,6 +40,7 @@ struct merge {
     char *line; /* the last one read */
     size_t line_size;
     long failed, missing;
+    struct cr_result_opts form; /* version of the results */
 };
 
 static enum cr_err wrong(const char *path, long line, const char *text, struct cr_error *err) {
@@ -152,6 +153,8 @@ static enum cr_err give(struct merge *m, struct cr_sink *sink, const struct entr
     cJSON *tree = code == CR_ERR_OK ? cJSON_ParseWithLength(m->line, e->size) : NULL;
     const char *pair = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(tree, "pair"));
     const cJSON *input = cJSON_GetObjectItemCaseSensitive(tree, "input");
+    const cJSON *version = cJSON_GetObjectItemCaseSensitive(tree, "crumple_result");
+    m->form.version = cJSON_IsNumber(version) ? version->valueint : 0;
     const struct cr_record_form form = {.keep = cr_sink_keeps(sink),
                                         .resolved = cJSON_HasObjectItem(input, "resolved")};
     snprintf(record.pair, sizeof record.pair, "%s", pair != NULL ? pair : "");
@@ -211,7 +214,7 @@ static enum cr_err write_all(struct merge *m, struct cr_sink *sink, bool *gone,
         code = give(m, sink, e, gone, err);
     }
     if (code == CR_ERR_OK) {
-        code = cr_sink_pairs(sink, &lonely, err);
+        code = cr_sink_pairs(sink, &m->form, &lonely, err);
         m->failed += lonely;
     }
     return code;

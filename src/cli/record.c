@@ -30,7 +30,8 @@ static cJSON *label(cJSON *tree, long index, const char *name, const char *pair)
     cJSON *out = cJSON_CreateObject(), *item;
     const char *s = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(tree, "scene"));
     name = s != NULL && s[0] != '\0' ? s : name;
-    bool done = append(out, "crumple_result", cJSON_CreateNumber(1)) &&
+    const cJSON *version = cJSON_GetObjectItemCaseSensitive(tree, "crumple_result");
+    bool done = append(out, "crumple_result", cJSON_Duplicate(version, false)) &&
                 append(out, "index", cJSON_CreateNumber((double)index)) &&
                 append(out, "scene", cJSON_CreateString(name));
     if (pair[0] != '\0') {

@@ -156,9 +156,10 @@ enum cr_err cr_sink_give(struct cr_sink *sink, struct cr_record *record, bool *g
     return code;
 }
 
-enum cr_err cr_sink_pairs(struct cr_sink *sink, int *failed, struct cr_error *err) {
+enum cr_err cr_sink_pairs(struct cr_sink *sink, const struct cr_result_opts *form, int *failed,
+                          struct cr_error *err) {
     struct cr_str lines = {0};
-    enum cr_err code = cr_pair_write(sink->pairs, &lines, failed, err);
+    enum cr_err code = cr_pair_write(sink->pairs, form, &lines, failed, err);
     if (table(sink)) {
         cr_str_clear(&lines);
     }

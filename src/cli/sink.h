@@ -60,8 +60,10 @@ bool cr_sink_shows_records(const struct cr_sink *sink);
  * nobody reads the output any more. Errors: IO, MEMORY, USAGE for a field that is none. */
 CR_MUST_CHECK enum cr_err cr_sink_give(struct cr_sink *sink, struct cr_record *record, bool *gone,
                                        struct cr_error *err);
-/* After the last record: pairs into the records; *failed counts those that lack a scene. */
-CR_MUST_CHECK enum cr_err cr_sink_pairs(struct cr_sink *sink, int *failed, struct cr_error *err);
+/* After the last record: pairs into the records, in the version of the form; *failed counts those
+ * that lack a scene. */
+CR_MUST_CHECK enum cr_err cr_sink_pairs(struct cr_sink *sink, const struct cr_result_opts *form,
+                                        int *failed, struct cr_error *err);
 /* Then summary and plot onto standard output. */
 CR_MUST_CHECK enum cr_err cr_sink_summary(struct cr_sink *sink, struct cr_error *err);
 

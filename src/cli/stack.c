@@ -31,6 +31,7 @@ struct options {
     int jobs;
     const char *shard, *out;
     bool trace, resolved, progress;
+    int version; /* of the results */
     struct cr_option_values set, resume;
     struct cr_sink_options sink;
 };
@@ -55,6 +56,11 @@ struct stack {
     struct timespec began, told;
     struct cr_error fatal;
 };
+
+static struct cr_result_opts form_of(const struct options *opt) {
+    return (struct cr_result_opts){
+        .trace = opt->trace, .resolved = opt->resolved, .version = opt->version};
+}
 
 /* name of the pair in a scene's text, without checking the rest */
 static void peek_pair(const struct cr_feed_item *in, char pair[CR_NAME_MAX]) {
@@ -159,7 +165,8 @@ static enum cr_err solve(const struct stack *s, const struct cr_scene *scene, bo
         }
     }
     rc = cr_result_run(scene, &s->shared.ctx, &result, err);
-    struct cr_result_opts form = {.trace = s->opt->trace, .resolved = resolved};
+    struct cr_result_opts form = form_of(s->opt);
+    form.resolved = resolved;
     rc = rc ? rc : cr_result_tree(result, &form, out, err);
     cr_result_free(result);
     return rc;
@@ -171,7 +178,7 @@ static void name_item(const struct cr_feed_item *in, char name[CR_NAME_MAX]) {
     snprintf(name, CR_NAME_MAX, "%.40s:%d", slash ? slash + 1 : src, in->line);
 }
 
-static cJSON *error_of(const struct item *item, const struct cr_scene *scene,
+static cJSON *error_of(const struct stack *s, const struct item *item, const struct cr_scene *scene,
                        struct cr_error *err) {
     char name[CR_NAME_MAX];
     snprintf(name, sizeof name, "%s", scene->name);
@@ -181,7 +188,8 @@ static cJSON *error_of(const struct item *item, const struct cr_scene *scene,
     if (!err->src[0]) {
         cr_err_place(err, item->in.src, item->in.line, item->in.col);
     }
-    return cr_result_error_tree(name, err);
+    struct cr_result_opts form = form_of(s->opt);
+    return cr_result_error_tree(name, err, &form);
 }
 
 static void work(void *user, void *of) {
@@ -196,7 +204,7 @@ static void work(void *user, void *of) {
     rc = rc ? rc : solve(s, &scene, form.keep || form.resolved, &tree, &err);
     if (rc) {
         item->record.interrupted = rc == CR_ERR_INTERRUPTED;
-        tree = error_of(item, &scene, &err);
+        tree = error_of(s, item, &scene, &err);
     }
     name_item(&item->in, name);
     rc = cr_record_make(&item->record, tree, item->index, name, &form, NULL);
@@ -316,9 +324,10 @@ static enum cr_err open_stack(struct stack *s, char **input, int inputs, struct 
     rc = rc ? rc : cr_feed_new(input, inputs, &s->feed, err);
     rc = rc ? rc : cr_pair_new(&s->homes, err);
     if (!rc && s->opt->resume.n > 0) {
-        bool resolved = s->opt->resolved || cr_sink_keeps(s->sink);
-        rc = cr_resume_open(s->opt->resume.value, s->opt->resume.n, s->shared.models, s->opt->trace,
-                            resolved, &s->resume, err);
+        struct cr_result_opts form = form_of(s->opt);
+        form.resolved = form.resolved || cr_sink_keeps(s->sink);
+        rc = cr_resume_open(s->opt->resume.value, s->opt->resume.n, s->shared.models, &form,
+                            &s->resume, err);
     }
     return rc;
 }
@@ -344,7 +353,8 @@ static enum cr_err run_stack(struct stack *s, struct cr_error *err) {
         return cr_err_set(err, CR_ERR_INTERRUPTED, "interrupted after %ld scenes", s->done);
     }
     int failed = 0;
-    rc = cr_sink_pairs(s->sink, &failed, err);
+    struct cr_result_opts form = form_of(s->opt);
+    rc = cr_sink_pairs(s->sink, &form, &failed, err);
     s->failed += failed;
     tell(s, true);
     return rc;
@@ -425,6 +435,7 @@ static int read_options(int argc, char **argv, struct options *opt, int *operand
         {.name = "trace", .letter = 't', .flag = &opt->trace, .help = "with the time series"},
         {.name = "resolved", .flag = &opt->resolved, .help = "with the resolved scenes"},
         CR_SINK_OPTIONS(&opt->sink),
+        CR_CLI_VERSION_OPTION(&opt->version),
     };
     const struct cr_usage usage = {.word = "stack",
                                    .operands = "INPUT ...",
@@ -437,7 +448,7 @@ static int read_options(int argc, char **argv, struct options *opt, int *operand
 }
 
 int cr_cli_stack(int argc, char **argv) {
-    struct options opt = {0};
+    struct options opt = {.version = CR_RESULT_VERSION};
     struct cr_error err = {0};
     int operands;
     long failed;
