@@ -321,7 +321,7 @@ static enum cr_err open_stack(struct stack *s, char **input, int inputs, struct 
     rc = rc ? rc : check_inputs(input, inputs, err);
     rc = rc ? rc : cr_sink_new(&s->opt->sink, &s->sink, err);
     rc = rc ? rc : cr_cli_open(&s->shared, CR_CLI_ALL, err);
-    rc = rc ? rc : cr_feed_new(input, inputs, &s->feed, err);
+    rc = rc ? rc : cr_feed_new(input, inputs, cr_cli_cancelled, NULL, &s->feed, err);
     rc = rc ? rc : cr_pair_new(&s->homes, err);
     if (!rc && s->opt->resume.n > 0) {
         struct cr_result_opts form = form_of(s->opt);
