@@ -1,5 +1,5 @@
-/* Result -> JSON (formats.md, result version 1). Every number passes cr_round12, so that the text
- * is the same wherever the last bits differ; what is not a number becomes null. */
+/* Result -> JSON (share/schema/result.schema.json). Every number passes cr_round12, so that the
+ * text is the same wherever the last bits differ; what is not a number becomes null. */
 #include "config.h"
 
 #include "result/result_priv.h"

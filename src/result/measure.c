@@ -1,4 +1,4 @@
-/* What is reported of a finished solution (method.md 6, literature.md 4). */
+/* What is reported of a finished solution (share/doc/sources.md, "Measures"). */
 #include "result/result_priv.h"
 
 #include "result/deform.h"
@@ -11,7 +11,7 @@
 /* residual depth from which a column counts as damaged, m: what a tape measure shows */
 static const double DAMAGED = 0.01;
 /* Front and rear are measured along the bumper beam: recorded damage width over overall width of
- * 186 full-width wall tests (stiffness.md 1.3). */
+ * 186 full-width wall tests [RESIDUAL-SHAPE]. */
 static const double BEAM_WIDTH = 0.83;
 /* B-pillar, behind the front axle as a share of the wheelbase; only for the extent zones */
 static const double B_PILLAR = 0.5;
@@ -169,7 +169,7 @@ static struct face_damage scan_face(const struct cr_deform *d, enum cr_face face
     return f;
 }
 
-/* C1..C6 at six equal spaces over the damaged width (NHTSA's DPD, literature.md 4.2) */
+/* C1..C6 at six equal spaces over the damaged width [CRUSH-POINTS] */
 static void crush_profile(const struct cr_deform *d, const struct face_damage *f,
                           struct cr_severity *s) {
     int n = cr_face_lines(d->grid, s->face);
