@@ -6,11 +6,14 @@
 #include <string.h>
 
 #define FORMATS "json|text|csv"
+#define PER     "participant|impact"
+enum per { PER_PARTICIPANT, PER_IMPACT };
 enum format { FORMAT_JSON, FORMAT_TEXT, FORMAT_CSV };
 
 struct run_options {
     int format;
     bool trace;
+    int version, per; /* of the JSON; rows of the CSV */
     const char *out;
     struct cr_option_values set;
     struct cr_cli_look look;
@@ -32,7 +35,11 @@ enum cr_err cr_cli_override(struct cr_scene *scene, const struct cr_option_value
 
 static enum cr_err write_result(const struct cr_result *result, const struct run_options *opt,
                                 struct cr_str *text, struct cr_error *err) {
-    struct cr_result_opts form = {.trace = opt->trace, .resolved = true, .pretty = true};
+    struct cr_result_opts form = {.trace = opt->trace,
+                                  .resolved = true,
+                                  .pretty = true,
+                                  .version = opt->version,
+                                  .impacts = opt->per == PER_IMPACT};
     if (opt->format == FORMAT_JSON) {
         return cr_result_json(result, &form, text, err);
     }
@@ -84,7 +91,7 @@ static enum cr_err run(const char *path, const struct run_options *opt, struct c
 }
 
 int cr_cli_run(int argc, char **argv) {
-    struct run_options opt = {.format = FORMAT_JSON};
+    struct run_options opt = {.format = FORMAT_JSON, .version = CR_RESULT_VERSION};
     const struct cr_option table[] = {
         {.name = "format",
          .letter = 'f',
@@ -92,6 +99,11 @@ int cr_cli_run(int argc, char **argv) {
          .number = &opt.format,
          .help = "form of the result (json)"},
         {.name = "trace", .letter = 't', .flag = &opt.trace, .help = "with the time series"},
+        {.name = "per",
+         .arg = PER,
+         .number = &opt.per,
+         .help = "rows of the CSV: one per participant (default), or per impact and participant"},
+        CR_CLI_VERSION_OPTION(&opt.version),
         {.name = "output",
          .letter = 'o',
          .arg = "FILE",

@@ -56,7 +56,7 @@ static double shown_per_si(const char *unit, int kind) {
             return rows[i].factor;
         }
     }
-    return unit[0] == '\0' ? 1 : (double)NAN;
+    return (double)NAN;
 }
 
 /* The column that was named; else that of the quantity ("ax_g", "v_kmh" ...) where there is one;
@@ -93,9 +93,13 @@ static enum cr_err read_measured(struct cr_call *call, const char *path, int kin
     }
     double factor = shown_per_si(out->unit, kind);
     if (isnan(factor)) {
-        cr_err_set(err, CR_ERR_TYPE, "column %s is in %s, which is not %s", out->name, out->unit,
-                   kinds[kind].title);
-        cr_err_hint(err, "name another with column=");
+        if (out->unit[0] == '\0') {
+            cr_err_set(err, CR_ERR_TYPE, "column '%.60s' does not say its unit", out->name);
+        } else {
+            cr_err_set(err, CR_ERR_TYPE, "column %.60s is in %s, which is not %s", out->name,
+                       out->unit, kinds[kind].title);
+        }
+        cr_err_hint(err, "name another with column=, or put its unit in the name, as in ax_g");
         cr_signal_free(out);
         return CR_ERR_TYPE;
     }

@@ -3,11 +3,13 @@ libresult_a_SOURCES = \
 	src/result/cdc.c \
 	src/result/compare.c src/result/compare.h \
 	src/result/csv.c \
+	src/result/damage.c src/result/damage.h \
 	src/result/deform.c src/result/deform.h \
+	src/result/event.c src/result/event.h \
 	src/result/ees.c \
 	src/result/filter.c \
 	src/result/irf.c \
-	src/result/json.c \
+	src/result/json.c src/result/json_priv.h src/result/json_severity.c \
 	src/result/measure.c \
 	src/result/names.c src/result/names.h \
 	src/result/outline.c \

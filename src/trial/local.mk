@@ -6,7 +6,6 @@ libtrial_a_SOURCES = \
 	src/trial/crashtest_load.c src/trial/crashtest_read.h \
 	src/trial/crashtest_solve.c src/trial/crashtest_table.c \
 	src/trial/folds.c src/trial/folds.h \
-	src/trial/records.c src/trial/records.h \
 	src/trial/trial.h \
 	src/trial/types.c src/trial/types.h \
 	src/trial/validate.c \

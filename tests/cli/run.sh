@@ -6,7 +6,7 @@ wall_scene >"$tmp/wall.json"
 run run "$demo"
 same "the demo is solved" "$status" 0
 same "nothing on standard error" "$errs" ""
-has "JSON is the default" "$out" '"crumple_result":[[:space:]]*1'
+has "JSON is the default" "$out" '"crumple_result":[[:space:]]*2'
 has "the resolved scene is in the result" "$out" '"resolved":[[:space:]]*\{'
 same "no time series unless asked" "$(printf '%s' "$out" | grep -c '"trace"')" 0
 first=$out
@@ -18,6 +18,20 @@ has "--trace adds the time series" "$out" '"trace":[[:space:]]*\{'
 run run -f csv "$demo"
 same "CSV has a header and a row per participant" "$(printf '%s\n' "$out" | wc -l)" 3
 has "CSV names units in the header" "$(printf '%s\n' "$out" | head -n 1)" 'ees_kmh'
+
+run run -f csv --per impact "$(cd "$(dirname "$demo")" && pwd)/three-cars.json"
+same "--per impact: a row per impact and participant" \
+    "$(printf '%s\n' "$out" | awk -F, 'NR == 1 { n = NF } NF != n { bad = 1 }
+        NR > 1 { at[$2]++ } END { for (i in at) if (at[i] != 2) bad = 1
+        print bad + 0, (NR > 4 ? "several" : NR) }')" "0 several"
+run run --per wheel "$demo"
+same "--per knows what there is a row for" "$status" 2
+has "and says so" "$errs" 'participant.impact'
+run run --result-version=1 "$demo"
+has "the first form of the result on request" "$out" '"crumple_result":[[:space:]]*1'
+same "it knows no impacts" "$(printf '%s' "$out" | grep -c '"impacts"')" 0
+run run --result-version=3 "$demo"
+same "a third form is unknown" "$status" 2
 
 run run --format=text "$demo"
 same "text succeeds" "$status" 0

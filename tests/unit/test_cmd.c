@@ -374,7 +374,7 @@ static void test_completion_by_type_of_argument(void **state) {
         {"place alpha facing wall overlap=40% ov", ""},
         {"place alpha facing wall side=", "left right centre front rear"},
         {"vehicle alpha type=s", "super-compact station-wagon sedan suv"},
-        {"vehicle alpha speed=50", "50m/s 50km/h 50mph"},
+        {"vehicle alpha speed=50", "50m/s 50km/h 50mph 50ft/s"},
         {"vehicle alpha --r", "--remove"},
         {"vehicle alpha blend", ""},
         {"model ", "alpha list info pdof= blend= front= side= rear="},
