@@ -173,8 +173,8 @@ static enum cr_err vehicle_of(const struct cr_picture_source *s, int *body, stru
     return cr_err_set(err, CR_ERR_MISSING, "there is no vehicle in the scene");
 }
 
-/* C1 and C6 along the struck face, m from the middle of the vehicle's box: from left to right on the
- * ends, from rear to front on the sides. */
+/* C1 and C6 along the struck face, m from the middle of the vehicle's box: from left to right on
+ * the ends, from rear to front on the sides. */
 static void span(const struct cr_result *r, int body, struct cr_damage_plan *p) {
     const struct cr_severity *of = &r->of[body];
     double middle = cr_face_is_end(p->face) ? p->centre.y - of->profile_middle
