@@ -72,7 +72,7 @@ static bool follow_all(struct cr_side *k) {
     for (int step = 0; step < 2; step++) {
         for (int i = 0; i < k->cells; i++) {
             struct cr_cell *c = &k->cell[i];
-            c->next = c->core || !(c->approach > 0) ? c->phi : follow(k, c);
+            c->next = c->core || c->leaves ? c->phi : follow(k, c);
         }
         for (int i = 0; i < k->cells; i++) {
             struct cr_cell *c = &k->cell[i];
@@ -88,7 +88,7 @@ static bool recede(struct cr_side *k, double pass) {
     double h = k->m->body->grid.h;
     for (int i = 0; i < k->cells; i++) {
         const struct cr_cell *c = &k->cell[i];
-        if (!c->core || !(c->approach > 0)) {
+        if (!c->core || c->leaves) {
             continue;
         }
         double phi = c->phi + pass * k->share * c->overlap;

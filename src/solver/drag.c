@@ -54,25 +54,45 @@ static void hold(struct face *f, struct cr_vec2 place, struct cr_hold *hold) {
     double at = cr_vec2_dot(r, f->lines.along) / h - 0.5, deep = cr_vec2_dot(r, f->lines.in);
     struct cr_hold here = {.in = faces};
     int line = (int)cr_clamp(floor(at), 0, f->lines.n - 2);
+    /* a line that the opponent covers in part is never emptied, but one beside it is */
+    const int *first = s->first[f->face];
+    int open = first[line] > first[line + 1] ? first[line] : first[line + 1];
+    double hidden = fmax(deep - (open + 2.5) * h, 0);
     for (int i = line; i <= line + 1; i++) {
-        double hidden = fmax(deep - (s->first[f->face][i] + 1.5) * h, 0);
         double slope = (i > at ? f->up : f->down) + slope_at(f, line) / here.in;
         here.depth = deep - 2 * hidden - slope * fabs(i - at) * h;
+        here.dragged = fabs(i - at) > 0.499; /* the contact itself is not on that line */
         hold[i] = here.depth > hold[i].depth ? here : hold[i];
     }
     f->lo = line < f->lo ? line : f->lo;
     f->hi = line + 1 > f->hi ? line + 1 : f->hi;
 }
 
-/* the places on the surface of the contact */
-static void hold_all(struct face *f, struct cr_hold *lines) {
+/* The edge of the opponent's surface if one lies within a voxel of a place on it: a voxel's depth
+ * inside the opponent it is that close to another of its sides. */
+static struct cr_vec2 edge_near(const struct cr_duo *d, int side, struct cr_vec2 place,
+                                struct cr_vec2 n) {
+    double h = d->s->side[side].m->surface.grid->h;
+    struct cr_vec2 out, inside = cr_vec2_axpy(place, -h, n);
+    double room = -cr_overlap_distance(d, side, inside, &out);
+    struct cr_vec2 aside = cr_vec2_axpy(out, -cr_vec2_dot(out, n), n);
+    double off = cr_vec2_len(aside);
+    /* the other side is one only as far as its normal turns away from n */
+    return room > 0 && room < h ? cr_vec2_axpy(place, room * fmin(off, 1) / fmax(off, 1e-9), aside)
+                                : place;
+}
+
+/* the places on the surface of the contact, and its edges */
+static void hold_all(const struct cr_duo *d, int side, struct face *f, struct cr_hold *lines) {
     const struct cr_side *k = f->k;
     const struct cr_surface *s = &k->m->surface;
     for (int i = 0; i < k->cells; i++) {
         const struct cr_cell *c = &k->cell[i];
         double phi = s->phi[c->at];
         if (c->met > 0 && fabs(phi) < s->grid->h) {
-            hold(f, cr_vec2_axpy(c->place, phi, c->normal), lines);
+            struct cr_vec2 place = cr_vec2_axpy(c->place, phi, c->normal);
+            hold(f, place, lines);
+            hold(f, edge_near(d, side, place, c->normal), lines);
         }
     }
 }
@@ -155,7 +175,7 @@ static bool drag_face(struct cr_duo *d, int side, enum cr_face face) {
     for (int i = 0; i < f.lines.n; i++) {
         line[i] = (struct cr_hold){.depth = -INFINITY, .in = 1};
     }
-    hold_all(&f, line);
+    hold_all(d, side, &f, line);
     if (f.hi < 0) {
         return true;
     }

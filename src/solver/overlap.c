@@ -108,6 +108,7 @@ static double look_at(struct cr_side *k, const struct opponent *o, int ix, int i
     struct cr_vec2 v = cr_vec2_axpy(o->still, o->turn, cr_vec2_perp(c.place));
     c.approach = cr_vec2_dot(v, c.normal);
     double whole = cr_passed_by * cr_vec2_len(v);
+    c.leaves = c.approach < -whole;
     c.met = c.core && c.approach > 0
                 ? fmin(c.overlap / (c.approach * o->dt), 1) * fmin(c.approach / whole, 1)
                 : 0;
@@ -154,6 +155,12 @@ static void sum_cells(struct cr_side *k) {
         k->thick += end * c->overlap;
         k->closing += end * c->approach;
     }
+}
+
+double cr_overlap_distance(const struct cr_duo *d, int side, struct cr_vec2 p,
+                           struct cr_vec2 *normal) {
+    struct opponent o = opponent_of(side == 0 ? d->ma : d->mb, side == 0 ? d->mb : d->ma, d->s->dt);
+    return distance_to(&o, p, normal);
 }
 
 /* Direction in which a body is pushed, its frame: that of the force in the last slice, before the first

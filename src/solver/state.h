@@ -50,6 +50,7 @@ struct cr_cell {
     struct cr_vec2 normal; /* outward of the opponent, body frame, unit */
     double next;           /* scratch: phi to come, m */
     bool core;             /* near the two surfaces; else it only follows the voxels that are */
+    bool leaves;           /* the opponent moves away from it, not into it nor along it */
     double approach;       /* of the opponent along that normal, m/s */
     double strength;       /* force that crushes the voxel over its whole edge, N */
     double met;            /* share of it with which it presses in this slice, 0..1 */
