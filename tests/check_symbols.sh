@@ -4,19 +4,33 @@
 . "$SRC/tests/tap.sh"
 cd "$BUILD" || exit 99
 NM=${NM:-nm}
-core="base model solver scene result render"
+core="base model solver scene result render figure"
 
 if ! command -v "$NM" >/dev/null 2>&1 || ! command -v objdump >/dev/null 2>&1; then
     echo "1..0 # SKIP no nm or objdump here"
     exit 0
 fi
 
-for lib in $core cmd repl tui cli trial; do
+for lib in $core lib cmd repl tui cli trial; do
     lib=lib$lib.a
     foreign=$($NM -g --defined-only "$lib" 2>/dev/null |
-        awk 'NF == 3 && $3 !~ /^(cr_|_)/ { print $3 }')
+        awk 'NF == 3 && $3 !~ /^(cr_|crumple_|_)/ { print $3 }')
     empty "exported names of $lib begin with cr_" "$foreign"
 done
+
+# libcrumple gives away the names of its header and nothing else
+if [ -f libcrumple.so ]; then
+    want=$(sed -n 's/^CRUMPLE_API .*[ *]\(crumple_[a-z_]*\)(.*/\1/p' "$SRC/src/lib/crumple.h")
+    want=$(printf '%s\n' "$want" | sort)
+    # those of sanitizers begin with _
+    got=$($NM -D --defined-only libcrumple.so | awk '$NF !~ /^_/ { print $NF }' | sort)
+    same "libcrumple.so exports what its header declares" "$got" "$want"
+    needs=$(objdump -p libcrumple.so | awk '$1 == "NEEDED" { print $2 }')
+    empty "libcrumple.so needs no terminal" \
+        "$(printf '%s\n' "$needs" | grep -E 'curses|readline|tinfo')"
+else
+    skip "libcrumple.so exports what its header declares" "no shared library was built"
+fi
 
 # calls LIBRARY NAMES: undefined symbols among the names, fortified ones read as the plain ones
 calls() {

@@ -1,5 +1,6 @@
 # checks of the tree as a whole
-tree_checks = tests/check_bootstrap.sh tests/check_examples.sh tests/check_includes.sh \
+tree_checks = tests/check_bootstrap.sh tests/check_circles.sh tests/check_examples.sh \
+	tests/check_includes.sh \
 	tests/check_manual.sh tests/check_map.sh tests/check_style.sh tests/check_symbols.sh
 cli_checks = tests/cli/bad_scene.sh tests/cli/completion.sh tests/cli/files.sh \
 	tests/cli/install.sh tests/cli/interrupt.sh tests/cli/run.sh tests/cli/same_bits.sh \
@@ -26,14 +27,18 @@ update-validation: crumple$(EXEEXT)
 .PHONY: update-validation
 EXTRA_DIST += tests/update_validation.sh
 
-# the manual page of the commands, from their table
+# the manual pages of the commands, from their table, and of the library, from its header
+EXTRA_DIST += tests/lib_manual.sh tests/lib_user.c
+TESTS += tests/bindings/bindings.sh
+EXTRA_DIST += tests/bindings/bindings.sh tests/bindings/solve.py
 check_PROGRAMS += crumple-manual
 crumple_manual_SOURCES = tests/manual.c
 crumple_manual_CFLAGS = $(CR_CFLAGS)
-crumple_manual_LDADD = libcmd.a librender.a libresult.a libscene.a libsolver.a libmodel.a \
-	libbase.a $(CJSON_LIBS) $(NETTLE_LIBS)
+crumple_manual_LDADD = libcmd.a libfigure.a libstudy.a librender.a libresult.a libscene.a libsolver.a \
+	libmodel.a libbase.a $(GSL_LIBS) $(NLOPT_LIBS) $(CJSON_LIBS) $(NETTLE_LIBS) $(CAIRO_LIBS)
 update-manual: crumple-manual$(EXEEXT)
 	./crumple-manual$(EXEEXT) >$(srcdir)/man/crumple-commands.7
+	$(SHELL) $(srcdir)/tests/lib_manual.sh $(srcdir)/src/lib/crumple.h >$(srcdir)/man/libcrumple.3
 .PHONY: update-manual
 
 # what each file is for, in its own words
@@ -60,8 +65,16 @@ check-sanitizers: crumple$(EXEEXT)
 	cd sanitizers && REFERENCE='$(abs_builddir)/crumple$(EXEEXT)' $(MAKE) -s check TESTS="$$tests"
 .PHONY: check-sanitizers
 
+# the rule of threads of libcrumple: its tests under ThreadSanitizer, in a build of their own
+check-threads:
+	$(MKDIR_P) threads
+	case '$(srcdir)' in /*) src='$(srcdir)' ;; *) src='../$(srcdir)' ;; esac; cd threads && \
+	    { test -f Makefile || "$$src/configure" -q --enable-sanitizers=thread CFLAGS='-g -O1'; }
+	cd threads && $(MAKE) -s test_lib && $(MAKE) -s check check_PROGRAMS=test_lib TESTS=test_lib
+.PHONY: check-threads
+
 clean-local:
-	rm -rf sanitizers fuzzing
+	rm -rf sanitizers threads fuzzing
 
 # the command language: each command with its success and its errors, the lessons, the prompt
 golden_checks = tests/golden/cmd/run.sh tests/golden/cmd/lessons.sh tests/golden/cmd/prompt.sh \
@@ -71,6 +84,7 @@ EXTRA_DIST += $(golden_checks) \
 	tests/golden/cmd/scene.test \
 	tests/golden/cmd/language.test \
 	tests/golden/cmd/solve.test \
+	tests/golden/cmd/study.test \
 	tests/golden/cmd/pulse.csv \
 	tests/golden/cmd/measured.json \
 	tests/golden/cmd/bad.json \

@@ -3,6 +3,7 @@
 #define _XOPEN_SOURCE 700 /* realpath */
 #include "base/file.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
@@ -154,6 +155,20 @@ enum cr_err cr_file_write(const char *path, const char *text, size_t n, struct c
     enum cr_err code = write_whole(target != NULL ? target : path, text, n, err);
     free(target);
     return code;
+}
+
+char *cr_file_part(const char *data_dir, const char *part, char *buf, size_t size) {
+    struct stat st;
+    part += strncmp(part, "share/", 6) == 0 ? 6 : 0;
+    int n = snprintf(buf, size, "%s/share/%s", data_dir, part);
+    if (n >= (int)size || stat(buf, &st) != 0) {
+        snprintf(buf, size, "%s/%s", data_dir, part);
+    }
+    return buf;
+}
+
+int cr_file_by_bytes(const struct dirent **a, const struct dirent **b) {
+    return strcmp((*a)->d_name, (*b)->d_name);
 }
 
 void cr_file_dir(const char *path, char *buf, size_t size) {

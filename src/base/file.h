@@ -23,6 +23,14 @@ CR_MUST_CHECK enum cr_err cr_file_write(const char *path, const char *text, size
  * put a file where it was. */
 bool cr_file_in_place(const char *path);
 
+/* Where a part of a data folder ("irf", "validation/data") lies: below share/ in a source tree, at
+ * its top once installed. "share/irf" is the same, and "models" has one place. Returns buf. */
+char *cr_file_part(const char *data_dir, const char *part, char *buf, size_t size);
+
+/* Order of names for scandir: by bytes, the same in every locale. */
+struct dirent;
+int cr_file_by_bytes(const struct dirent **a, const struct dirent **b);
+
 /* Folder part of a path, "." if there is none, into buf. */
 void cr_file_dir(const char *path, char *buf, size_t size);
 

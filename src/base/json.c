@@ -56,31 +56,6 @@ static void skip_space(struct scan *s) {
     }
 }
 
-/* length of the UTF-8 sequence that starts here, 0 if it is none (RFC 3629) */
-static size_t utf8_length(const unsigned char *p, size_t left) {
-    static const struct {
-        unsigned char lo, hi, second_lo, second_hi;
-        size_t n;
-    } row[] = {{0xC2, 0xDF, 0x80, 0xBF, 2}, {0xE0, 0xE0, 0xA0, 0xBF, 3},
-               {0xE1, 0xEC, 0x80, 0xBF, 3}, {0xED, 0xED, 0x80, 0x9F, 3},
-               {0xEE, 0xEF, 0x80, 0xBF, 3}, {0xF0, 0xF0, 0x90, 0xBF, 4},
-               {0xF1, 0xF3, 0x80, 0xBF, 4}, {0xF4, 0xF4, 0x80, 0x8F, 4}};
-    if (p[0] < 0x80) {
-        return 1;
-    }
-    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
-        if (p[0] < row[i].lo || p[0] > row[i].hi || row[i].n > left) {
-            continue;
-        }
-        bool good = p[1] >= row[i].second_lo && p[1] <= row[i].second_hi;
-        for (size_t k = 2; k < row[i].n; k++) {
-            good = good && (p[k] & 0xC0) == 0x80;
-        }
-        return good ? row[i].n : 0;
-    }
-    return 0;
-}
-
 /* four hexadecimal digits after \u, or -1 */
 static long hex4(const struct scan *s, size_t at) {
     long x = 0;
@@ -135,7 +110,7 @@ static enum cr_err scan_string(struct scan *s) {
             }
             continue;
         }
-        size_t n = utf8_length((const unsigned char *)s->text + s->at, s->len - s->at);
+        size_t n = cr_utf8_length(s->text + s->at, s->len - s->at);
         if (n == 0) {
             return bad_at(s, s->at, "bytes that are not UTF-8", "save the file as UTF-8");
         }

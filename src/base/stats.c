@@ -5,14 +5,14 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const double NONE = (double)NAN;
+static const double none = (double)NAN;
 
 double cr_stats_mean(const double *x, int n) {
     double sum = 0;
     for (int i = 0; i < n; i++) {
         sum += x[i];
     }
-    return n > 0 ? sum / n : NONE;
+    return n > 0 ? sum / n : none;
 }
 
 double cr_stats_sd(const double *x, int n) {
@@ -20,7 +20,7 @@ double cr_stats_sd(const double *x, int n) {
     for (int i = 0; i < n; i++) {
         sum += (x[i] - mean) * (x[i] - mean);
     }
-    return n > 1 ? sqrt(sum / (n - 1)) : NONE;
+    return n > 1 ? sqrt(sum / (n - 1)) : none;
 }
 
 static int ascending(const void *a, const void *b) {
@@ -30,7 +30,7 @@ static int ascending(const void *a, const void *b) {
 
 double cr_stats_quantile(double *x, int n, double q) {
     if (n < 1 || !(q >= 0 && q <= 1)) {
-        return NONE;
+        return none;
     }
     qsort(x, (size_t)n, sizeof *x, ascending);
     double at = q * (n - 1);
@@ -47,7 +47,7 @@ double cr_stats_rms(const double *x, int n) {
     for (int i = 0; i < n; i++) {
         sum += x[i] * x[i];
     }
-    return n > 0 ? sqrt(sum / n) : NONE;
+    return n > 0 ? sqrt(sum / n) : none;
 }
 
 struct cr_stats_error cr_stats_errors(const double *value, const double *reference, int n) {
@@ -66,10 +66,10 @@ struct cr_stats_error cr_stats_errors(const double *value, const double *referen
         spread += off * off;
     }
     if (n < 1) {
-        e.mpe = e.mape = e.bias = NONE;
+        e.mpe = e.mape = e.bias = none;
     }
-    e.rms = n > 0 ? sqrt(square / n) : NONE;
-    e.sd = n > 1 ? sqrt(spread / (n - 1)) : NONE;
+    e.rms = n > 0 ? sqrt(square / n) : none;
+    e.sd = n > 1 ? sqrt(spread / (n - 1)) : none;
     return e;
 }
 
@@ -80,5 +80,5 @@ double cr_stats_correlation(const double *x, const double *y, int n) {
         xx += (x[i] - mx) * (x[i] - mx);
         yy += (y[i] - my) * (y[i] - my);
     }
-    return xx > 0 && yy > 0 ? xy / sqrt(xx * yy) : NONE;
+    return xx > 0 && yy > 0 ? xy / sqrt(xx * yy) : none;
 }

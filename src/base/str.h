@@ -29,4 +29,8 @@ const char *cr_str_get(const struct cr_str *str);
  * none is nearer than about a third of its length. */
 const char *cr_str_nearest(const char *word, const char *const *list, int n);
 
+/* Bytes of the UTF-8 character that begins a text of `left` > 0 bytes, 0 if it is none (RFC 3629).
+ */
+size_t cr_utf8_length(const char *text, size_t left);
+
 #endif

@@ -28,19 +28,26 @@ static const struct cr_unit units[] = {
     {"m/s", CR_DIM_SPEED, 1, 1, "_mps"},
     {"km/h", CR_DIM_SPEED, 1, 3.6, "_kmh"},
     {"mph", CR_DIM_SPEED, 0.44704, 1, ""},
+    {"ft/s", CR_DIM_SPEED, 0.3048, 1, ""},
     {"rad", CR_DIM_ANGLE, 1, 1, ""},
     {"deg", CR_DIM_ANGLE, CR_PI / 180, 1, "_deg"},
     {"s", CR_DIM_TIME, 1, 1, "_s"},
     {"ms", CR_DIM_TIME, 1, 1000, "_ms"},
+    {"us", CR_DIM_TIME, 1, 1000000, ""},
     {"N", CR_DIM_FORCE, 1, 1, ""},
     {"kN", CR_DIM_FORCE, 1000, 1, "_kN"},
+    {"lbf", CR_DIM_FORCE, 4.4482216152605, 1, ""},
+    {"kip", CR_DIM_FORCE, 4448.2216152605, 1, ""},
     {"J", CR_DIM_ENERGY, 1, 1, ""},
     {"kJ", CR_DIM_ENERGY, 1000, 1, "_kJ"},
     {"m/s2", CR_DIM_ACCELERATION, 1, 1, "_mps2"},
     {"g", CR_DIM_ACCELERATION, CR_G, 1, "_g"},
+    {"ft/s2", CR_DIM_ACCELERATION, 0.3048, 1, ""},
     {"kgm2", CR_DIM_INERTIA, 1, 1, "_kgm2"},
     {"rad/s", CR_DIM_YAW_RATE, 1, 1, ""},
     {"deg/s", CR_DIM_YAW_RATE, CR_PI / 180, 1, "_deg_s"},
+    {"rad/s2", CR_DIM_YAW_ACCELERATION, 1, 1, ""},
+    {"deg/s2", CR_DIM_YAW_ACCELERATION, CR_PI / 180, 1, ""},
     {"N/m", CR_DIM_STIFFNESS_A, 1, 1, "_N_per_m"},
     {"kN/m", CR_DIM_STIFFNESS_A, 1000, 1, ""},
     {"lb/in", CR_DIM_STIFFNESS_A, 175.126835246, 1, ""}, /* 4.4482216 N / 0.0254 m */
@@ -76,7 +83,7 @@ const struct cr_unit *cr_unit_find(const char *name, enum cr_dim dim) {
             return &units[i];
         }
     }
-    return NULL;
+    return cr_unit_spelled(name, dim);
 }
 
 double cr_unit_to_si(const struct cr_unit *unit, double x) {

@@ -20,6 +20,7 @@
     X(ACCELERATION, "an acceleration")                                                             \
     X(INERTIA, "a moment of inertia")                                                              \
     X(YAW_RATE, "a yaw rate")                                                                      \
+    X(YAW_ACCELERATION, "a yaw acceleration")                                                      \
     X(STIFFNESS_A, "a force per width")                                                            \
     X(STIFFNESS_B, "a force per width and depth")                                                  \
     X(AREA, "an area")
@@ -39,11 +40,29 @@ struct cr_unit {
     const char *suffix; /* with which JSON keys in this unit end, "" if none do */
 };
 
-/* Unit of a dimension by name; an empty name is the SI unit. NULL if there is none. */
+/* Unit of a dimension by name or another spelling of it (unit_words.c: kph, sec, m/s^2, lbf ...);
+ * an empty name is the SI unit. NULL if there is none. */
 const struct cr_unit *cr_unit_find(const char *name, enum cr_dim dim);
 
 /* Unit i of a dimension in the order of the table, NULL after the last (for completion). */
 const struct cr_unit *cr_unit_nth(enum cr_dim dim, int i);
+
+/* Unit by a spelling in any case, with blanks, brackets, exponents and signs as people and loggers
+ * write them: "[m/s^2]", "m/s²", "G'S", "msec". dim CR_DIMS: of any dimension, where "g" is the
+ * acceleration and "lb" the mass. NULL if there is none. */
+const struct cr_unit *cr_unit_spelled(const char *text, enum cr_dim dim);
+
+/* The same with an error; "-" and "" are no unit, *unit NULL. Errors: NAME. */
+CR_MUST_CHECK enum cr_err cr_unit_read(const char *text, enum cr_dim dim,
+                                       const struct cr_unit **unit, struct cr_error *err);
+
+/* Unit that stands in the name of a column: in brackets, "Speed (km/h)", "t [ms]", or behind the
+ * quantity, "v_kmh", "yaw_rate_deg_s", "accel_x_g_cfc60"; *unit is NULL where there is none. Where
+ * no bracket holds a unit, square ones are at fault, and round ones if there is none behind either.
+ * Errors: NAME for what is not known or not of the dimension dim (CR_DIMS: any).
+ */
+CR_MUST_CHECK enum cr_err cr_unit_of_column(const char *name, enum cr_dim dim,
+                                            const struct cr_unit **unit, struct cr_error *err);
 
 /* "a speed" */
 const char *cr_dim_word(enum cr_dim dim);

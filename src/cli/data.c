@@ -5,30 +5,21 @@
 #include "cli/cli.h"
 #include "cli/word.h"
 
+#include "base/file.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* a data folder is known by the two folders that every run needs */
+/* a data folder is known by the two parts that every run needs */
 static bool is_data_dir(const char *dir) {
-    static const char *const parts[] = {"models", "share/irf"};
-    for (int i = 0; i < 2; i++) {
-        char path[4096];
-        struct stat st;
-        int n = snprintf(path, sizeof path, "%s/%s", dir, parts[i]);
-        if (n >= (int)sizeof path || stat(path, &st) != 0 || !S_ISDIR(st.st_mode)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-static bool same_folder(const char *a, const char *b) {
-    struct stat sa, sb;
-    return stat(a, &sa) == 0 && stat(b, &sb) == 0 && sa.st_dev == sb.st_dev &&
-           sa.st_ino == sb.st_ino;
+    char path[4200];
+    struct stat st;
+    int n = snprintf(path, sizeof path, "%s/models", dir);
+    return n < (int)sizeof path && stat(path, &st) == 0 && S_ISDIR(st.st_mode) &&
+           stat(cr_file_part(dir, "irf", path, sizeof path), &st) == 0 && S_ISDIR(st.st_mode);
 }
 
 /* folder that this program was started from, "" if the system does not tell */
@@ -39,6 +30,23 @@ static void own_folder(char *buf, size_t size) {
     if (slash != NULL) {
         *slash = '\0';
     }
+}
+
+/* the source tree of a program that still sits where it was built: the build leaves its path in a
+ * file beside it */
+static bool source_tree(const char *own, char *buf, int size) {
+    char path[4200];
+    snprintf(path, sizeof path, "%s/source-folder", own);
+    FILE *f = fopen(path, "r");
+    if (f == NULL) {
+        return false;
+    }
+    bool read = fgets(buf, size, f) != NULL;
+    fclose(f);
+    if (read) {
+        buf[strcspn(buf, "\n")] = '\0';
+    }
+    return read && is_data_dir(buf);
 }
 
 static const char *empty(char *buf) {
@@ -54,9 +62,7 @@ const char *cr_data_dir(char *buf, int size) {
     }
     char own[4096];
     own_folder(own, sizeof own);
-    /* the source tree counts only for a program that still sits where it was built */
-    if (own[0] != '\0' && same_folder(own, BUILDDIR) && is_data_dir(SRCDIR)) {
-        snprintf(buf, (size_t)size, "%s", SRCDIR);
+    if (own[0] != '\0' && source_tree(own, buf, size)) {
         return buf;
     }
     /* an installation that was moved, or staged with DESTDIR, goes before the configured place */
@@ -73,15 +79,16 @@ enum cr_err cr_cli_data(const char *name, char *buf, int size, struct cr_error *
     if (cr_data_dir(dir, sizeof dir)[0] == '\0') {
         const char *given = getenv("CRUMPLE_DATA");
         bool set = given != NULL && given[0] != '\0';
-        cr_err_set(err, CR_ERR_IO, "no models/ and share/irf/ in %s", set ? given : PKGDATADIR);
+        cr_err_set(err, CR_ERR_IO, "no models/ and irf/ in %s", set ? given : PKGDATADIR);
         cr_err_hint(err, "%s",
                     set ? "CRUMPLE_DATA names a folder that has both"
                         : "make install puts them there; CRUMPLE_DATA names another "
                           "folder");
         return CR_ERR_IO;
     }
-    if (snprintf(buf, (size_t)size, "%s/%s", dir, name) >= size) {
+    if (strlen(dir) + strlen(name) + sizeof "/share/" > (size_t)size) {
         return cr_err_set(err, CR_ERR_IO, "the path of the data folder is too long: %s", dir);
     }
+    cr_file_part(dir, name, buf, (size_t)size);
     return CR_ERR_OK;
 }

@@ -3,16 +3,22 @@ libcli_a_SOURCES = \
 	src/cli/cli.h \
 	src/cli/data.c \
 	src/cli/feed.c src/cli/feed.h \
+	src/cli/mc.c \
 	src/cli/models.c src/cli/models.h src/cli/models_list.c \
 	src/cli/options.c src/cli/options.h \
 	src/cli/output.c \
 	src/cli/pair.c src/cli/pair.h \
+	src/cli/pictures.c src/cli/pictures.h \
 	src/cli/resume.c src/cli/resume.h \
 	src/cli/run.c \
 	src/cli/shared.c \
 	src/cli/stack.c \
 	src/cli/word.h
 # where the data are: of a build in its source tree, and once installed (data.c)
-libcli_a_CPPFLAGS = $(AM_CPPFLAGS) -DPKGDATADIR='"$(pkgdatadir)"' \
-	-DSRCDIR='"$(CR_SRCDIR)"' -DBUILDDIR='"$(abs_builddir)"'
+libcli_a_CPPFLAGS = $(AM_CPPFLAGS) -DPKGDATADIR='"$(pkgdatadir)"'
+# tells a program that was not installed where its source tree is; no path is in the program itself
+noinst_DATA = source-folder
+CLEANFILES += source-folder
+source-folder: Makefile
+	$(AM_V_GEN)echo '$(CR_SRCDIR)' >$@
 libcli_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)

@@ -61,16 +61,16 @@ static enum cr_err load(const char *name, const struct cr_model_lib *lib, const 
                         struct shown *s, struct cr_error *err) {
     if (is_file(name)) {
         if (opt->flat || opt->voxel_mm > 0) {
-            enum cr_err rc = cr_err_set(err, CR_ERR_USAGE, "%s has the voxels it has", name);
+            enum cr_err code = cr_err_set(err, CR_ERR_USAGE, "%s has the voxels it has", name);
             cr_err_hint(err, "leave out --flat and --voxel");
-            return rc;
+            return code;
         }
         return cr_voxels_read(name, &s->arena, &s->voxels, NULL, err);
     }
     struct cr_model_name model;
-    enum cr_err rc = cr_model_name_read(name, &model, err);
-    if (rc) {
-        return rc;
+    enum cr_err code = cr_model_name_read(name, &model, err);
+    if (code != CR_ERR_OK) {
+        return code;
     }
     struct cr_model_query q = {.type = model.type, .pdof = model.clock * (CR_PI / 6)};
     q.dims = *cr_model_dims(lib, model.type, &q.mass_kg);
@@ -111,23 +111,27 @@ static enum cr_err solve(const struct cr_cli_shared *shared, const struct option
                          struct shown *s, struct cr_error *err) {
     struct cr_scene scene;
     cr_scene_init(&scene);
-    enum cr_err rc = cr_scene_load(opt->crash, &scene, err);
-    if (!rc) {
-        rc = cr_result_run(&scene, &shared->ctx, &s->result, err);
-        if (rc && err->src[0] == '\0') {
+    enum cr_err code = cr_scene_load(opt->crash, &scene, err);
+    if (code == CR_ERR_OK) {
+        code = cr_result_run(&scene, &shared->ctx, &s->result, err);
+        if (code && err->src[0] == '\0') {
             cr_scene_locate_file(opt->crash, opt->crash, err);
         }
     }
-    if (!rc) {
+    if (code == CR_ERR_OK) {
         s->body = find_body(s->result, opt->id);
         if (s->body < 0) {
-            rc = cr_err_set(err, CR_ERR_NAME, "no vehicle \"%s\"", opt->id != NULL ? opt->id : "");
+            code =
+                cr_err_set(err, CR_ERR_NAME, "no vehicle \"%s\"", opt->id != NULL ? opt->id : "");
             cr_err_place(err, opt->crash, 0, 0);
             cr_err_hint(err, "name one of the scene's vehicles with --id");
         }
     }
     cr_scene_fini(&scene);
-    return rc ? rc : crash_model(shared->models, opt, s, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    return crash_model(shared->models, opt, s, err);
 }
 
 /* ---- pictures ---- */
@@ -144,17 +148,17 @@ static enum cr_err draw(const struct shown *s, const struct cr_look *look, int w
     }
     struct cr_cells cells;
     int rows = cr_render_projection_rows(&p, width, ROWS_MAX);
-    enum cr_err rc = cr_cells_new(width, rows, &cells, err);
-    if (rc) {
-        return rc;
+    enum cr_err code = cr_cells_new(width, rows, &cells, err);
+    if (code != CR_ERR_OK) {
+        return code;
     }
-    rc = cr_render_projection(&cells, (struct cr_rect){0, 0, width, rows}, look, &p, err);
-    if (!rc) {
+    code = cr_render_projection(&cells, (struct cr_rect){0, 0, width, rows}, look, &p, err);
+    if (code == CR_ERR_OK) {
         cr_cells_text(&cells, look, out);
         cr_str_add(out, "\n");
     }
     cr_cells_fini(&cells);
-    return rc;
+    return code;
 }
 
 static enum cr_err draw_views(struct shown *s, const struct options *opt, struct cr_str *out,
@@ -165,11 +169,11 @@ static enum cr_err draw_views(struct shown *s, const struct options *opt, struct
         char *end = NULL;
         slice_y = strtod(opt->at, &end);
         if (end == opt->at || *end != '\0' || !(fabs(slice_y) <= v->dims.width / 2)) {
-            enum cr_err rc =
+            enum cr_err code =
                 cr_err_set(err, CR_ERR_USAGE, "--at %s is not on the vehicle", opt->at);
             cr_err_hint(err, "m from the centre line, left is positive, up to %.2f",
                         v->dims.width / 2);
-            return rc;
+            return code;
         }
     }
     s->ees =
@@ -177,19 +181,19 @@ static enum cr_err draw_views(struct shown *s, const struct options *opt, struct
     if (s->ees == NULL) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for the picture of %s", v->name);
     }
-    enum cr_err rc = cr_voxels_ees(v, s->ees, err);
+    enum cr_err code = cr_voxels_ees(v, s->ees, err);
     int width;
     struct cr_look look = cr_cli_look_of(&opt->look, false, &width);
     static const enum cr_project all[] = {CR_PROJECT_SIDE, CR_PROJECT_TOP, CR_PROJECT_FRONT};
-    for (int i = 0; i < 3 && !rc; i++) {
+    for (int i = 0; i < 3 && code == CR_ERR_OK; i++) {
         if (opt->view == VIEW_ALL && (!v->flat || all[i] == CR_PROJECT_TOP)) {
-            rc = draw(s, &look, width, all[i], slice_y, out, err);
+            code = draw(s, &look, width, all[i], slice_y, out, err);
         }
     }
-    if (opt->view != VIEW_ALL && !rc) {
-        rc = draw(s, &look, width, (enum cr_project)(opt->view - 1), slice_y, out, err);
+    if (opt->view != VIEW_ALL && code == CR_ERR_OK) {
+        code = draw(s, &look, width, (enum cr_project)(opt->view - 1), slice_y, out, err);
     }
-    return rc;
+    return code;
 }
 
 /* ---- output ---- */
@@ -203,10 +207,10 @@ static enum cr_err export_to(const struct shown *s, const char *name, const stru
     if (n > 4 && strcasecmp(opt->to + n - 4, ".csv") == 0) {
         cr_voxels_csv(&s->voxels, out);
     } else if (!is_file(opt->to)) {
-        enum cr_err rc =
+        enum cr_err code =
             cr_err_set(err, CR_ERR_USAGE, "--to %s is neither .json nor .csv", opt->to);
         cr_err_hint(err, "the suffix decides the format");
-        return rc;
+        return code;
     } else {
         bool known = !is_file(name) && cr_model_name_read(name, &model, NULL) == CR_ERR_OK;
         if (known) {
@@ -227,9 +231,9 @@ static enum cr_err describe(const char *name, const struct options *opt,
                             const struct cr_model_papers *papers, const struct cr_model_lib *lib,
                             struct cr_str *out, struct cr_error *err) {
     struct cr_model_name model = {.type = CR_TYPES};
-    enum cr_err rc = name != NULL ? cr_model_name_read(name, &model, err) : CR_ERR_OK;
-    if (rc) {
-        return rc;
+    enum cr_err code = name != NULL ? cr_model_name_read(name, &model, err) : CR_ERR_OK;
+    if (code != CR_ERR_OK) {
+        return code;
     }
     if (opt->format == 1) {
         return cr_model_list_json(papers, (int)model.type, model.clock, out, err);
@@ -246,21 +250,21 @@ static enum cr_err show(const char *name, const struct options *opt,
                         const struct cr_cli_shared *shared, const struct cr_model_papers *papers,
                         struct cr_str *out, struct cr_error *err) {
     struct shown s = {.body = -1};
-    enum cr_err rc =
+    enum cr_err code =
         opt->crash != NULL ? solve(shared, opt, &s, err) : load(name, shared->models, opt, &s, err);
-    if (!rc && opt->to != NULL) {
-        rc = export_to(&s, name != NULL ? name : "", opt, papers, shared->models, out, err);
-    } else if (!rc) {
+    if (code == CR_ERR_OK && opt->to != NULL) {
+        code = export_to(&s, name != NULL ? name : "", opt, papers, shared->models, out, err);
+    } else if (code == CR_ERR_OK) {
         struct cr_model_name model;
         if (name != NULL && !is_file(name) && cr_model_name_read(name, &model, NULL) == CR_ERR_OK) {
             cr_model_list_text(papers, (int)model.type, model.clock, out);
             cr_str_add(out, "\n");
         }
-        rc = draw_views(&s, opt, out, err);
+        code = draw_views(&s, opt, out, err);
     }
     cr_result_free(s.result);
     cr_arena_free(&s.arena);
-    return rc;
+    return code;
 }
 
 /* Options that would change nothing are a slip. */
@@ -288,30 +292,32 @@ static enum cr_err models(const char *name, const struct options *opt, struct cr
     struct cr_model_papers papers = {{NULL}};
     struct cr_str out = {0};
     char dir[4200];
-    enum cr_err rc = check_use(name, opt, err);
-    rc = rc ? rc : cr_cli_open(&shared, CR_CLI_ALL, err);
-    if (!rc) {
-        rc = cr_cli_data("models", dir, sizeof dir, err);
+    enum cr_err code = check_use(name, opt, err);
+    if (code == CR_ERR_OK) {
+        code = cr_cli_open(&shared, CR_CLI_ALL, err);
     }
-    if (!rc) {
-        rc = cr_model_papers_read(dir, &papers, err);
+    if (code == CR_ERR_OK) {
+        code = cr_cli_data("models", dir, sizeof dir, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_model_papers_read(dir, &papers, err);
     }
     bool voxels = opt->crash != NULL || (name != NULL && wants_voxels(name, opt));
-    if (!rc && name == NULL && opt->to != NULL && opt->crash == NULL) {
-        rc = cr_err_set(err, CR_ERR_USAGE, "--to wants the NAME of a model");
+    if (code == CR_ERR_OK && name == NULL && opt->to != NULL && opt->crash == NULL) {
+        code = cr_err_set(err, CR_ERR_USAGE, "--to wants the NAME of a model");
         cr_err_hint(err, "for example crumple models sedan/12 --to %s", opt->to);
     }
-    if (!rc) {
-        rc = voxels && opt->format == 0 ? show(name, opt, &shared, &papers, &out, err)
-                                        : describe(name, opt, &papers, shared.models, &out, err);
+    if (code == CR_ERR_OK) {
+        code = voxels && opt->format == 0 ? show(name, opt, &shared, &papers, &out, err)
+                                          : describe(name, opt, &papers, shared.models, &out, err);
     }
-    if (!rc) {
-        rc = cr_cli_emit(voxels ? opt->to : NULL, &out, err);
+    if (code == CR_ERR_OK) {
+        code = cr_cli_emit(voxels ? opt->to : NULL, &out, err);
     }
     cr_str_fini(&out);
     cr_model_papers_fini(&papers);
     cr_cli_close(&shared);
-    return rc;
+    return code;
 }
 
 #define TEXT(word, value, to, what)                                                                \

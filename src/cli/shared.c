@@ -47,7 +47,7 @@ enum cr_err cr_cli_open(struct cr_cli_shared *shared, enum cr_cli_recipes recipe
         code = cr_model_need_all(shared->models, err);
     }
     if (code == CR_ERR_OK) {
-        code = cr_cli_data("share/irf", path, sizeof path, err);
+        code = cr_cli_data("irf", path, sizeof path, err);
     }
     if (code == CR_ERR_OK) {
         code = cr_irf_load(path, &shared->irf, err);

@@ -12,65 +12,6 @@
 
 /* ---- word lists "a|b|c" ---- */
 
-int cr_cmd_words(const char *words) {
-    int n = words != NULL && words[0] != '\0';
-    for (const char *p = words; n > 0 && *p != '\0'; p++) {
-        n += *p == '|';
-    }
-    return n;
-}
-
-const char *cr_cmd_word_at(const char *words, int i, char *buf, int size) {
-    const char *p = words;
-    for (; i > 0; i--) {
-        p = strchr(p, '|') + 1;
-    }
-    snprintf(buf, (size_t)size, "%.*s", (int)strcspn(p, "|"), p);
-    return buf;
-}
-
-/* a participant may be called by the first letters of a word, so only the whole word counts */
-static int word_exact(const char *words, const char *word) {
-    char buf[64];
-    for (int i = 0; i < cr_cmd_words(words); i++) {
-        if (strcmp(cr_cmd_word_at(words, i, buf, sizeof buf), word) == 0) {
-            return i;
-        }
-    }
-    return -1;
-}
-
-int cr_cmd_word_find(const char *words, const char *word) {
-    char buf[64];
-    int found = -1;
-    for (int i = 0; i < cr_cmd_words(words); i++) {
-        cr_cmd_word_at(words, i, buf, sizeof buf);
-        if (strcmp(buf, word) == 0) {
-            return i;
-        }
-        if (word[0] != '\0' && strncmp(buf, word, strlen(word)) == 0) {
-            found = found == -1 ? i : -2;
-        }
-    }
-    return found;
-}
-
-const char *cr_cmd_word_nearest(const char *words, const char *word, char *buf, int size) {
-    char text[64][40];
-    const char *list[64];
-    int n = cr_cmd_words(words);
-    n = n < 64 ? n : 64;
-    for (int i = 0; i < n; i++) {
-        list[i] = cr_cmd_word_at(words, i, text[i], sizeof text[i]);
-    }
-    const char *near = cr_str_nearest(word, list, n);
-    if (near == NULL) {
-        return NULL;
-    }
-    snprintf(buf, (size_t)size, "%s", near);
-    return buf;
-}
-
 static void words_hint(const char *words, const char *word, struct cr_error *err) {
     char near[64];
     if (cr_cmd_word_nearest(words, word, near, sizeof near) != NULL) {
@@ -103,6 +44,19 @@ static enum cr_err parse_word(const struct cr_call *call, const struct cr_arg *a
                v->text, position ? call->cmd->name : arg->name);
     words_hint(arg->words, v->text, err);
     return CR_ERR_NAME;
+}
+
+/* "scene.svg": the word is what stands before the suffix */
+static enum cr_err parse_stem(const struct cr_call *call, const struct cr_arg *arg,
+                              struct cr_value *v, struct cr_error *err) {
+    char stem[64];
+    const char *whole = v->text, *slash = strrchr(whole, '/');
+    const char *name = slash != NULL ? slash + 1 : whole;
+    snprintf(stem, sizeof stem, "%.*s", (int)strcspn(name, "."), name);
+    v->text = stem;
+    enum cr_err code = parse_word(call, arg, v, err);
+    v->text = whole;
+    return code;
 }
 
 static const char *bound(double x, const char *unit, char *buf, int size) {
@@ -224,11 +178,13 @@ static enum cr_err parse_value(struct cr_call *call, const struct cr_arg *arg, s
     case CR_VALUE_WORD:
     case CR_VALUE_SWITCH:
         return parse_word(call, arg, v, err);
+    case CR_VALUE_STEM:
+        return parse_stem(call, arg, v, err);
     case CR_VALUE_POINT:
         return parse_point(arg, v, err);
     case CR_VALUE_NAME:
     case CR_VALUE_VEHICLE:
-        v->word = arg->words != NULL ? word_exact(arg->words, v->text) : -1;
+        v->word = arg->words != NULL ? cr_cmd_word_exact(arg->words, v->text) : -1;
         return v->word >= 0 ? CR_ERR_OK : find_name(call, arg, v, err);
     case CR_VALUE_NEW:
         return check_new_name(v, err);

@@ -72,10 +72,14 @@ enum cr_err cr_cmd_blame(struct cr_call *call, const char *name, enum cr_err cod
  * (-1: none, -2: ambiguous). */
 int cr_cmd_words(const char *words);
 const char *cr_cmd_word_at(const char *words, int i, char *buf, int size);
+int cr_cmd_word_exact(const char *words, const char *word); /* the whole word alone */
 int cr_cmd_word_find(const char *words, const char *word);
 const char *cr_cmd_word_nearest(const char *words, const char *word, char *buf, int size);
+/* cr_command_find in a table of n commands. */
+const struct cr_command *cr_command_among(const struct cr_command *table, int n, const char *word,
+                                          bool *many);
 
-/* ---- session (session.c, undo.c, work.c) ---- */
+/* ---- session (session.c, state.c, autosave.c, work.c) ---- */
 
 /* How a participant was placed last, so that a sweep can vary it. */
 enum cr_placed_side { CR_SIDE_LEFT, CR_SIDE_RIGHT, CR_SIDE_CENTRE, CR_SIDE_FRONT, CR_SIDE_REAR };
@@ -104,6 +108,8 @@ struct cr_state {
 
 struct cr_session {
     struct cr_session_opts opts;
+    const struct cr_command *command; /* the table; handlers know it from here alone */
+    int commands;
     char data_dir[CR_PATH_MAX], autosave[CR_PATH_MAX];
     struct cr_state **state; /* undo stack; state[now] is the present */
     int states, now;
@@ -117,6 +123,7 @@ struct cr_session {
     struct cr_view view;
     struct cr_sweep *sweep;
     struct cr_pulse_shown *pulse; /* what the pane of the pulse shows, NULL: |a| of all */
+    void (*pulse_free)(struct cr_pulse_shown *pulse); /* of its owner */
     struct cr_log_line *log;
     int logs, log_size;
     char **line; /* history */
@@ -126,6 +133,9 @@ struct cr_session {
     double work_took;                           /* s of the last solve */
 };
 
+/* A session without a table of commands: for cr_session_new. */
+enum cr_err cr_session_make(const struct cr_session_opts *opts, struct cr_session **out,
+                            struct cr_error *err);
 void cr_say(struct cr_session *s, const char *fmt, ...) CR_PRINTF(2, 3);
 void cr_warn(struct cr_session *s, const char *fmt, ...) CR_PRINTF(2, 3);
 void cr_session_text(struct cr_session *s, enum cr_tone tone, const char *line);
@@ -163,7 +173,7 @@ double cr_work_end(struct cr_session *s); /* s it took */
 /* Progress is due (first after 0.3 s, then ten times a second). */
 bool cr_work_due(struct cr_session *s, double *elapsed);
 int cr_work_cancelled(struct cr_session *s);
-void cr_pulse_shown_free(struct cr_pulse_shown *shown);
+void cr_sweep_free(struct cr_sweep *sweep);
 void cr_session_take_sweep(struct cr_session *s, struct cr_sweep *sweep);
 void cr_session_drop_result(struct cr_session *s);
 void cr_session_take_result(struct cr_session *s, struct cr_result *result);
@@ -189,11 +199,16 @@ int cr_cmd_keys_given(const struct cr_call *call);
 /* Sets ID.key of the scene to a text. */
 enum cr_err cr_cmd_set_text(struct cr_scene *scene, const char *id, const char *key,
                             const char *value, struct cr_error *err);
+/* Sets ID.key to a number, or to two where y is not NaN; and the pose: m, rad. */
+enum cr_err cr_cmd_set_numbers(struct cr_scene *scene, const char *id, const char *key, double x,
+                               double y, struct cr_error *err);
+enum cr_err cr_cmd_set_pose(struct cr_scene *scene, const char *id, struct cr_vec2 pos,
+                            double heading, struct cr_error *err);
 /* cr_scene_resolve, but one participant alone is fine too. */
 enum cr_err cr_cmd_resolve(struct cr_scene *scene, const struct cr_model_lib *models,
                            struct cr_assumed *assumed, struct cr_error *err);
 /* Turns the JSON pointer of an error into the participant's name and key. */
-void cr_cmd_name_place(const struct cr_session *s, struct cr_error *err);
+void cr_cmd_name_place(const struct cr_scene *scene, struct cr_error *err);
 /* A participant in one line. */
 void cr_cmd_describe(const struct cr_participant *p, char *buf, int size);
 /* Time of a CR_VALUE_TIME argument (ms after the first contact, or its word) -> frame of the
@@ -247,6 +262,7 @@ enum cr_err cr_cmd_project(struct cr_session *s, int view, struct cr_error *err)
     X(explain)                                                                                     \
     X(compare)                                                                                     \
     X(assert)                                                                                      \
+    X(mc)                                                                                          \
     X(sweep)                                                                                       \
     X(load)                                                                                        \
     X(save)                                                                                        \
@@ -262,6 +278,10 @@ enum cr_err cr_cmd_project(struct cr_session *s, int view, struct cr_error *err)
     X(help)                                                                                        \
     X(apropos)                                                                                     \
     X(quit)
+/* May a command write to a path? A file that is there and is not the session's own is kept unless
+ * "!" was typed. */
+enum cr_err cr_cmd_may_write(struct cr_call *call, const char *path, struct cr_error *err);
+
 /* compare with a file of a pulse (compare.c); path is where the file was found. */
 enum cr_err cr_cmd_compare_pulse(struct cr_call *call, const char *path, struct cr_error *err);
 

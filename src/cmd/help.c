@@ -7,29 +7,13 @@
 #include <string.h>
 #include <strings.h>
 
-const struct cr_key *cr_arg_key(const struct cr_arg *arg) {
-    enum cr_key_table table = arg->mask != 0 ? CR_KEYS_PARTICIPANT : CR_KEYS_SETTINGS;
-    if (arg->type != CR_VALUE_KEY) {
-        return NULL;
-    }
-    /* a key that several kinds have in different rows is told by the first of them */
-    for (unsigned bit = 1; bit <= CR_FOR_ALL; bit <<= 1) {
-        if (arg->mask == 0 || (arg->mask & bit) != 0) {
-            const struct cr_key *key = cr_scene_key_find(table, arg->key, arg->mask != 0 ? bit : 0);
-            if (key != NULL) {
-                return key;
-            }
-        }
-    }
-    return NULL;
-}
-
 static const char *const type_words[] = {
-    [CR_VALUE_KEY] = "VALUE",       [CR_VALUE_NUMBER] = "NUMBER",   [CR_VALUE_COUNT] = "N",
-    [CR_VALUE_WORD] = "WORD",       [CR_VALUE_TEXT] = "TEXT",       [CR_VALUE_NAME] = "NAME",
-    [CR_VALUE_VEHICLE] = "NAME",    [CR_VALUE_NEW] = "NAME",        [CR_VALUE_FILE] = "FILE",
-    [CR_VALUE_MODEL] = "MODEL",     [CR_VALUE_COMMAND] = "COMMAND", [CR_VALUE_TIME] = "TIME",
-    [CR_VALUE_SWEEP] = "KEY RANGE", [CR_VALUE_POINT] = "X,Y",       [CR_VALUE_SWITCH] = "on|off",
+    [CR_VALUE_KEY] = "VALUE",     [CR_VALUE_NUMBER] = "NUMBER",   [CR_VALUE_COUNT] = "N",
+    [CR_VALUE_WORD] = "WORD",     [CR_VALUE_STEM] = "WORD",       [CR_VALUE_TEXT] = "TEXT",
+    [CR_VALUE_NAME] = "NAME",     [CR_VALUE_VEHICLE] = "NAME",    [CR_VALUE_NEW] = "NAME",
+    [CR_VALUE_FILE] = "FILE",     [CR_VALUE_MODEL] = "MODEL",     [CR_VALUE_COMMAND] = "COMMAND",
+    [CR_VALUE_TIME] = "TIME",     [CR_VALUE_SWEEP] = "KEY RANGE", [CR_VALUE_POINT] = "X,Y",
+    [CR_VALUE_SWITCH] = "on|off",
 };
 
 static void value_word(const struct cr_arg *arg, struct cr_str *out) {
@@ -42,7 +26,8 @@ static void value_word(const struct cr_arg *arg, struct cr_str *out) {
         cr_str_add(out, "on|off");
     } else if (key != NULL && key->unit != NULL && key->unit[0] != '\0') {
         cr_str_add(out, key->unit);
-    } else if (arg->type == CR_VALUE_WORD || arg->type == CR_VALUE_SWITCH) {
+    } else if (arg->type == CR_VALUE_WORD || arg->type == CR_VALUE_STEM ||
+               arg->type == CR_VALUE_SWITCH) {
         cr_str_add(out, arg->words);
     } else if (arg->unit != NULL) {
         cr_str_add(out, arg->unit);
@@ -225,13 +210,13 @@ void cr_command_roff(const struct cr_command *cmd, struct cr_str *out) {
 /* ---- commands ---- */
 
 enum cr_err cr_cmd_help(struct cr_call *call, struct cr_error *err) {
-    int n;
-    const struct cr_command *table = cr_commands(&n);
+    const struct cr_session *s = call->s;
+    const struct cr_command *table = s->command;
     const char *name = cr_cmd_text(call, "COMMAND", NULL), *group = "";
     if (name != NULL) {
         bool many;
         struct cr_str page = {0};
-        const struct cr_command *cmd = cr_command_find(name, &many);
+        const struct cr_command *cmd = cr_command_among(table, s->commands, name, &many);
         if (cmd == NULL) {
             cr_err_set(err, CR_ERR_NAME, "there is no command '%.60s'", name);
             cr_err_hint(err, "apropos %.40s searches the help", name);
@@ -242,7 +227,7 @@ enum cr_err cr_cmd_help(struct cr_call *call, struct cr_error *err) {
         cr_str_fini(&page);
         return CR_ERR_OK;
     }
-    for (int i = 0; i < n; i++) {
+    for (int i = 0; i < s->commands; i++) {
         if (strcmp(group, table[i].group) != 0) {
             group = table[i].group;
             cr_say(call->s, "%s", group);
@@ -280,10 +265,10 @@ static bool mentions(const struct cr_command *cmd, const char *word) {
 }
 
 enum cr_err cr_cmd_apropos(struct cr_call *call, struct cr_error *err) {
-    int n, found = 0;
-    const struct cr_command *table = cr_commands(&n);
+    int found = 0;
+    const struct cr_command *table = call->s->command;
     const char *word = cr_cmd_text(call, "WORD", "");
-    for (int i = 0; i < n; i++) {
+    for (int i = 0; i < call->s->commands; i++) {
         if (mentions(&table[i], word)) {
             cr_say(call->s, "%-9s %s", table[i].name, table[i].help);
             found++;

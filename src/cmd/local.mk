@@ -2,16 +2,24 @@ noinst_LIBRARIES += libcmd.a
 libcmd_a_SOURCES = \
 	src/cmd/args.c \
 	src/cmd/assert.c \
+	src/cmd/autosave.c \
 	src/cmd/cmd.h src/cmd/cmd_priv.h \
 	src/cmd/compare.c \
 	src/cmd/complete.c \
+	src/cmd/describe.c \
+	src/cmd/edit.c \
+	src/cmd/export.c src/cmd/export.h \
+	src/cmd/export_picture.c \
 	src/cmd/files.c \
 	src/cmd/help.c \
 	src/cmd/hints.c \
 	src/cmd/look.c \
+	src/cmd/mc.c \
 	src/cmd/measure.c src/cmd/measure.h \
 	src/cmd/model.c \
-	src/cmd/place.c \
+	src/cmd/open.c \
+	src/cmd/picture.c \
+	src/cmd/place.c src/cmd/placed.c \
 	src/cmd/project.c \
 	src/cmd/pulse.c \
 	src/cmd/run.c \
@@ -20,14 +28,17 @@ libcmd_a_SOURCES = \
 	src/cmd/session.c \
 	src/cmd/set.c \
 	src/cmd/solve.c \
+	src/cmd/state.c \
 	src/cmd/sweep.c src/cmd/sweep.h \
 	src/cmd/sweep_table.c \
 	src/cmd/table.c \
 	src/cmd/token.c \
-	src/cmd/undo.c
+	src/cmd/vary.c src/cmd/vary.h \
+	src/cmd/words.c \
+	src/cmd/work.c
 libcmd_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)
 
-tutorialdir = $(pkgdatadir)/share/tutorial
+tutorialdir = $(pkgdatadir)/tutorial
 dist_tutorial_DATA = \
 	share/tutorial/1-first-crash.crumple \
 	share/tutorial/2-ees-and-delta-v.crumple \

@@ -8,52 +8,6 @@
 #include <stdio.h>
 #include <string.h>
 
-enum cr_err cr_cmd_picture(struct cr_session *s, int width, int height,
-                           enum cr_err (*draw)(void *user, struct cr_cells *cells,
-                                               struct cr_rect at, struct cr_error *err),
-                           void *user, struct cr_error *err) {
-    struct cr_cells cells;
-    if (s->opts.out.cells == NULL) {
-        return CR_ERR_OK;
-    }
-    enum cr_err code = cr_cells_new(width, height, &cells, err);
-    if (code != CR_ERR_OK) {
-        return code;
-    }
-    code = draw(user, &cells, (struct cr_rect){0, 0, width, height}, err);
-    if (code == CR_ERR_OK) {
-        s->opts.out.cells(s->opts.out.user, &cells, &s->opts.look);
-    }
-    cr_cells_fini(&cells);
-    return code;
-}
-
-enum cr_err cr_cmd_picture_text(struct cr_session *s, int width, int height,
-                                enum cr_err (*draw)(void *user, struct cr_cells *cells,
-                                                    struct cr_rect at, struct cr_error *err),
-                                void *user, struct cr_error *err) {
-    struct cr_cells cells;
-    struct cr_str text = {0};
-    const struct cr_look look = s->opts.look;
-    enum cr_err code = cr_cells_new(width, height, &cells, err);
-    if (code != CR_ERR_OK) {
-        return code;
-    }
-    s->opts.look.color = CR_COLOR_NONE; /* lines of an answer have one colour: shades */
-    code = draw(user, &cells, (struct cr_rect){0, 0, width, height}, err);
-    if (code == CR_ERR_OK) {
-        cr_cells_text(&cells, &s->opts.look, &text);
-    }
-    s->opts.look = look;
-    for (char *p = text.s, *end; p != NULL && (end = strchr(p, '\n')) != NULL; p = end + 1) {
-        *end = '\0';
-        cr_session_text(s, CR_TONE_ANSWER, p);
-    }
-    cr_str_fini(&text);
-    cr_cells_fini(&cells);
-    return code;
-}
-
 /* first frame whose time slice ends at or after t seconds past the first contact */
 static int frame_of(const struct cr_solution *sol, double t) {
     int k = 0;

@@ -56,7 +56,7 @@ static double shown_per_si(const char *unit, int kind) {
             return rows[i].factor;
         }
     }
-    return unit[0] == '\0' ? 1 : (double)NAN;
+    return (double)NAN;
 }
 
 /* The column that was named; else that of the quantity ("ax_g", "v_kmh" ...) where there is one;
@@ -93,9 +93,13 @@ static enum cr_err read_measured(struct cr_call *call, const char *path, int kin
     }
     double factor = shown_per_si(out->unit, kind);
     if (isnan(factor)) {
-        cr_err_set(err, CR_ERR_TYPE, "column %s is in %s, which is not %s", out->name, out->unit,
-                   kinds[kind].title);
-        cr_err_hint(err, "name another with column=");
+        if (out->unit[0] == '\0') {
+            cr_err_set(err, CR_ERR_TYPE, "column '%.60s' does not say its unit", out->name);
+        } else {
+            cr_err_set(err, CR_ERR_TYPE, "column %.60s is in %s, which is not %s", out->name,
+                       out->unit, kinds[kind].title);
+        }
+        cr_err_hint(err, "name another with column=, or put its unit in the name, as in ax_g");
         cr_signal_free(out);
         return CR_ERR_TYPE;
     }
@@ -107,25 +111,6 @@ static enum cr_err read_measured(struct cr_call *call, const char *path, int kin
 }
 
 /* ---- the plot ---- */
-
-struct plot_job {
-    const struct cr_session *s;
-    const struct cr_plot *plot;
-};
-
-static enum cr_err draw(void *user, struct cr_cells *cells, struct cr_rect at,
-                        struct cr_error *err) {
-    const struct plot_job *job = user;
-    return cr_render_plot(cells, at, &job->s->opts.look, job->plot, err);
-}
-
-enum cr_err cr_cmd_plot(struct cr_session *s, const struct cr_plot *plot, int lines,
-                        struct cr_error *err) {
-    struct plot_job job = {s, plot};
-    int w, h;
-    cr_session_room(s, &w, &h);
-    return cr_cmd_picture(s, w, h - lines > 10 ? h - lines : 10, draw, &job, err);
-}
 
 /* samples until a little after the last contact */
 static int shown_samples(const struct cr_solution *sol) {
@@ -287,7 +272,7 @@ struct cr_pulse_shown {
     struct cr_signal measured; /* n = 0: none; ms and the unit of the plot */
 };
 
-void cr_pulse_shown_free(struct cr_pulse_shown *shown) {
+static void free_shown(struct cr_pulse_shown *shown) {
     if (shown != NULL) {
         cr_signal_free(&shown->measured);
         free(shown);
@@ -303,8 +288,11 @@ static enum cr_err keep(struct cr_session *s, const struct pulse_call *what,
     }
     *shown = (struct cr_pulse_shown){what->kind, what->cfc, *measured};
     *measured = (struct cr_signal){0};
-    cr_pulse_shown_free(s->pulse);
+    if (s->pulse != NULL) {
+        s->pulse_free(s->pulse);
+    }
     s->pulse = shown;
+    s->pulse_free = free_shown;
     return CR_ERR_OK;
 }
 

@@ -6,38 +6,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- the table by name ---- */
-
-const struct cr_command *cr_command_find(const char *word, bool *many) {
-    int n;
-    const struct cr_command *table = cr_commands(&n), *found = NULL;
-    size_t len = strlen(word);
-    if (many != NULL) {
-        *many = false;
-    }
-    for (int i = 0; i < n && len > 0; i++) {
-        if (strcmp(table[i].name, word) == 0) {
-            if (many != NULL) {
-                *many = false;
-            }
-            return &table[i];
-        }
-        if (strncmp(table[i].name, word, len) == 0) {
-            if (many != NULL) {
-                *many = *many || found != NULL;
-            }
-            found = found == NULL ? &table[i] : found;
-        }
-    }
-    return many != NULL && *many ? NULL : found;
-}
-
-static enum cr_err no_command(const char *word, bool many, struct cr_error *err) {
+static enum cr_err no_command(const struct cr_session *s, const char *word, bool many,
+                              struct cr_error *err) {
     enum { MAX = 64 };
     const char *names[MAX];
     char list[160] = "";
-    int n;
-    const struct cr_command *table = cr_commands(&n);
+    int n = s->commands;
+    const struct cr_command *table = s->command;
     for (int i = 0; i < n && i < MAX; i++) {
         names[i] = table[i].name;
         size_t used = strlen(list);
@@ -197,21 +172,6 @@ static enum cr_err run_call(struct cr_call *call, struct cr_error *err) {
     return code;
 }
 
-/* "/participants/1/mass_kg" -> "B.mass_kg", as it is called here */
-void cr_cmd_name_place(const struct cr_session *s, struct cr_error *err) {
-    int i, n = 0;
-    char rest[sizeof err->where];
-    if (err->src[0] != '\0' || sscanf(err->where, "/participants/%d%n", &i, &n) != 1 || i < 0 ||
-        i >= cr_session_scene(s)->n) {
-        return;
-    }
-    snprintf(rest, sizeof rest, "%s", err->where + n);
-    for (char *p = rest; *p != '\0'; p++) {
-        *p = *p == '/' ? '.' : *p;
-    }
-    snprintf(err->where, sizeof err->where, "%.60s%.60s", cr_session_scene(s)->part[i].id, rest);
-}
-
 static enum cr_err run_statement(struct cr_session *s, const struct source *src,
                                  const struct cr_tokens *tokens) {
     struct cr_error err = {0};
@@ -225,7 +185,9 @@ static enum cr_err run_statement(struct cr_session *s, const struct source *src,
         call.force = true;
         name[len - 1] = '\0';
     }
-    call.cmd = tokens->tok[0].kind == CR_TOKEN_WORD ? cr_command_find(name, &many) : NULL;
+    call.cmd = tokens->tok[0].kind == CR_TOKEN_WORD
+                   ? cr_command_among(s->command, s->commands, name, &many)
+                   : NULL;
     const struct cr_token *first = &tokens->tok[0];
     if (first->kind == CR_TOKEN_PAIR) {
         code = cr_err_set(&err, CR_ERR_KEY, "a line begins with a command");
@@ -233,7 +195,7 @@ static enum cr_err run_statement(struct cr_session *s, const struct source *src,
             cr_err_hint(&err, "for example: vehicle A speed=50km/h; set dt=0.25ms");
         }
     } else if (call.cmd == NULL) {
-        code = no_command(name, many, &err);
+        code = no_command(s, name, many, &err);
     } else if (call.force && (call.cmd->flags & CR_CMD_FORCE) == 0) {
         code = cr_err_set(&err, CR_ERR_SYNTAX, "'%s' takes no '!'", call.cmd->name);
     } else {
@@ -244,7 +206,7 @@ static enum cr_err run_statement(struct cr_session *s, const struct source *src,
         if (call.blame != NULL) {
             err.where[0] = '\0'; /* the caret says it better than a JSON pointer */
         }
-        cr_cmd_name_place(s, &err);
+        cr_cmd_name_place(cr_session_scene(s), &err);
         bool value = tok->kind == CR_TOKEN_PAIR && code != CR_ERR_KEY && tok->value_len > 0;
         show_fault(s, src, &err, value ? tok->value_at : tok->at,
                    value ? tok->value_len : tok->len);

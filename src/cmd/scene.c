@@ -8,95 +8,12 @@
 
 /* ---- keys of the scene by argument ---- */
 
-/* messages of the scene begin with the key as in JSON; who typed "mass" wants to read "mass" */
-static void rename_key(const struct cr_arg *arg, struct cr_error *err) {
-    size_t n = strlen(arg->key);
-    if (err != NULL && strncmp(err->text, arg->key, n) == 0) {
-        char rest[sizeof err->text];
-        snprintf(rest, sizeof rest, "%s", err->text + n);
-        snprintf(err->text, sizeof err->text, "%s%.200s", arg->name, rest);
-    }
-}
-
-enum cr_err cr_cmd_set_key(struct cr_call *call, struct cr_scene *scene, const char *id,
-                           const char *name, struct cr_error *err) {
-    const struct cr_value *v = cr_cmd_arg(call, name);
-    const struct cr_arg *arg = &call->cmd->arg[v - call->value];
-    char full[CR_NAME_MAX + 64];
-    if (v->token == NULL) {
-        return CR_ERR_OK;
-    }
-    snprintf(full, sizeof full, "%s%s%s", id != NULL ? id : "", id != NULL ? "." : "", arg->key);
-    enum cr_err code = cr_scene_set(scene, full, v->text, err);
-    if (code != CR_ERR_OK) {
-        rename_key(arg, err);
-        call->blame = v->token;
-    }
-    return code;
-}
-
-/* all key arguments that were given */
-enum cr_err cr_cmd_set_keys(struct cr_call *call, struct cr_scene *scene, const char *id,
-                            struct cr_error *err) {
-    enum cr_err code = CR_ERR_OK;
-    for (int i = 0; call->cmd->arg[i].name != NULL && code == CR_ERR_OK; i++) {
-        if (call->cmd->arg[i].type == CR_VALUE_KEY) {
-            code = cr_cmd_set_key(call, scene, id, call->cmd->arg[i].name, err);
-        }
-    }
-    return code;
-}
-
-int cr_cmd_keys_given(const struct cr_call *call) {
-    int n = 0;
-    for (int i = 0; call->cmd->arg[i].name != NULL; i++) {
-        n += call->cmd->arg[i].place == CR_ARG_KEY && call->value[i].token != NULL;
-    }
-    return n;
-}
-
 /* ---- telling about participants ---- */
-
-void cr_cmd_describe(const struct cr_participant *p, char *buf, int size) {
-    char what[120], mass[40] = "fixed";
-    if (isfinite(p->mass)) {
-        snprintf(mass, sizeof mass, "%.10g kg", p->mass);
-    }
-    if (p->kind == CR_KIND_VEHICLE) {
-        snprintf(what, sizeof what, "%s %s", p->type < CR_TYPES ? cr_type_word(p->type) : "no type",
-                 mass);
-    } else if (p->shape == CR_OBJECT_POLE) {
-        snprintf(what, sizeof what, "%s pole %.10g m thick", mass, 2 * p->radius);
-    } else if (p->shape == CR_OBJECT_BOX) {
-        snprintf(what, sizeof what, "%s box %.10g m x %.10g m", mass, p->length, p->width);
-    } else {
-        snprintf(what, sizeof what, "%s %s", mass, p->shape == CR_OBJECT_WALL ? "wall" : "polygon");
-    }
-    snprintf(buf, (size_t)size, "%s: %s  x=%.2f m y=%.2f m heading=%.1f deg  %.1f km/h", p->id,
-             what, p->pos.x + 0.0, p->pos.y + 0.0, cr_deg(p->heading), cr_kmh(p->speed));
-}
 
 static void say_participant(struct cr_session *s, const struct cr_participant *p) {
     char line[300];
     cr_cmd_describe(p, line, sizeof line);
     cr_say(s, "%s", line);
-}
-
-enum cr_err cr_cmd_resolve(struct cr_scene *scene, const struct cr_model_lib *models,
-                           struct cr_assumed *assumed, struct cr_error *err) {
-    struct cr_participant *other = NULL;
-    enum cr_err code = CR_ERR_OK;
-    if (scene->n == 1) { /* alone it is no whole scene, but it can be looked at */
-        const char *id = strcmp(scene->part[0].id, "other") == 0 ? "another" : "other";
-        code = cr_scene_add(scene, id, CR_KIND_OBJECT, &other, err);
-    }
-    if (code == CR_ERR_OK) {
-        code = cr_scene_resolve(scene, models, assumed, err);
-    }
-    if (other != NULL) {
-        scene->n--;
-    }
-    return code;
 }
 
 /* every key with its value; what was not given as the solver will assume it */
@@ -130,7 +47,7 @@ static enum cr_err say_keys(struct cr_call *call, const char *id, struct cr_erro
             }
             const char *text = cr_str_get(assumes && known ? &value : &given);
             double x = strtod(text, NULL);
-            if (key->type == CR_KEY_NUMBER && strcmp(text, "auto") != 0) {
+            if (key->type == CR_KEY_NUMBER && strcmp(text, "auto") != 0 && !cr_tolerance_is(text)) {
                 cr_say(s, "%-10s %.5g %s%s", arg->name, x, key->unit, assumes ? "  (assumed)" : "");
             } else {
                 bool bare = assumes || key->unit == NULL || key->unit[0] == '\0';
@@ -265,13 +182,6 @@ static enum cr_err place_again(struct cr_session *s, struct cr_state *draft, con
         }
     }
     return CR_ERR_OK;
-}
-
-enum cr_err cr_cmd_set_text(struct cr_scene *scene, const char *id, const char *key,
-                            const char *value, struct cr_error *err) {
-    char full[CR_NAME_MAX + 64];
-    snprintf(full, sizeof full, "%s.%s", id, key);
-    return cr_scene_set(scene, full, value, err);
 }
 
 /* what an object's arguments say that is not a key of the scene file */

@@ -1,4 +1,5 @@
 /* The session: what commands work on, its log, and the data that is read when first needed. */
+#include "base/file.h"
 #include "cmd/sweep.h"
 
 #include <math.h>
@@ -24,8 +25,8 @@ void cr_session_reset_view(struct cr_session *s) {
              keep.theme[0] != '\0' ? keep.theme : "auto");
 }
 
-enum cr_err cr_session_new(const struct cr_session_opts *opts, struct cr_session **out,
-                           struct cr_error *err) {
+enum cr_err cr_session_make(const struct cr_session_opts *opts, struct cr_session **out,
+                            struct cr_error *err) {
     struct cr_session *s = calloc(1, sizeof *s);
     struct cr_state *first = calloc(1, sizeof *first);
     if (s == NULL || first == NULL) {
@@ -50,6 +51,16 @@ enum cr_err cr_session_new(const struct cr_session_opts *opts, struct cr_session
     s->saved_rev = s->last_rev;
     *out = s;
     return CR_ERR_OK;
+}
+
+void cr_sweep_free(struct cr_sweep *sweep) {
+    if (sweep != NULL) {
+        free(sweep->axis[0].value);
+        free(sweep->axis[1].value);
+        free(sweep->run);
+        free(sweep->severity);
+        free(sweep);
+    }
 }
 
 void cr_session_take_sweep(struct cr_session *s, struct cr_sweep *sweep) {
@@ -78,7 +89,9 @@ void cr_session_free(struct cr_session *s) {
     free(s->state);
     drop_compiled(s);
     cr_sweep_free(s->sweep);
-    cr_pulse_shown_free(s->pulse);
+    if (s->pulse != NULL) {
+        s->pulse_free(s->pulse);
+    }
     cr_result_free(s->result);
     free(s->reference);
     cr_model_lib_free(s->models);
@@ -200,6 +213,15 @@ enum cr_err cr_session_remember(struct cr_session *s, const char *line, struct c
 
 /* ---- data and results ---- */
 
+const char *cr_session_find_file(const struct cr_session *s, const char *path, char *buf,
+                                 int size) {
+    if (access(path, F_OK) != 0 && path[0] != '/' && s->data_dir[0] != '\0') {
+        cr_file_part(s->data_dir, path, buf, (size_t)size);
+        return access(buf, F_OK) == 0 ? buf : path;
+    }
+    return path;
+}
+
 enum cr_err cr_session_need_models(struct cr_session *s, struct cr_error *err) {
     char path[CR_PATH_MAX + 16];
     if (s->models != NULL) {
@@ -216,7 +238,7 @@ enum cr_err cr_session_need_models(struct cr_session *s, struct cr_error *err) {
         s->models = NULL;
         return code;
     }
-    snprintf(path, sizeof path, "%s/share/irf", s->data_dir);
+    cr_file_part(s->data_dir, "irf", path, sizeof path);
     struct cr_error irf_err;
     if (cr_irf_load(path, &s->irf, &irf_err) != CR_ERR_OK) {
         s->irf = NULL;

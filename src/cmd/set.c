@@ -215,7 +215,7 @@ enum cr_err cr_cmd_check(struct cr_call *call, struct cr_error *err) {
     if (cr_scene_resolve(&scene, s->models, &assumed, &found) != CR_ERR_OK ||
         cr_session_compiled(s, &found) == NULL ||
         cr_result_solver(&scene, &s->compiled->cs, &solver, &found) != CR_ERR_OK) {
-        cr_cmd_name_place(s, &found);
+        cr_cmd_name_place(cr_session_scene(s), &found);
         cr_say(s, "%s%s%s%s%s", found.where, found.where[0] != '\0' ? ": " : "", found.src,
                found.src[0] != '\0' ? ": " : "", found.text);
         cr_say(s, "  %s", remedy(&found, how, sizeof how));

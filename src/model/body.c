@@ -216,11 +216,11 @@ enum cr_err cr_model_body_build(const struct cr_model_recipe *r, struct cr_arena
     struct cr_arena scratch = {0};
     struct maker m;
     struct slice all = {0};
-    enum cr_err rc = CR_ERR_OK;
+    enum cr_err code = CR_ERR_OK;
     if (!begin(&m, r, &scratch) || !take_slices(&all, (size_t)m.b.nx * slice_size(&m.b), arena)) {
-        rc = cr_err_set(err, CR_ERR_MEMORY, "no memory for the body of a model");
+        code = cr_err_set(err, CR_ERR_MEMORY, "no memory for the body of a model");
     }
-    for (int ix = 0; ix < m.b.nx && !rc; ix++) {
+    for (int ix = 0; ix < m.b.nx && code == CR_ERR_OK; ix++) {
         size_t at = (size_t)ix * slice_size(&m.b);
         struct slice s = {all.fill + at, {all.weight[0] + at, all.weight[1] + at}, 0, 0};
         make_slice(&m, ix, &s);
@@ -230,7 +230,7 @@ enum cr_err cr_model_body_build(const struct cr_model_recipe *r, struct cr_arena
     out->weight[0] = all.weight[0];
     out->weight[1] = all.weight[1];
     cr_arena_free(&scratch);
-    return rc;
+    return code;
 }
 
 /* Sums of the columns of a slice between two heights in cells; part cells count by their share. */

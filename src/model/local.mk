@@ -20,11 +20,11 @@ dist_models_DATA = \
 	models/compact.json models/mini-compact.json models/sedan.json \
 	models/station-wagon.json models/super-compact.json models/suv.json
 
-modelschemadir = $(pkgdatadir)/share/schema
+modelschemadir = $(pkgdatadir)/schema
 dist_modelschema_DATA = share/schema/recipe.schema.json share/schema/voxel-model.schema.json
-modeldocdir = $(pkgdatadir)/share/doc
+modeldocdir = $(docdir)
 dist_modeldoc_DATA = share/doc/models.md
-typesdir = $(pkgdatadir)/share/calibration
+typesdir = $(pkgdatadir)/calibration
 dist_types_DATA = share/calibration/types.json
 
 # fit the faces of the recipes to these data again, in the source tree

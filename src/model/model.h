@@ -14,7 +14,7 @@
 
 #include <stdbool.h>
 
-/* X(name, word, label) in order of the paper */
+/* X(NAME, word) in the order of the paper. */
 #define CR_TYPE_LIST(X)                                                                            \
     X(SUPER_COMPACT, "super-compact")                                                              \
     X(MINI_COMPACT, "mini-compact")                                                                \

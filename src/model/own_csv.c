@@ -128,11 +128,11 @@ static enum cr_err read_head(struct csv *c, struct cr_voxels *v) {
     bool seen[CR_VOXELS_FIELDS] = {false};
     struct cr_voxels_fault fault = {.key = ""};
     int fields = cr_voxels_fields(v, count, field);
-    enum cr_err rc = CR_ERR_OK;
-    for (; *c->p == '#' && !rc; next_line(c)) {
-        rc = read_head_line(c, v, field, fields, seen);
-        if (rc) {
-            return rc;
+    enum cr_err code = CR_ERR_OK;
+    for (; *c->p == '#' && code == CR_ERR_OK; next_line(c)) {
+        code = read_head_line(c, v, field, fields, seen);
+        if (code != CR_ERR_OK) {
+            return code;
         }
     }
     for (int i = 0; i < fields; i++) {
@@ -173,9 +173,9 @@ enum cr_err cr_voxels_read_csv(const char *text, const char *src, struct cr_aren
     struct csv c = {.src = src, .p = text, .line = 1, .err = err};
     struct cr_voxels_fault fault;
     *out = (struct cr_voxels){.nx = 0};
-    enum cr_err rc = read_head(&c, out);
-    if (rc) {
-        return rc;
+    enum cr_err code = read_head(&c, out);
+    if (code != CR_ERR_OK) {
+        return code;
     }
     size_t n = (size_t)out->nx * (size_t)out->ny * (size_t)out->nz;
     double *fill = cr_arena_take(arena, n, 8), *energy = cr_arena_take(arena, n, 8);
@@ -185,11 +185,11 @@ enum cr_err cr_voxels_read_csv(const char *text, const char *src, struct cr_aren
     if (strncmp(c.p, "ix,", 3) != 0) {
         return fail(&c, CR_ERR_SYNTAX, "", "a line of column names that begins with ix is wanted");
     }
-    for (next_line(&c); *c.p != '\0' && !rc; next_line(&c)) {
+    for (next_line(&c); *c.p != '\0' && code == CR_ERR_OK; next_line(&c)) {
         if (*c.p != '\n' && *c.p != '\r') {
-            rc = read_row(&c, out, fill, energy);
-            if (rc) {
-                return rc;
+            code = read_row(&c, out, fill, energy);
+            if (code != CR_ERR_OK) {
+                return code;
             }
         }
     }

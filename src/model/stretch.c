@@ -27,12 +27,12 @@ static enum cr_err check_order(const struct cr_model_map *m, const char *const *
                                struct cr_error *err) {
     for (int i = 1; i < m->n; i++) {
         if (!(m->own[i] - m->own[i - 1] > 1e-3)) {
-            enum cr_err rc = cr_err_set(err, CR_ERR_RANGE,
-                                        "reference lines out of order: %s at %.3f m must lie "
-                                        "beyond %s at %.3f m",
-                                        name[i], m->own[i], name[i - 1], m->own[i - 1]);
+            enum cr_err code = cr_err_set(err, CR_ERR_RANGE,
+                                          "reference lines out of order: %s at %.3f m must lie "
+                                          "beyond %s at %.3f m",
+                                          name[i], m->own[i], name[i - 1], m->own[i - 1]);
             cr_err_hint(err, "check length, width, wheelbase, track and front overhang");
-            return rc;
+            return code;
         }
     }
     return CR_ERR_OK;
@@ -70,11 +70,14 @@ enum cr_err cr_model_stretch_make(const struct cr_model_recipe *r, const struct 
     /* what bumpers and rails meet lies at much the same height in all cars of a type */
     out->z =
         (struct cr_model_map){3, {0, r->keep_below, d->height}, {0, r->keep_below, r->dims.height}};
-    enum cr_err rc = check_order(&out->x, name_x, err);
-    if (!rc) {
-        rc = check_order(&out->y, name_y, err);
+    enum cr_err code = check_order(&out->x, name_x, err);
+    if (code == CR_ERR_OK) {
+        code = check_order(&out->y, name_y, err);
     }
-    return rc ? rc : check_order(&out->z, name_z, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    return check_order(&out->z, name_z, err);
 }
 
 enum cr_err cr_model_query_check(const struct cr_model_query *q, struct cr_error *err) {
@@ -94,10 +97,10 @@ enum cr_err cr_model_query_check(const struct cr_model_query *q, struct cr_error
     };
     for (size_t i = 0; i < sizeof check / sizeof check[0]; i++) {
         if (!(check[i].v >= check[i].lo && check[i].v <= check[i].hi)) {
-            enum cr_err rc = cr_err_set(err, CR_ERR_RANGE, "%s %g %s cannot be", check[i].name,
-                                        check[i].v, check[i].unit);
+            enum cr_err code = cr_err_set(err, CR_ERR_RANGE, "%s %g %s cannot be", check[i].name,
+                                          check[i].v, check[i].unit);
             cr_err_hint(err, "%g to %g %s", check[i].lo, check[i].hi, check[i].unit);
-            return rc;
+            return code;
         }
     }
     if (!isfinite(q->pdof) || isnan(q->z_lo) || isnan(q->z_hi)) {

@@ -2,39 +2,13 @@
 #include "render/picture.h"
 
 #include "base/vec.h"
+#include "result/result.h"
 
 #include <math.h>
 
 /* Upper end of the EES scale, km/h: fixed, so that pictures can be compared; what is harder still
  * is drawn as the last step. */
 static const double EES_TOP = 100;
-
-/* EES in km/h of a line of voxels crushed from its end down to each of its voxels, if the whole
- * face were like this line (`lines` of them): sqrt(2 E lines / m). Keeps the lesser of this and
- * what is there, so that every voxel ends with the value of the face that reaches it first. */
-static void walk(const struct cr_grid *g, double mass, int lines, int start, int step, int n,
-                 double *ees) {
-    double sum = 0;
-    for (int k = 0, i = start; k < n; k++, i += step) {
-        sum += g->energy[i];
-        ees[i] = fmin(ees[i], cr_kmh(sqrt(2 * sum * lines / mass)));
-    }
-}
-
-static void fill_ees(const struct cr_grid *g, double mass, double *ees) {
-    int n = g->nx * g->ny;
-    for (int i = 0; i < n; i++) {
-        ees[i] = INFINITY;
-    }
-    for (int iy = 0; iy < g->ny; iy++) {
-        walk(g, mass, g->ny, iy * g->nx, 1, g->nx, ees);
-        walk(g, mass, g->ny, iy * g->nx + g->nx - 1, -1, g->nx, ees);
-    }
-    for (int ix = 0; ix < g->nx; ix++) {
-        walk(g, mass, g->nx, ix, g->nx, g->ny, ees);
-        walk(g, mass, g->nx, n - g->nx + ix, -g->nx, g->ny, ees);
-    }
-}
 
 /* depth below the struck face, m */
 static double depth_at(const struct cr_pic_body *b, int ix, int iy) {
@@ -120,7 +94,7 @@ enum cr_err cr_pic_field_init(struct cr_pic *pic, struct cr_error *err) {
                 return cr_err_set(err, CR_ERR_MEMORY, "no memory for the field of %s", b->id);
             }
             /* a barrier that is fixed has no mass to relate its energy to */
-            fill_ees(b->grid, b->mass > 0 ? b->mass : 1500, ees);
+            cr_result_ees(b->grid, b->mass > 0 ? b->mass : 1500, ees);
             b->ees = ees;
         }
     }

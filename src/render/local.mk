@@ -11,6 +11,7 @@ librender_a_SOURCES = \
 	src/render/glyph.c \
 	src/render/layout.c src/render/layout.h \
 	src/render/marks.c \
+	src/render/page.c \
 	src/render/panes.c src/render/panes.h \
 	src/render/picture.c src/render/picture.h \
 	src/render/plot.c \

@@ -1,5 +1,6 @@
 noinst_LIBRARIES += librepl.a
 librepl_a_SOURCES = \
+	src/repl/interrupt.c \
 	src/repl/main.c \
 	src/repl/prompt.c \
 	src/repl/repl.h src/repl/repl_priv.h \

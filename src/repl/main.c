@@ -10,19 +10,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-volatile sig_atomic_t cr_repl_interrupted;
-
-static void on_interrupt(int sig) {
-    (void)sig;
-    cr_repl_interrupted = 1;
-}
-
-void cr_repl_catch_interrupt(void) {
-    struct sigaction action = {.sa_handler = on_interrupt};
-    sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, NULL);
-}
-
 const char *cr_repl_state_dir(char *buf, int size) {
     const char *state = getenv("XDG_STATE_HOME"), *home = getenv("HOME");
     buf[0] = '\0';
@@ -149,7 +136,7 @@ static enum cr_err run_stream(struct cr_session *s) {
 /* "share/tutorial/..." works wherever the program is run, as it does for source */
 static const char *find_file(const char *path, const char *data_dir, char *buf, int size) {
     if (access(path, F_OK) != 0 && path[0] != '/' && data_dir[0] != '\0') {
-        snprintf(buf, (size_t)size, "%s/%s", data_dir, path);
+        cr_file_part(data_dir, path, buf, (size_t)size);
         return access(buf, F_OK) == 0 ? buf : path;
     }
     return path;

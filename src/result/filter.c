@@ -6,12 +6,12 @@
 #include <stdlib.h>
 
 /* wd = 2 pi CFC 2.0775 (SAE J211); the ISO 6487 text has 1.25/0.6 = 2.0833 */
-static const double CUTOFF = 2.0775;
+static const double cutoff = 2.0775;
 /* -3 dB of both passes together lies at CFC / 0.6: 100 Hz for CFC60 */
-static const double TWO_PASS = 0.6;
+static const double two_pass = 0.6;
 /* share of the Nyquist frequency above which NHTSA's BWFILT refuses to filter */
-static const double NYQUIST_SHARE = 0.775;
-static const double PAD_S = 0.010; /* of mirrored signal at either end, ISO variant */
+static const double nyquist_share = 0.775;
+static const double pad_s = 0.010; /* of mirrored signal at either end, ISO variant */
 enum { PAD_MIN = 100, START_MEAN = 10 };
 
 struct biquad {
@@ -19,7 +19,7 @@ struct biquad {
 };
 
 static struct biquad design(double cfc, double dt) {
-    double wa = tan(2 * CR_PI * cfc * CUTOFF * dt / 2);
+    double wa = tan(2 * CR_PI * cfc * cutoff * dt / 2);
     double d = 1 + sqrt(2.0) * wa + wa * wa;
     return (struct biquad){
         .b0 = wa * wa / d, .a1 = -2 * (wa * wa - 1) / d, .a2 = (-1 + sqrt(2.0) * wa - wa * wa) / d};
@@ -45,23 +45,23 @@ static void pass(const struct biquad *f, double *x, int n, int step) {
 }
 
 enum cr_err cr_cfc_filter(double cfc, double dt, double *x, int n, struct cr_error *err) {
-    if (!(cfc > 0) || !(dt > 0) || !isfinite(cfc) || cfc / TWO_PASS > NYQUIST_SHARE * 0.5 / dt) {
+    if (!(cfc > 0) || !(dt > 0) || !isfinite(cfc) || cfc / two_pass > nyquist_share * 0.5 / dt) {
         cr_err_set(err, CR_ERR_RANGE, "CFC%g needs samples closer than %.3g ms, these are %.3g ms",
-                   cfc, cfc > 0 ? 1e3 * NYQUIST_SHARE * 0.5 * TWO_PASS / cfc : 0.0, 1e3 * dt);
+                   cfc, cfc > 0 ? 1e3 * nyquist_share * 0.5 * two_pass / cfc : 0.0, 1e3 * dt);
         cr_err_hint(err, "use a lower class (60, 180, 600, 1000) or resample the signal");
         return CR_ERR_RANGE;
     }
     if (n < 2) {
         return CR_ERR_OK;
     }
-    int pad = (int)lround(PAD_S / dt);
+    int pad = (int)lround(pad_s / dt);
     pad = pad < PAD_MIN ? PAD_MIN : pad;
     pad = pad > n - 1 ? n - 1 : pad;
     double *y = malloc((size_t)(n + 2 * pad) * sizeof *y);
-    if (!y) {
+    if (y == NULL) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory to filter %d samples", n);
     }
-    // point mirror at both ends, so that a signal that starts off zero keeps its first value
+    /* point mirror at both ends, so that a signal that starts off zero keeps its first value */
     for (int i = 0; i < pad; i++) {
         y[pad - 1 - i] = 2 * x[0] - x[i + 1];
         y[pad + n + i] = 2 * x[n - 1] - x[n - 2 - i];

@@ -39,6 +39,7 @@ struct irf {
 };
 
 struct cr_irf_set {
+    char hash[CR_HASH_SIZE]; /* of all files, each hashed with those before it */
     int n, size;
     struct irf *irf;
 };
@@ -159,6 +160,13 @@ static enum cr_err read_irf(const cJSON *json, const char *path, struct irf *f,
     return read_formula(json, path, f, err);
 }
 
+static void chain_hash(struct cr_irf_set *set, const char *text, size_t len) {
+    char both[2 * CR_HASH_SIZE] = "";
+    memcpy(both, set->hash, CR_HASH_SIZE);
+    cr_hash_hex(text, len, both + strlen(both));
+    cr_hash_hex(both, strlen(both), set->hash);
+}
+
 static enum cr_err add_file(struct cr_irf_set *set, const char *path, struct cr_error *err) {
     char *text = NULL;
     size_t len;
@@ -167,6 +175,7 @@ static enum cr_err add_file(struct cr_irf_set *set, const char *path, struct cr_
     if (rc) {
         return rc;
     }
+    chain_hash(set, text, len);
     json = cJSON_ParseWithLength(text, len);
     const cJSON *list = cJSON_GetObjectItemCaseSensitive(json, "functions"), *item;
     if (!cJSON_IsArray(list)) {
@@ -206,7 +215,7 @@ static int is_json(const struct dirent *e) {
 enum cr_err cr_irf_load(const char *dir, struct cr_irf_set **out, struct cr_error *err) {
     struct dirent **entry = NULL;
     *out = NULL;
-    int n = scandir(dir, &entry, is_json, alphasort);
+    int n = scandir(dir, &entry, is_json, cr_file_by_bytes);
     if (n < 0) {
         cr_err_set(err, CR_ERR_IO, "cannot list folder '%s': %s", dir, strerror(errno));
         return CR_ERR_IO;
@@ -230,6 +239,10 @@ enum cr_err cr_irf_load(const char *dir, struct cr_irf_set **out, struct cr_erro
     }
     *out = set;
     return CR_ERR_OK;
+}
+
+const char *cr_irf_hash(const struct cr_irf_set *set) {
+    return set->hash;
 }
 
 void cr_irf_free(struct cr_irf_set *set) {

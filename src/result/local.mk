@@ -3,26 +3,32 @@ libresult_a_SOURCES = \
 	src/result/cdc.c \
 	src/result/compare.c src/result/compare.h \
 	src/result/csv.c \
+	src/result/damage.c src/result/damage.h \
 	src/result/deform.c src/result/deform.h \
+	src/result/event.c src/result/event.h \
+	src/result/ees.c \
 	src/result/filter.c \
 	src/result/irf.c \
-	src/result/json.c \
+	src/result/json.c src/result/json_priv.h src/result/json_severity.c \
 	src/result/measure.c \
+	src/result/measures.c src/result/measures.h \
+	src/result/names.c src/result/names.h \
 	src/result/outline.c \
 	src/result/planar.c src/result/planar.h \
 	src/result/pulse.c src/result/pulse.h \
 	src/result/rating.c src/result/rating.h \
 	src/result/result.h src/result/result_priv.h \
+	src/result/risk.c \
 	src/result/run.c \
 	src/result/signal.c src/result/signal.h \
 	src/result/trace.c \
 	src/result/warn.c
 libresult_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)
-irfdir = $(pkgdatadir)/share/irf
+irfdir = $(pkgdatadir)/irf
 dist_irf_DATA = \
 	share/irf/gidas-2019.json \
 	share/irf/lubbe-2022.json \
 	share/irf/malliaris-1997.json \
 	share/irf/tum-crss.json
-resultschemadir = $(pkgdatadir)/share/schema
+resultschemadir = $(pkgdatadir)/schema
 dist_resultschema_DATA = share/schema/result.schema.json

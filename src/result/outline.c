@@ -16,7 +16,7 @@ struct field {
     unsigned char *full; /* [2 * w] whether the corners of two rows hold material */
 };
 
-static const double LEVEL = 0.5; /* material per voxel */
+static const double level = 0.5; /* material per voxel */
 
 static double value(const struct field *f, int x, int y) {
     bool in = x >= 1 && y >= 1 && x <= f->grid->nx && y <= f->grid->ny;
@@ -38,16 +38,16 @@ static const unsigned char *corners(const struct field *f, int y) {
     const double *left = f->left + (in ? (y - 1) * nx : 0);
     full[0] = full[nx + 1] = 0;
     for (int x = 0; x < nx; x++) {
-        full[x + 1] = in && left[x] >= LEVEL;
+        full[x + 1] = in && left[x] >= level;
     }
     return full;
 }
 
 /* low, high: corners of row y and of the next one */
 static void link_row(struct field *f, int y, const unsigned char *low, const unsigned char *high) {
-    // corners lower left, lower right, upper right, upper left; from edge -> to edge, with the
-    // material on the left hand; the two saddles keep the corners of material apart
-    static const signed char TABLE[16][4] = {
+    /* corners lower left, lower right, upper right, upper left; from edge -> to edge, with the
+     * material on the left hand; the two saddles keep the corners of material apart */
+    static const signed char table[16][4] = {
         {-1, -1, -1, -1}, {0, 3, -1, -1}, {1, 0, -1, -1}, {1, 3, -1, -1},
         {2, 1, -1, -1},   {0, 3, 2, 1},   {2, 0, -1, -1}, {2, 3, -1, -1},
         {3, 2, -1, -1},   {0, 2, -1, -1}, {1, 0, 3, 2},   {1, 2, -1, -1},
@@ -55,8 +55,8 @@ static void link_row(struct field *f, int y, const unsigned char *low, const uns
     };
     for (int x = 0; x + 1 < f->w; x++) {
         int kind = low[x] | low[x + 1] << 1 | high[x + 1] << 2 | high[x] << 3;
-        for (int i = 0; i < 4 && TABLE[kind][i] >= 0; i += 2) {
-            f->next[edge(f, x, y, TABLE[kind][i])] = edge(f, x, y, TABLE[kind][i + 1]);
+        for (int i = 0; i < 4 && table[kind][i] >= 0; i += 2) {
+            f->next[edge(f, x, y, table[kind][i])] = edge(f, x, y, table[kind][i + 1]);
         }
     }
 }
@@ -65,8 +65,8 @@ static struct cr_vec2 crossing(const struct field *f, int e) {
     const struct cr_grid *g = f->grid;
     int x = e / 2 % f->w, y = e / 2 / f->w, up = e % 2;
     double a = value(f, x, y), b = value(f, x + !up, y + up);
-    // both sides of an outermost edge may be fuller than the level only if the grid says so
-    double t = (LEVEL - a) / (b - a);
+    /* both sides of an outermost edge may be fuller than the level only if the grid says so */
+    double t = (level - a) / (b - a);
     return cr_vec2(g->x0 + g->h * (x - 0.5 + (up ? 0 : t)),
                    g->y0 + g->h * (y - 0.5 + (up ? t : 0)));
 }
@@ -90,7 +90,7 @@ static int largest(struct field *f, int *points) {
     double best = 0;
     int found = -1;
     unsigned char *seen = calloc((size_t)(2 * f->w) * (size_t)f->h, 1);
-    if (!seen) {
+    if (seen == NULL) {
         return -2;
     }
     for (int e = 0; e < 2 * f->w * f->h; e++) {
@@ -120,7 +120,7 @@ static int simplify(struct cr_vec2 *p, int n, double tol) {
         struct cr_vec2 a = kept > 0 ? p[kept - 1] : p[n - 1], b = p[(i + 1) % n];
         struct cr_vec2 ab = cr_vec2_sub(b, a);
         double len = cr_vec2_len(ab), off = 0;
-        // every point dropped since the last kept one stays within the tolerance
+        /* every point dropped since the last kept one stays within the tolerance */
         for (int k = from; k <= i && off <= tol; k++) {
             struct cr_vec2 ak = cr_vec2_sub(p[k], a);
             off = len > 0 ? fabs(cr_vec2_cross(ab, ak)) / len : cr_vec2_len(ak);
@@ -137,12 +137,12 @@ enum cr_err cr_deform_outline(const struct cr_grid *grid, const double *left, do
                               struct cr_vec2 **out, int *n, struct cr_error *err) {
     struct field f = {.grid = grid, .left = left, .w = grid->nx + 2, .h = grid->ny + 2};
     size_t edges = (size_t)(2 * f.w) * (size_t)f.h;
-    enum cr_err rc = CR_ERR_MEMORY;
+    enum cr_err code = CR_ERR_MEMORY;
     *out = NULL;
     *n = 0;
     f.next = malloc(edges * sizeof *f.next);
     f.full = malloc(2 * (size_t)f.w);
-    if (!f.next || !f.full) {
+    if (f.next == NULL || f.full == NULL) {
         goto out;
     }
     memset(f.next, 0xff, edges * sizeof *f.next);
@@ -157,13 +157,13 @@ enum cr_err cr_deform_outline(const struct cr_grid *grid, const double *left, do
     if (start == -2) {
         goto out;
     }
-    rc = CR_ERR_OK;
+    code = CR_ERR_OK;
     if (start < 0) {
         goto out;
     }
     struct cr_vec2 *p = malloc((size_t)points * sizeof *p);
-    if (!p) {
-        rc = CR_ERR_MEMORY;
+    if (p == NULL) {
+        code = CR_ERR_MEMORY;
         goto out;
     }
     for (int i = 0, e = start; i < points; i++, e = f.next[e]) {
@@ -174,5 +174,8 @@ enum cr_err cr_deform_outline(const struct cr_grid *grid, const double *left, do
 out:
     free(f.next);
     free(f.full);
-    return rc ? cr_err_set(err, rc, "no memory for the outline of a grid") : rc;
+    if (code != CR_ERR_OK) {
+        cr_err_set(err, code, "no memory for the outline of a grid");
+    }
+    return code;
 }

@@ -7,7 +7,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const double INNER = 0.05, OUTER = 0.5, SHIFT = 0.2, WINDOW = 0.1, EPS_M = 0.5, EPS_S = 2;
+static const double inner = 0.05, outer = 0.5, shift_share = 0.2, window = 0.1;
+static const double eps_m = 0.5, eps_s = 2;
 
 static double clip01(double x) {
     return x < 0 ? 0 : x > 1 ? 1 : x;
@@ -22,7 +23,7 @@ static double largest(const double *x, int n) {
 }
 
 static double corridor(const double *t, const double *c, int n) {
-    double norm = largest(t, n), in = INNER * norm, out = OUTER * norm, sum = 0;
+    double norm = largest(t, n), in = inner * norm, out = outer * norm, sum = 0;
     for (int i = 0; i < n; i++) {
         double d = fabs(c[i] - t[i]);
         double share = d <= in ? 1 : d >= out ? 0 : (out - d) / (out - in);
@@ -41,7 +42,7 @@ static double correlate(const double *a, const double *b, int n) {
  */
 static int best_shift(const double *t, const double *c, int n) {
     double best = correlate(t, c, n);
-    int at = 0, limit = (int)(SHIFT * n);
+    int at = 0, limit = (int)(shift_share * n);
     for (int m = 1; m <= limit; m++) {
         double later = correlate(t, c + m, n - m), earlier = correlate(t + m, c, n - m);
         if (later > best && later >= earlier) {
@@ -82,14 +83,14 @@ static void warp_costs(const double *t, const double *c, int n, int half, double
 /* E_M: relative L1 distance after dynamic time warping within the window */
 static enum cr_err magnitude(const double *t, const double *c, int n, double *out,
                              struct cr_error *err) {
-    int half = (int)ceil(WINDOW * n) - 1;
+    int half = (int)ceil(window * n) - 1;
     half = half < 0 ? 0 : half;
     size_t w = (size_t)(2 * half + 1);
     double *rows = malloc(2 * w * sizeof *rows);
     unsigned char *step = malloc((size_t)n * w);
-    enum cr_err rc = CR_ERR_OK;
-    if (!rows || !step) {
-        rc = cr_err_set(err, CR_ERR_MEMORY, "no memory to warp a curve of %d samples", n);
+    enum cr_err code = CR_ERR_OK;
+    if (rows == NULL || step == NULL) {
+        code = cr_err_set(err, CR_ERR_MEMORY, "no memory to warp a curve of %d samples", n);
         goto out;
     }
     warp_costs(t, c, n, half, (double *[2]){rows, rows + w}, step);
@@ -104,12 +105,12 @@ static enum cr_err magnitude(const double *t, const double *c, int n, double *ou
         i -= s != LEFT;
         j -= s != ABOVE;
     }
-    double eps = norm > 0 ? distance / norm : distance > 0 ? EPS_M : 0;
-    *out = clip01((EPS_M - eps) / EPS_M);
+    double eps = norm > 0 ? distance / norm : distance > 0 ? eps_m : 0;
+    *out = clip01((eps_m - eps) / eps_m);
 out:
     free(rows);
     free(step);
-    return rc;
+    return code;
 }
 
 static double gradient(const double *x, int n, int i, double dt) {
@@ -135,8 +136,8 @@ static double slope(const double *t, const double *c, int n, double dt) {
         distance += fabs(sc - st);
         norm += fabs(st);
     }
-    double eps = norm > 0 ? distance / norm : distance > 0 ? EPS_S : 0;
-    return clip01((EPS_S - eps) / EPS_S);
+    double eps = norm > 0 ? distance / norm : distance > 0 ? eps_s : 0;
+    return clip01((eps_s - eps) / eps_s);
 }
 
 /* finite values, enough of them and not too many */
@@ -157,21 +158,21 @@ static enum cr_err check(const double *a, const double *b, int n, struct cr_erro
 
 enum cr_err cr_rating_iso18571(const double *reference, const double *curve, int n, double dt,
                                struct cr_rating_iso *out, struct cr_error *err) {
-    enum cr_err rc = check(reference, curve, n, err);
-    if (rc) {
-        return rc;
+    enum cr_err code = check(reference, curve, n, err);
+    if (code != CR_ERR_OK) {
+        return code;
     }
     int shift = best_shift(reference, curve, n), m = abs(shift);
     const double *t = shift < 0 ? reference + m : reference, *c = shift > 0 ? curve + m : curve;
     *out = (struct cr_rating_iso){
         .corridor = corridor(reference, curve, n),
-        .phase = clip01((SHIFT * n - m) / (SHIFT * n)),
+        .phase = clip01((shift_share * n - m) / (shift_share * n)),
         .slope = slope(t, c, n - m, dt),
         .shift = shift,
     };
-    rc = magnitude(t, c, n - m, &out->magnitude, err);
+    code = magnitude(t, c, n - m, &out->magnitude, err);
     out->total = 0.4 * out->corridor + 0.2 * out->phase + 0.2 * out->magnitude + 0.2 * out->slope;
-    return rc;
+    return code;
 }
 
 const char *cr_rating_grade(double total) {
@@ -180,13 +181,13 @@ const char *cr_rating_grade(double total) {
 
 /* CORA */
 
-/* from the first sample beyond A_THRES to the last beyond B_THRES of the maximum */
+/* from the first sample beyond a_thres to the last beyond b_thres of the maximum */
 static void interval(const double *t, int n, int *first, int *last) {
-    static const double A_THRES = 0.03, B_THRES = 0.075;
+    static const double a_thres = 0.03, b_thres = 0.075;
     double top = largest(t, n);
-    for (*first = 0; *first < n - 1 && fabs(t[*first]) < A_THRES * top; ++*first) {
+    for (*first = 0; *first < n - 1 && fabs(t[*first]) < a_thres * top; ++*first) {
     }
-    for (*last = n - 1; *last > *first && fabs(t[*last]) < B_THRES * top; --*last) {
+    for (*last = n - 1; *last > *first && fabs(t[*last]) < b_thres * top; --*last) {
     }
 }
 
@@ -209,17 +210,17 @@ static double product(const double *a, const double *b, int n) {
 
 enum cr_err cr_rating_cora4(const double *reference, const double *curve, int n,
                             struct cr_rating_cora *out, struct cr_error *err) {
-    static const double INT_MIN_SHARE = 0.8, D_MIN = 0.01, D_MAX = 0.12, K_V = 10;
-    enum cr_err rc = check(reference, curve, n, err);
-    if (rc) {
-        return rc;
+    static const double int_min_share = 0.8, d_min = 0.01, d_max = 0.12, k_v = 10;
+    enum cr_err code = check(reference, curve, n, err);
+    if (code != CR_ERR_OK) {
+        return code;
     }
     if (!(largest(reference, n) > 0)) {
         return cr_err_set(err, CR_ERR_RANGE, "the reference curve is zero all over");
     }
     int first, last;
     interval(reference, n, &first, &last);
-    int len = last - first + 1, limit = (int)((1 - INT_MIN_SHARE) * len), at = 0;
+    int len = last - first + 1, limit = (int)((1 - int_min_share) * len), at = 0;
     const double *t = reference + first, *c = curve + first;
     double best = product(t, c, len);
     for (int m = 1; m <= limit; m++) {
@@ -232,8 +233,8 @@ enum cr_err cr_rating_cora4(const double *reference, const double *curve, int n,
     double ft = squares(t, len), fc = squares(c, len), off = (double)at / len;
     *out = (struct cr_rating_cora){
         .corridor = corridor(t, c, len),
-        .progression = pow((best + 1) / 2, K_V),
-        .phase = clip01((D_MAX - off) / (D_MAX - D_MIN)),
+        .progression = pow((best + 1) / 2, k_v),
+        .phase = clip01((d_max - off) / (d_max - d_min)),
         .size = fmin(ft, fc) / fmax(ft, fc),
         .first = first,
         .last = last,

@@ -1,8 +1,8 @@
 /* Reads measured curves from CSV files and resamples them. */
 #include "result/signal.h"
 
-#include "base/file.h"
-#include "base/str.h"
+#include "base/csv.h"
+#include "base/units.h"
 #include "base/vec.h"
 
 #include <ctype.h>
@@ -12,222 +12,53 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { COLUMNS = 64, NAME = 64 };
-
-/* what stands for a unit in a column's name, once everything but letters and digits separates */
-static const struct {
-    const char *word, *unit;
-    double si;
-} UNIT[] = {
-    // the longest first: "mm s" must not be taken for "s"
-    {"m s2", "m/s2", 1},
-    {"m s 2", "m/s2", 1},
-    {"mps2", "m/s2", 1},
-    {"deg s2", "rad/s2", CR_PI / 180},
-    {"deg s", "rad/s", CR_PI / 180},
-    {"rad s", "rad/s", 1},
-    {"km h", "m/s", 1 / 3.6},
-    {"m s", "m/s", 1},
-    {"kmh", "m/s", 1 / 3.6},
-    {"kph", "m/s", 1 / 3.6},
-    {"mph", "m/s", 0.44704},
-    {"mps", "m/s", 1},
-    {"g", "m/s2", CR_G},
-    {"ms", "s", 1e-3},
-    {"s", "s", 1},
-    {"sec", "s", 1},
-    {"mm", "m", 1e-3},
-    {"m", "m", 1},
-    {"kn", "N", 1e3},
-    {"n", "N", 1},
-    {"deg", "rad", CR_PI / 180},
-    {"rad", "rad", 1},
-    {"kj", "J", 1e3},
+/* the columns of a signal: its time and its values, with their units */
+struct columns {
+    int at[2];
+    const struct cr_unit *unit[2]; /* that of the values may be NULL */
 };
 
-struct column {
-    char name[NAME];
-    char words[NAME + 2]; /* " ax g cfc60 " */
-    const char *unit;     /* of UNIT, "" if none */
-    double si;
-};
-
-struct table {
-    const char *path;
-    char sep;
-    int n;
-    struct column col[COLUMNS];
-};
-
-/* next field of a line into buf without its quotes; *at moves behind the separator; false at the
- * end of the line */
-static bool field(const char **at, char sep, char *buf, size_t size) {
-    const char *p = *at;
+static bool is_time(const char *name) {
+    char word[5] = "";
     size_t n = 0;
-    bool quoted = false;
-    if (!p) {
-        return false;
-    }
-    while (*p == ' ') {
-        p++;
-    }
-    for (; *p && *p != '\n' && *p != '\r' && (quoted || *p != sep); p++) {
-        if (*p == '"') {
-            quoted = !quoted;
-        } else if (n + 1 < size) {
-            buf[n++] = *p;
+    while (isalnum((unsigned char)name[n])) {
+        if (n < sizeof word - 1) {
+            word[n] = (char)tolower((unsigned char)name[n]);
         }
+        n++;
     }
-    while (n > 0 && buf[n - 1] == ' ') {
-        n--;
-    }
-    buf[n] = '\0';
-    *at = *p == sep ? p + 1 : NULL;
-    return true;
+    return (n == 1 && word[0] == 't') || (n == 4 && strcmp(word, "time") == 0);
 }
 
-static bool number(const char *s, double *x) {
-    char *end;
-    *x = strtod(s, &end);
-    return *s && end != s && *end == '\0' && isfinite(*x);
+static enum cr_err find_columns(const struct cr_csv *csv, const char *name, struct columns *out,
+                                struct cr_error *err) {
+    int n = cr_csv_columns(csv);
+    out->at[0] = 0;
+    while (out->at[0] < n && !is_time(cr_csv_name(csv, out->at[0]))) {
+        out->at[0]++;
+    }
+    if (out->at[0] == n) {
+        cr_csv_head_fault(csv, -1, err, CR_ERR_MISSING, "no column named t or time");
+        cr_err_hint(err, "name it t_s or t_ms");
+        return CR_ERR_MISSING;
+    }
+    out->at[1] = out->at[0] == 0;
+    if (n == 1) {
+        return cr_csv_head_fault(csv, -1, err, CR_ERR_MISSING, "no column beside the time");
+    }
+    return name != NULL ? cr_csv_need(csv, name, &out->at[1], err) : CR_ERR_OK;
 }
 
-/* lower-case words of a name, a blank between and around them */
-static void split_words(const char *name, char words[NAME + 2]) {
-    size_t n = 1;
-    words[0] = ' ';
-    for (; *name && n < NAME; name++) {
-        char c = (char)tolower((unsigned char)*name);
-        if (isalnum((unsigned char)c)) {
-            words[n++] = c;
-        } else if (words[n - 1] != ' ') {
-            words[n++] = ' ';
-        }
+/* A time without a unit is refused: seconds and milliseconds are a thousand apart. */
+static enum cr_err find_units(const struct cr_csv *csv, struct columns *c, struct cr_error *err) {
+    enum cr_err code = cr_csv_unit(csv, c->at[0], CR_DIM_TIME, &c->unit[0], err);
+    if (code == CR_ERR_OK && c->unit[0] == NULL) {
+        cr_csv_head_fault(csv, c->at[0], err, CR_ERR_MISSING,
+                          "column '%.60s' does not say its unit", cr_csv_name(csv, c->at[0]));
+        cr_err_hint(err, "name it t_s or t_ms, or put a row of units below the header");
+        return CR_ERR_MISSING;
     }
-    if (words[n - 1] != ' ') {
-        words[n++] = ' ';
-    }
-    words[n] = '\0';
-}
-
-static bool has_word(const char *words, const char *word) {
-    char framed[NAME];
-    snprintf(framed, sizeof framed, " %s ", word);
-    return strstr(words, framed) != NULL;
-}
-
-static void name_column(struct column *c, const char *name) {
-    snprintf(c->name, sizeof c->name, "%s", name);
-    split_words(name, c->words);
-    c->unit = "";
-    c->si = 1;
-    for (size_t i = 0; i < sizeof UNIT / sizeof *UNIT; i++) {
-        if (has_word(c->words, UNIT[i].word)) {
-            c->unit = UNIT[i].unit;
-            c->si = UNIT[i].si;
-            return;
-        }
-    }
-}
-
-static enum cr_err fault(struct cr_error *err, const struct table *t, int line, int col,
-                         enum cr_err code, const char *text) {
-    cr_err_set(err, code, "%s", text);
-    cr_err_place(err, t->path, line, col);
-    return code;
-}
-
-static char separator(const char *line) {
-    size_t n = strcspn(line, "\r\n");
-    return memchr(line, '\t', n) ? '\t' : memchr(line, ';', n) ? ';' : ',';
-}
-
-static enum cr_err read_header(struct table *t, const char *line, int number_of_line,
-                               struct cr_error *err) {
-    char buf[NAME];
-    double x;
-    t->sep = separator(line);
-    for (const char *at = line; field(&at, t->sep, buf, sizeof buf);) {
-        if (number(buf, &x)) {
-            enum cr_err rc = fault(err, t, number_of_line, 1, CR_ERR_SYNTAX,
-                                   "no header: the first row must name the columns");
-            cr_err_hint(err, "for example t_s,ax_g");
-            return rc;
-        }
-        if (t->n == COLUMNS) {
-            return fault(err, t, number_of_line, 1, CR_ERR_SYNTAX, "more than 64 columns");
-        }
-        name_column(&t->col[t->n++], buf);
-    }
-    return CR_ERR_OK;
-}
-
-static int find_time(const struct table *t) {
-    for (int i = 0; i < t->n; i++) {
-        const char *w = t->col[i].words;
-        if (!strncmp(w, " t ", 3) || !strncmp(w, " time ", 6)) {
-            return i;
-        }
-    }
-    return -1;
-}
-
-static enum cr_err choose(const struct table *t, int line, const char *name, int time, int *column,
-                          struct cr_error *err) {
-    const char *names[COLUMNS];
-    for (int i = 0; i < t->n; i++) {
-        names[i] = t->col[i].name;
-        bool wanted = name ? !strcmp(name, t->col[i].name) : i != time;
-        if (wanted) {
-            *column = i;
-            return CR_ERR_OK;
-        }
-    }
-    if (!name) {
-        return fault(err, t, line, 1, CR_ERR_MISSING, "no column beside the time");
-    }
-    cr_err_set(err, CR_ERR_NAME, "no column '%s'", name);
-    cr_err_place(err, t->path, line, 1);
-    const char *near = cr_str_nearest(name, names, t->n);
-    struct cr_str list = {0};
-    for (int i = 0; !near && i < t->n; i++) {
-        cr_str_addf(&list, "%s%s", i > 0 ? ", " : "", names[i]);
-    }
-    if (near) {
-        cr_err_hint(err, "did you mean '%s'?", near);
-    } else {
-        cr_err_hint(err, "its columns: %.160s", cr_str_get(&list));
-    }
-    cr_str_fini(&list);
-    return CR_ERR_NAME;
-}
-
-/* one row of values: those of the time and of the column */
-static enum cr_err read_row(const struct table *t, const char *line, int number_of_line,
-                            const int want[2], double got[2], struct cr_error *err) {
-    char buf[NAME];
-    int seen = 0, k = 0;
-    for (const char *at = line, *from = at; field(&at, t->sep, buf, sizeof buf); from = at, k++) {
-        for (int i = 0; i < 2; i++) {
-            if (k != want[i]) {
-                continue;
-            }
-            char *comma = t->sep == ';' ? strchr(buf, ',') : NULL;
-            if (comma) {
-                *comma = '.';
-            }
-            if (!number(buf, &got[i])) {
-                cr_err_set(err, CR_ERR_TYPE, "'%s' in column '%s' is not a number", buf,
-                           t->col[k].name);
-                cr_err_place(err, t->path, number_of_line, (int)(from - line) + 1);
-                return CR_ERR_TYPE;
-            }
-            got[i] *= t->col[k].si;
-            seen++;
-        }
-    }
-    return seen == 2 ? CR_ERR_OK
-                     : fault(err, t, number_of_line, 1, CR_ERR_SYNTAX, "the row is too short");
+    return code == CR_ERR_OK ? cr_csv_unit(csv, c->at[1], CR_DIMS, &c->unit[1], err) : code;
 }
 
 static enum cr_err add(struct cr_signal *s, int *size, const double row[2]) {
@@ -247,9 +78,11 @@ static enum cr_err add(struct cr_signal *s, int *size, const double row[2]) {
     return CR_ERR_OK;
 }
 
-static enum cr_err finish(struct cr_signal *s, const struct table *t, struct cr_error *err) {
+static enum cr_err finish(struct cr_signal *s, const char *path, struct cr_error *err) {
     if (s->n < 2) {
-        return fault(err, t, 0, 0, CR_ERR_MISSING, "fewer than two rows of values");
+        cr_err_set(err, CR_ERR_MISSING, "fewer than two rows of values");
+        cr_err_place(err, path, 0, 0);
+        return CR_ERR_MISSING;
     }
     double *m = malloc(2 * (size_t)s->n * sizeof *m);
     if (!m) {
@@ -266,63 +99,63 @@ static enum cr_err finish(struct cr_signal *s, const struct table *t, struct cr_
     return CR_ERR_OK;
 }
 
-static enum cr_err parse(struct table *t, const char *text, const char *column,
-                         struct cr_signal *out, struct cr_error *err) {
-    int line = 0, size = 0, want[2] = {-1, -1};
+/* the present row: time and value in SI units */
+static enum cr_err read_row(const struct cr_csv *csv, const struct columns *c, double row[2],
+                            struct cr_error *err) {
+    for (int i = 0; i < 2; i++) {
+        enum cr_err code = cr_csv_number(csv, c->at[i], &row[i], err);
+        if (code != CR_ERR_OK) {
+            return code;
+        }
+        if (isnan(row[i])) {
+            return cr_csv_fault(csv, c->at[i], err, CR_ERR_MISSING, "no value in column '%.80s'",
+                                cr_csv_name(csv, c->at[i]));
+        }
+        row[i] = c->unit[i] != NULL ? cr_unit_to_si(c->unit[i], row[i]) : row[i];
+    }
+    return CR_ERR_OK;
+}
+
+static enum cr_err read_rows(struct cr_csv *csv, const struct columns *c, struct cr_signal *out,
+                             struct cr_error *err) {
+    int size = 0;
     double row[2];
-    enum cr_err rc = CR_ERR_OK;
-    for (const char *p = text; *p && !rc; p += strcspn(p, "\n"), p += *p == '\n') {
-        line++;
-        size_t blank = strspn(p, " \t\r");
-        if (p[blank] == '#' || p[blank] == '\n' || !p[blank]) {
-            continue;
+    for (bool more = true;;) {
+        enum cr_err code = cr_csv_next(csv, &more, err);
+        if (code != CR_ERR_OK || !more) {
+            return code;
         }
-        if (t->n == 0) {
-            rc = read_header(t, p, line, err);
-            want[0] = find_time(t);
-            if (!rc && want[0] < 0) {
-                rc = fault(err, t, line, 1, CR_ERR_MISSING, "no column named t or time");
-                cr_err_hint(err, "name it t_s or t_ms");
-            }
-            rc = rc ? rc : choose(t, line, column, want[0], &want[1], err);
-            continue;
+        code = read_row(csv, c, row, err);
+        if (code != CR_ERR_OK) {
+            return code;
         }
-        rc = read_row(t, p, line, want, row, err);
-        if (!rc && out->n > 0 && !(row[0] > out->memory[2 * out->n - 2])) {
-            rc = fault(err, t, line, 1, CR_ERR_RANGE, "the time does not rise");
+        if (out->n > 0 && !(row[0] > out->memory[2 * out->n - 2])) {
+            return cr_csv_fault(csv, c->at[0], err, CR_ERR_RANGE, "the time does not rise");
         }
-        if (!rc && (rc = add(out, &size, row))) {
-            cr_err_set(err, rc, "no memory for a signal");
+        if (add(out, &size, row) != CR_ERR_OK) {
+            return cr_err_set(err, CR_ERR_MEMORY, "no memory for a signal");
         }
     }
-    if (rc) {
-        return rc;
-    }
-    if (t->n == 0) {
-        return fault(err, t, 0, 0, CR_ERR_MISSING, "the file is empty");
-    }
-    snprintf(out->name, sizeof out->name, "%s", t->col[want[1]].name);
-    snprintf(out->unit, sizeof out->unit, "%s", t->col[want[1]].unit);
-    return finish(out, t, err);
 }
 
 enum cr_err cr_signal_load(const char *path, const char *column, struct cr_signal *out,
                            struct cr_error *err) {
-    char *text = NULL;
-    size_t len;
+    struct cr_csv *csv = NULL;
+    struct columns c = {.at = {-1, -1}};
     memset(out, 0, sizeof *out);
-    struct table *t = calloc(1, sizeof *t);
-    if (!t) {
-        return cr_err_set(err, CR_ERR_MEMORY, "no memory for a signal");
-    }
-    t->path = path;
-    enum cr_err rc = cr_file_read(path, &text, &len, err);
-    rc = rc ? rc : parse(t, text, column, out, err);
+    enum cr_err rc = cr_csv_open(&(struct cr_csv_opts){.path = path, .units = true}, &csv, err);
+    rc = rc ? rc : find_columns(csv, column, &c, err);
+    rc = rc ? rc : find_units(csv, &c, err);
+    rc = rc ? rc : read_rows(csv, &c, out, err);
+    rc = rc ? rc : finish(out, path, err);
     if (rc) {
         cr_signal_free(out);
+    } else {
+        const struct cr_unit *si = c.unit[1] != NULL ? cr_unit_nth(c.unit[1]->dim, 0) : NULL;
+        snprintf(out->name, sizeof out->name, "%s", cr_csv_name(csv, c.at[1]));
+        snprintf(out->unit, sizeof out->unit, "%s", si != NULL ? si->name : "");
     }
-    free(text);
-    free(t);
+    cr_csv_close(csv);
     return rc;
 }
 

@@ -5,19 +5,18 @@
 #include "base/err.h"
 
 struct cr_signal {
-    char name[64]; /* of its column, as the file has it */
-    char unit[8];  /* SI unit it was converted to: "m/s2", "m/s", "m", "rad/s", "rad", "N"; "": none
-                    */
+    char name[128]; /* of its column, as the file has it */
+    char unit[8]; /* SI unit it was converted to: "m/s2", "m/s", "m", "rad/s", "rad", "N"; "": none
+                   */
     int n;
     double *t; /* s, increasing */
     double *x;
     double *memory; /* owner of both */
 };
 
-/* Load a column of a CSV file (comma, semicolon or tab; # begins a comment; quoted names allowed).
- * The first row with a name that is not a number is the header. The time column is the one that is
- * named t or time; units stand in the names: t_s, t_ms, ax_g, accel_mps2, v_kmh, force_kN,
- * yaw_rate_deg_s, "acceleration [m/s2]". column NULL: the first one that is not the time.
+/* Load a column of a CSV file (base/csv.h). The time column is the one that is named t or time.
+ * Units stand in the names, as base/units.h reads them (t_s, t_ms, ax_g, v_kmh, "a [m/s2]"), or in
+ * a row below; the time must have one. column NULL: the first one that is not the time.
  * Errors: IO; SYNTAX, TYPE, MISSING, NAME with line and column. */
 CR_MUST_CHECK enum cr_err cr_signal_load(const char *path, const char *column,
                                          struct cr_signal *out, struct cr_error *err);

@@ -1,7 +1,7 @@
 /* The quantities of a time series by name and unit. */
 #include "result/result.h"
 
-static const double FACTOR[CR_QUANTITIES] = {
+static const double factors[CR_QUANTITIES] = {
 #define X(name, key, unit, factor) factor,
     CR_QUANTITY_LIST(X)
 #undef X
@@ -32,5 +32,5 @@ double cr_result_quantity(const struct cr_solution *sol, int sample, int body,
         [CR_QUANTITY_FORCE] = cr_vec2_len(s->force),
         [CR_QUANTITY_ENERGY] = s->energy,
     };
-    return si[quantity] * FACTOR[quantity];
+    return si[quantity] * factors[quantity];
 }

@@ -123,6 +123,8 @@ static const struct cr_key participant_keys[] = {
     {ROW("model.blend", CR_KEY_BOOL, V, 0, IN(cr_participant, model.blend),
          "mix the models of the two nearest directions (method=paper: the nearest alone)"),
      RANGED("", NUMBER, 0, 1), .def = {1, 0}},
+    NUMBER("model.energy_factor", V, 0, "", NUMBER, 0.1, 10, 1, model.energy_factor,
+           "energy of all its voxels against that of its model"),
     {ROW("model.file", CR_KEY_TEXT, V, 0, IN(cr_participant, model.file),
          "own voxel model, JSON or CSV"),
      .aux = CR_PATH_MAX},

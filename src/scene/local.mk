@@ -4,21 +4,24 @@ libscene_a_SOURCES = \
 	src/scene/compile.c \
 	src/scene/dive.c \
 	src/scene/keys.c src/scene/keys.h \
-	src/scene/list.c \
+	src/scene/members.c \
 	src/scene/outline.c \
 	src/scene/place.c \
+	src/scene/polygon.c \
 	src/scene/read.c \
+	src/scene/reader.c \
 	src/scene/resolve.c \
 	src/scene/schema.c \
 	src/scene/scene.c src/scene/scene.h \
 	src/scene/scene_priv.h \
 	src/scene/set.c \
 	src/scene/struck.c \
+	src/scene/tolerance.c \
 	src/scene/value.c \
 	src/scene/write.c
 libscene_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)
 
-scenesdir = $(pkgdatadir)/share/scenes
+scenesdir = $(pkgdatadir)/scenes
 dist_scenes_DATA = \
 	share/scenes/moving-box.json \
 	share/scenes/oblique-wall.json \
@@ -31,5 +34,5 @@ dist_scenes_DATA = \
 	share/scenes/trajectory.json \
 	share/scenes/trajectory-unbraked.json \
 	share/scenes/wall-56.json
-sceneschemadir = $(pkgdatadir)/share/schema
+sceneschemadir = $(pkgdatadir)/schema
 dist_sceneschema_DATA = share/schema/scene.schema.json

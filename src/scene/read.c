@@ -9,171 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* no scene needs more keys in one object; a bound keeps the search for duplicates cheap */
-enum { MEMBER_MAX = 1000 };
-
-enum cr_err cr_scene_extra_in(struct cr_reader *r, cJSON **outer) {
-    cJSON *inner = cJSON_CreateObject();
-    if (inner == NULL) {
-        return cr_scene_fail(r, CR_ERR_MEMORY, "no memory to read the scene");
-    }
-    *outer = r->extra;
-    r->extra = inner;
-    return CR_ERR_OK;
-}
-
-enum cr_err cr_scene_extra_out(struct cr_reader *r, const char *token, cJSON *outer,
-                               enum cr_err code) {
-    cJSON *inner = r->extra;
-    r->extra = outer;
-    if (inner->child == NULL) {
-        cJSON_Delete(inner);
-        return code;
-    }
-    if (!cJSON_AddItemToObject(outer, token, inner)) {
-        cJSON_Delete(inner);
-        return cr_scene_fail(r, CR_ERR_MEMORY, "no memory to read the scene");
-    }
-    return code;
-}
-
-static enum cr_err keep_extra(struct cr_reader *r, const cJSON *member) {
-    cJSON *copy = cJSON_Duplicate(member, 1);
-    if (copy == NULL || !cJSON_AddItemToObject(r->extra, member->string, copy)) {
-        cJSON_Delete(copy);
-        return cr_scene_fail(r, CR_ERR_MEMORY, "no memory to read the scene");
-    }
-    return CR_ERR_OK;
-}
-
-static bool is_extra(const char *name) {
-    return strncmp(name, "x_", 2) == 0;
-}
-
-static enum cr_err check_twice(struct cr_reader *r, const cJSON *object, const cJSON *member) {
-    for (const cJSON *m = object->child; m != member; m = m->next) {
-        if (strcmp(m->string, member->string) == 0) {
-            return cr_scene_fail(r, CR_ERR_DUPLICATE, "key \"%.60s\" stands here twice",
-                                 member->string);
-        }
-    }
-    return CR_ERR_OK;
-}
-
-/* name of the kinds that a key of another kind belongs to */
-static void hint_owner(struct cr_reader *r, enum cr_key_table table, const char *name) {
-    int n;
-    const struct cr_key *row = cr_scene_keys(table, &n);
-    unsigned owners = 0;
-    char list[80] = "";
-    for (int i = 0; i < n; i++) {
-        owners |= strcmp(row[i].name, name) == 0 ? row[i].for_kinds : 0;
-    }
-    for (unsigned bit = 1; bit <= CR_FOR_POLYGON; bit <<= 1) {
-        if ((owners & bit) != 0) {
-            size_t k = strlen(list);
-            snprintf(list + k, sizeof list - k, "%s%s", k > 0 ? ", " : "", cr_scene_kind_word(bit));
-        }
-    }
-    cr_err_hint(r->err, "it is a key of %s", list);
-}
-
-static enum cr_err unknown_key(struct cr_reader *r, enum cr_key_table table, unsigned mask,
-                               const char *name, const char *prefix, const char *full) {
-    if (cr_scene_key_find(table, full, CR_FOR_ALL) != NULL &&
-        cr_scene_key_find(table, full, mask) == NULL) {
-        cr_scene_fail(r, CR_ERR_KEY, "key \"%.60s\" does not apply to %s", name,
-                      cr_scene_kind_word(mask));
-        hint_owner(r, table, full);
-        return CR_ERR_KEY;
-    }
-    cr_scene_fail(r, CR_ERR_KEY, "unknown key \"%.60s\"", name);
-    const struct cr_key *near_row = cr_scene_key_find(table, full, mask);
-    const char *near = near_row != NULL ? near_row->name + strlen(prefix)
-                                        : cr_scene_key_nearest(table, name, prefix, mask);
-    if (near != NULL) {
-        cr_err_hint(r->err, "did you mean \"%s\"?", near);
-    } else {
-        cr_err_hint(r->err, "keys of your own begin with x_");
-    }
-    return CR_ERR_KEY;
-}
-
-/* does some key lie inside the object of this name? */
-static bool is_group(enum cr_key_table table, unsigned mask, const char *full) {
-    int n;
-    const struct cr_key *row = cr_scene_keys(table, &n);
-    size_t k = strlen(full);
-    for (int i = 0; i < n; i++) {
-        if ((row[i].for_kinds == 0 || (row[i].for_kinds & mask) != 0) &&
-            strncmp(row[i].name, full, k) == 0 && row[i].name[k] == '.') {
-            return true;
-        }
-    }
-    return false;
-}
-
-static enum cr_err read_inner(struct cr_reader *r, enum cr_key_table table, unsigned mask,
-                              const cJSON *json, const char *prefix, void *base, uint64_t *given) {
-    char got[64];
-    cJSON *outer = NULL;
-    if (!cJSON_IsObject(json)) {
-        return cr_scene_fail(r, CR_ERR_TYPE, "%s: expected an object, got %s", json->string,
-                             cr_scene_describe(json, got, sizeof got));
-    }
-    enum cr_err code = cr_scene_extra_in(r, &outer);
-    if (code == CR_ERR_OK) {
-        code = cr_scene_members_read(r, table, mask, json, prefix, base, given);
-        code = cr_scene_extra_out(r, json->string, outer, code);
-    }
-    return code;
-}
-
-static enum cr_err read_member(struct cr_reader *r, enum cr_key_table table, unsigned mask,
-                               const cJSON *m, const char *prefix, void *base, uint64_t *given) {
-    char full[64];
-    int n;
-    const struct cr_key *row = cr_scene_keys(table, &n);
-    bool fits = snprintf(full, sizeof full, "%s%s", prefix, m->string) < (int)sizeof full;
-    const struct cr_key *key = fits ? cr_scene_key_find(table, full, mask) : NULL;
-    /* files have the full name with its unit; short names are for commands. Keys come before those
-     * of one's own: the x_m of a trajectory is a key. */
-    if (key != NULL && strcmp(key->name, full) == 0) {
-        *given |= (uint64_t)1 << (key - row);
-        return cr_scene_value_read(r, key, m, base);
-    }
-    if (is_extra(m->string)) {
-        return keep_extra(r, m);
-    }
-    if (fits && is_group(table, mask, full)) {
-        char inner[sizeof full + 1];
-        snprintf(inner, sizeof inner, "%s.", full);
-        return read_inner(r, table, mask, m, inner, base, given);
-    }
-    return unknown_key(r, table, mask, m->string, prefix, full);
-}
-
-enum cr_err cr_scene_members_read(struct cr_reader *r, enum cr_key_table table, unsigned mask,
-                                  const cJSON *json, const char *prefix, void *base,
-                                  uint64_t *given) {
-    int members = 0;
-    for (const cJSON *m = json->child; m != NULL; m = m->next) {
-        if (++members > MEMBER_MAX) {
-            return cr_scene_fail(r, CR_ERR_RANGE, "object with more than %d keys", MEMBER_MAX);
-        }
-        size_t up = cr_scene_enter(r, m->string);
-        enum cr_err code = check_twice(r, json, m);
-        if (code == CR_ERR_OK) {
-            code = read_member(r, table, mask, m, prefix, base, given);
-        }
-        cr_scene_leave(r, up);
-        if (code != CR_ERR_OK) {
-            return code;
-        }
-    }
-    return CR_ERR_OK;
-}
-
 /* text of the x_ keys that were kept, NULL if there are none */
 static enum cr_err extra_text(struct cr_reader *r, char **out) {
     struct cr_str text = {0};
@@ -253,8 +88,10 @@ static enum cr_err read_part(struct cr_reader *r, const cJSON *json, struct cr_p
     if (code != CR_ERR_OK) {
         return code;
     }
-    code = cr_scene_members_read(r, CR_KEYS_PARTICIPANT, cr_scene_kind_mask(part), json, "", part,
-                                 &part->given);
+    struct cr_members to = {
+        .table = CR_KEYS_PARTICIPANT, .mask = cr_scene_kind_mask(part), .base = part};
+    code = cr_scene_members_read(r, &to, json, "");
+    part->given |= to.given;
     if (code == CR_ERR_OK) {
         code = extra_text(r, &part->extra);
     }
@@ -298,9 +135,9 @@ static enum cr_err read_participants(struct cr_reader *r, const cJSON *json,
 }
 
 static enum cr_err read_settings(struct cr_reader *r, const cJSON *json, struct cr_scene *scene) {
-    uint64_t given = 0;
-    enum cr_err code = read_inner(r, CR_KEYS_SETTINGS, 0, json, "", &scene->set, &given);
-    scene->set.given = (unsigned)given;
+    struct cr_members to = {.table = CR_KEYS_SETTINGS, .base = &scene->set};
+    enum cr_err code = cr_scene_object_read(r, &to, json, "");
+    scene->set.given = (unsigned)to.given;
     return code;
 }
 
@@ -340,8 +177,8 @@ static enum cr_err unknown_top(struct cr_reader *r, const char *name) {
 }
 
 static enum cr_err read_top(struct cr_reader *r, const cJSON *m, struct cr_scene *scene) {
-    if (is_extra(m->string)) {
-        return keep_extra(r, m);
+    if (cr_scene_is_extra(m->string)) {
+        return cr_scene_keep_extra(r, m);
     }
     if (strcmp(m->string, "crumple") == 0) {
         return read_version(r, m);
@@ -374,11 +211,11 @@ static enum cr_err read_scene(struct cr_reader *r, const cJSON *json, struct cr_
     }
     int members = 0;
     for (const cJSON *m = json->child; m != NULL; m = m->next) {
-        if (++members > MEMBER_MAX) {
-            return cr_scene_fail(r, CR_ERR_RANGE, "object with more than %d keys", MEMBER_MAX);
+        if (++members > CR_MEMBER_MAX) {
+            return cr_scene_fail(r, CR_ERR_RANGE, "object with more than %d keys", CR_MEMBER_MAX);
         }
         size_t up = cr_scene_enter(r, m->string);
-        enum cr_err code = check_twice(r, json, m);
+        enum cr_err code = cr_scene_check_twice(r, json, m);
         if (code == CR_ERR_OK) {
             code = read_top(r, m, scene);
         }

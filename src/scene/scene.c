@@ -1,10 +1,7 @@
 /* Scenes as values: copy, add, remove and find participants. */
 #include "scene/scene_priv.h"
 
-#include "base/json.h"
-
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -169,27 +166,4 @@ enum cr_err cr_scene_remove(struct cr_scene *scene, const char *id, struct cr_er
     scene->n--;
     memset(&scene->part[scene->n], 0, sizeof *part);
     return CR_ERR_OK;
-}
-
-enum cr_err cr_scene_fail(struct cr_reader *r, enum cr_err code, const char *fmt, ...) {
-    char text[sizeof r->err->text];
-    va_list ap;
-    va_start(ap, fmt);
-    vsnprintf(text, sizeof text, fmt, ap);
-    va_end(ap);
-    cr_err_set(r->err, code, "%s", text);
-    if (r->err != NULL) {
-        snprintf(r->err->where, sizeof r->err->where, "%s", r->path);
-    }
-    return code;
-}
-
-size_t cr_scene_enter(struct cr_reader *r, const char *token) {
-    size_t n = strlen(r->path);
-    cr_json_pointer_add(r->path, sizeof r->path, token);
-    return n;
-}
-
-void cr_scene_leave(struct cr_reader *r, size_t length) {
-    r->path[length] = '\0';
 }

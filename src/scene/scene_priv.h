@@ -26,10 +26,28 @@ CR_MUST_CHECK enum cr_err cr_scene_extra_in(struct cr_reader *r, struct cJSON **
 CR_MUST_CHECK enum cr_err cr_scene_extra_out(struct cr_reader *r, const char *token,
                                              struct cJSON *outer, enum cr_err code);
 
-/* All members of an object by a table, with those of inner objects ("cg."); `given` gets bits. */
-CR_MUST_CHECK enum cr_err cr_scene_members_read(struct cr_reader *r, enum cr_key_table table,
-                                                unsigned mask, const struct cJSON *json,
-                                                const char *prefix, void *base, uint64_t *given);
+/* No scene needs more keys in one object; a bound keeps the search for duplicates cheap. */
+enum { CR_MEMBER_MAX = 1000 };
+
+/* What an object of JSON is read into. */
+struct cr_members {
+    enum cr_key_table table;
+    unsigned mask;  /* kinds of participants that the keys must be for */
+    void *base;     /* a scene, settings, participant or waypoint */
+    uint64_t given; /* bit i: row i of the table was given */
+};
+/* All members of an object by a table, with those of inner objects, whose keys begin with `prefix`
+ * ("cg.", "" for the outer one). */
+CR_MUST_CHECK enum cr_err cr_scene_members_read(struct cr_reader *r, struct cr_members *to,
+                                                const struct cJSON *json, const char *prefix);
+/* The same for a value that must be an object, with x_ keys of its own. */
+CR_MUST_CHECK enum cr_err cr_scene_object_read(struct cr_reader *r, struct cr_members *to,
+                                               const struct cJSON *json, const char *prefix);
+/* An x_ key, and its copy among those that are kept; a key that stands in the object before. */
+bool cr_scene_is_extra(const char *name);
+CR_MUST_CHECK enum cr_err cr_scene_keep_extra(struct cr_reader *r, const struct cJSON *member);
+CR_MUST_CHECK enum cr_err cr_scene_check_twice(struct cr_reader *r, const struct cJSON *object,
+                                               const struct cJSON *member);
 
 /* JSON value of a key -> its field in *base (a scene, settings, participant or waypoint); nothing
  * is changed when it fails. */
@@ -41,21 +59,38 @@ bool cr_scene_value_known(const struct cr_key *key, const void *base);
 /* Give the field the value it has where nothing is given, in a scene of that method. */
 void cr_scene_value_reset(const struct cr_key *key, void *base, int method);
 
-CR_MUST_CHECK enum cr_err cr_scene_vertices_read(struct cr_reader *r, const struct cr_key *key,
-                                                 const struct cJSON *json, void *base);
-struct cJSON *cr_scene_vertices_write(const struct cr_key *key, const void *base);
-CR_MUST_CHECK enum cr_err cr_scene_trajectory_read(struct cr_reader *r, const struct cr_key *key,
-                                                   const struct cJSON *json, void *base);
-struct cJSON *cr_scene_trajectory_write(const struct cr_key *key, const void *base);
+/* The same for values that hold no objects, which is all but a trajectory. */
+CR_MUST_CHECK enum cr_err cr_scene_plain_read(struct cr_reader *r, const struct cr_key *key,
+                                              const struct cJSON *json, void *base);
+struct cJSON *cr_scene_plain_write(const struct cr_key *key, const void *base);
+bool cr_scene_plain_known(const struct cr_key *key, const void *base);
+
+/* ---- tolerances (tolerance.c) ---- */
+
+/* The list that belongs to the record a key is of, NULL for records without one. */
+struct cr_tolerances *cr_scene_tolerances_of(const struct cr_key *key, void *base);
+/* Take the tolerances out of a value: numbers written as {"value": 56, "tolerance": 3} go into
+ * found, and *plain becomes a copy of the value with the numbers alone (NULL where there are none,
+ * so that json itself is plain). */
+CR_MUST_CHECK enum cr_err cr_scene_tolerances_take(struct cr_reader *r, const struct cr_key *key,
+                                                   const struct cJSON *json,
+                                                   struct cr_tolerances *found,
+                                                   struct cJSON **plain);
+/* Put those of a key in the place of what it had. */
+CR_MUST_CHECK enum cr_err cr_scene_tolerances_keep(struct cr_reader *r, const struct cr_key *key,
+                                                   const struct cr_tolerances *found, void *base);
+/* A value as it is written, with the tolerances of its key; takes json over. */
+struct cJSON *cr_scene_tolerances_write(const struct cr_key *key, const void *base,
+                                        struct cJSON *json);
+/* "56+-3km/h:uniform@scale": the JSON object for it; *out stays NULL for a text without "+-". */
+CR_MUST_CHECK enum cr_err cr_scene_tolerance_text(const struct cr_key *key, const char *text,
+                                                  struct cJSON **out, struct cr_error *err);
+/* The inverse for a JSON object of that kind. */
+void cr_scene_tolerance_say(const struct cJSON *json, struct cr_str *out);
 
 /* "KEY: expected ..., got ..." */
 enum cr_err cr_scene_wrong_type(struct cr_reader *r, const struct cr_key *key, const char *expected,
                                 const struct cJSON *json);
-/* An array of n numbers, checked against the range of the key, and back. */
-CR_MUST_CHECK enum cr_err cr_scene_numbers_read(struct cr_reader *r, const struct cr_key *key,
-                                                const struct cJSON *json, double *out, int n,
-                                                const char *expected);
-struct cJSON *cr_scene_numbers_write(const struct cr_key *key, const double *x, int n);
 /* What stands in the JSON, for messages: string "north", an array. */
 const char *cr_scene_describe(const struct cJSON *json, char *buf, size_t size);
 

@@ -21,22 +21,6 @@ static double number_of(const struct cr_key *key, const void *base) {
     return x;
 }
 
-const char *cr_scene_describe(const cJSON *json, char *buf, size_t size) {
-    if (cJSON_IsString(json)) {
-        snprintf(buf, size, "string \"%.40s\"", json->valuestring);
-    } else if (cJSON_IsNumber(json)) {
-        snprintf(buf, size, "number %.10g", json->valuedouble);
-    } else {
-        snprintf(buf, size, "%s",
-                 cJSON_IsArray(json)    ? "an array"
-                 : cJSON_IsObject(json) ? "an object"
-                 : cJSON_IsTrue(json)   ? "true"
-                 : cJSON_IsFalse(json)  ? "false"
-                                        : "null");
-    }
-    return buf;
-}
-
 enum cr_err cr_scene_wrong_type(struct cr_reader *r, const struct cr_key *key, const char *expected,
                                 const cJSON *json) {
     char got[64];
@@ -217,8 +201,8 @@ static cJSON *write_text(const struct cr_key *key, const void *base) {
 }
 
 /* n numbers out of an array of n */
-enum cr_err cr_scene_numbers_read(struct cr_reader *r, const struct cr_key *key, const cJSON *json,
-                                  double *out, int n, const char *expected) {
+static enum cr_err read_numbers(struct cr_reader *r, const struct cr_key *key, const cJSON *json,
+                                double *out, int n, const char *expected) {
     if (!cJSON_IsArray(json) || cJSON_GetArraySize(json) != n) {
         return cr_scene_wrong_type(r, key, expected, json);
     }
@@ -235,7 +219,7 @@ enum cr_err cr_scene_numbers_read(struct cr_reader *r, const struct cr_key *key,
     return CR_ERR_OK;
 }
 
-cJSON *cr_scene_numbers_write(const struct cr_key *key, const double *x, int n) {
+static cJSON *write_numbers(const struct cr_key *key, const double *x, int n) {
     cJSON *array = cJSON_CreateArray();
     for (int i = 0; i < n; i++) {
         cJSON *item = number_out(key, x[i]);
@@ -251,7 +235,7 @@ cJSON *cr_scene_numbers_write(const struct cr_key *key, const double *x, int n) 
 static enum cr_err read_pair(struct cr_reader *r, const struct cr_key *key, const cJSON *json,
                              void *base) {
     double x[2];
-    enum cr_err code = cr_scene_numbers_read(r, key, json, x, 2, "two numbers [x, y]");
+    enum cr_err code = read_numbers(r, key, json, x, 2, "two numbers [x, y]");
     if (code == CR_ERR_OK) {
         memcpy(field(key, base), x, sizeof x);
     }
@@ -259,13 +243,13 @@ static enum cr_err read_pair(struct cr_reader *r, const struct cr_key *key, cons
 }
 
 static cJSON *write_pair(const struct cr_key *key, const void *base) {
-    return cr_scene_numbers_write(key, const_field(key, base), 2);
+    return write_numbers(key, const_field(key, base), 2);
 }
 
 static enum cr_err read_range(struct cr_reader *r, const struct cr_key *key, const cJSON *json,
                               void *base) {
     double x[2];
-    enum cr_err code = cr_scene_numbers_read(r, key, json, x, 2, "two numbers [lower, upper]");
+    enum cr_err code = read_numbers(r, key, json, x, 2, "two numbers [lower, upper]");
     if (code == CR_ERR_OK && !(x[0] < x[1])) {
         code = cr_scene_fail(r, CR_ERR_RANGE, "%s: the lower edge must be below the upper one",
                              key->name);
@@ -284,7 +268,7 @@ static enum cr_err read_wheels(struct cr_reader *r, const struct cr_key *key, co
         code = number_in(r, key, json, &x[0]);
         x[1] = x[2] = x[3] = x[0];
     } else {
-        code = cr_scene_numbers_read(r, key, json, x, CR_WHEELS, "a number or four, one per wheel");
+        code = read_numbers(r, key, json, x, CR_WHEELS, "a number or four, one per wheel");
     }
     if (code == CR_ERR_OK) {
         memcpy(field(key, base), x, sizeof x);
@@ -295,7 +279,7 @@ static enum cr_err read_wheels(struct cr_reader *r, const struct cr_key *key, co
 static cJSON *write_wheels(const struct cr_key *key, const void *base) {
     const double *x = const_field(key, base);
     bool same = x[0] == x[1] && x[0] == x[2] && x[0] == x[3];
-    return same ? number_out(key, x[0]) : cr_scene_numbers_write(key, x, CR_WHEELS);
+    return same ? number_out(key, x[0]) : write_numbers(key, x, CR_WHEELS);
 }
 
 static enum cr_err read_locked(struct cr_reader *r, const struct cr_key *key, const cJSON *json,
@@ -400,14 +384,57 @@ static bool known_always(const struct cr_key *key, const void *base) {
     return true;
 }
 
+static enum cr_err read_vertices(struct cr_reader *r, const struct cr_key *key, const cJSON *json,
+                                 void *base) {
+    struct cr_participant *p = base;
+    struct cr_vec2 v[CR_VERTEX_MAX];
+    int n = cJSON_IsArray(json) ? cJSON_GetArraySize(json) : -1;
+    if (n < 0) {
+        return cr_scene_wrong_type(r, key, "an array of corners [x, y]", json);
+    }
+    if (n < 3 || n > CR_VERTEX_MAX) {
+        return cr_scene_fail(r, CR_ERR_RANGE, "%s must have 3 to %d corners, got %d", key->name,
+                             CR_VERTEX_MAX, n);
+    }
+    for (int i = 0; i < n; i++) {
+        char token[12];
+        double x[2];
+        snprintf(token, sizeof token, "%d", i);
+        size_t up = cr_scene_enter(r, token);
+        enum cr_err code =
+            read_numbers(r, key, cJSON_GetArrayItem(json, i), x, 2, "two numbers [x, y]");
+        if (code != CR_ERR_OK) {
+            return code;
+        }
+        v[i] = cr_vec2(x[0], x[1]);
+        cr_scene_leave(r, up);
+    }
+    enum cr_err code = cr_scene_polygon_check(r, v, n);
+    if (code == CR_ERR_OK) {
+        memcpy(p->vertex, v, (size_t)n * sizeof v[0]);
+        p->vertices = n;
+    }
+    return code;
+}
+
+static cJSON *write_vertices(const struct cr_key *key, const void *base) {
+    const struct cr_participant *p = base;
+    cJSON *array = cJSON_CreateArray();
+    for (int i = 0; i < p->vertices; i++) {
+        double x[2] = {p->vertex[i].x, p->vertex[i].y};
+        cJSON *item = write_numbers(key, x, 2);
+        if (item == NULL || !cJSON_AddItemToArray(array, item)) {
+            cJSON_Delete(item);
+            cJSON_Delete(array);
+            return NULL;
+        }
+    }
+    return array;
+}
+
 static bool known_vertices(const struct cr_key *key, const void *base) {
     (void)key;
     return ((const struct cr_participant *)base)->vertices > 0;
-}
-
-static bool known_trajectory(const struct cr_key *key, const void *base) {
-    (void)key;
-    return ((const struct cr_participant *)base)->waypoints > 0;
 }
 
 static const struct {
@@ -426,20 +453,29 @@ static const struct {
     [CR_KEY_WHEELS] = {read_wheels, write_wheels, known_always},
     [CR_KEY_LOCKED] = {read_locked, write_locked, known_always},
     [CR_KEY_PDOF] = {read_pdof, write_pdof, known_always},
-    [CR_KEY_VERTICES] = {cr_scene_vertices_read, cr_scene_vertices_write, known_vertices},
-    [CR_KEY_TRAJECTORY] = {cr_scene_trajectory_read, cr_scene_trajectory_write, known_trajectory},
+    [CR_KEY_VERTICES] = {read_vertices, write_vertices, known_vertices},
 };
 
-enum cr_err cr_scene_value_read(struct cr_reader *r, const struct cr_key *key, const cJSON *json,
+enum cr_err cr_scene_plain_read(struct cr_reader *r, const struct cr_key *key, const cJSON *json,
                                 void *base) {
-    return types[key->type].read(r, key, json, base);
+    struct cr_tolerances found = {.n = 0};
+    cJSON *plain = NULL;
+    enum cr_err code = cr_scene_tolerances_take(r, key, json, &found, &plain);
+    if (code == CR_ERR_OK) {
+        code = types[key->type].read(r, key, plain != NULL ? plain : json, base);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_scene_tolerances_keep(r, key, &found, base);
+    }
+    cJSON_Delete(plain);
+    return code;
 }
 
-cJSON *cr_scene_value_write(const struct cr_key *key, const void *base) {
-    return types[key->type].write(key, base);
+cJSON *cr_scene_plain_write(const struct cr_key *key, const void *base) {
+    return cr_scene_tolerances_write(key, base, types[key->type].write(key, base));
 }
 
-bool cr_scene_value_known(const struct cr_key *key, const void *base) {
+bool cr_scene_plain_known(const struct cr_key *key, const void *base) {
     return types[key->type].known(key, base);
 }
 

@@ -4,6 +4,7 @@
 
 #include "base/arena.h"
 #include "base/file.h"
+#include "base/records.h"
 #include "base/vec.h"
 
 #include <math.h>
@@ -34,29 +35,26 @@ static void scale(double *v, int n) {
 }
 
 static enum cr_err measured(const char *dir, struct shares *out, struct cr_error *err) {
-    char path[600], *text = NULL;
-    size_t len = 0;
-    snprintf(path, sizeof path, "%s/share/validation/data/camry_10146_loadcell_energy_kJ.csv", dir);
+    char path[600];
+    struct cr_records t;
+    cr_file_part(dir, "validation/data/camry_10146_loadcell_energy_kJ.csv", path, sizeof path);
     memset(out, 0, sizeof *out);
-    enum cr_err code = cr_file_read(path, &text, &len, err);
+    enum cr_err code = cr_records_load(path, &t, err);
+    for (int r = 0; code == CR_ERR_OK && r < t.rows; r++) {
+        int row = 'K' - cr_records_text(&t, r, "row")[0]; /* A is the highest */
+        for (int i = 0; code == CR_ERR_OK && i < 2 * COLUMNS && row >= 0 && row < ROWS; i++) {
+            char name[8];
+            double kj;
+            snprintf(name, sizeof name, "%02d", i + 1);
+            code = cr_records_number(&t, r, name, &kj, err);
+            out->column[i < COLUMNS ? COLUMNS - 1 - i : i - COLUMNS] += kj;
+            out->row[row] += kj;
+        }
+    }
+    cr_records_fini(&t);
     if (code != CR_ERR_OK) {
         return code;
     }
-    for (const char *p = text; *p != '\0'; p += strcspn(p, "\n"), p += *p == '\n') {
-        if (p[0] < 'A' || p[0] > 'K' || p[1] != ',') {
-            continue;
-        }
-        const char *q = p + 2;
-        for (int i = 0; i < 2 * COLUMNS; i++) {
-            char *end = NULL;
-            double kj = strtod(q, &end);
-            int column = i < COLUMNS ? COLUMNS - 1 - i : i - COLUMNS;
-            out->column[column] += kj;
-            out->row['K' - p[0]] += kj;
-            q = *end == ',' ? end + 1 : end;
-        }
-    }
-    free(text);
     scale(out->column, COLUMNS);
     scale(out->row, ROWS);
     return CR_ERR_OK;

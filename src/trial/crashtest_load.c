@@ -139,7 +139,7 @@ static int is_json(const struct dirent *e) {
 static enum cr_err load_folder(const char *dir, enum cr_test_class class, struct cr_test_list *list,
                                struct cr_error *err) {
     struct dirent **entry = NULL;
-    int n = scandir(dir, &entry, is_json, alphasort);
+    int n = scandir(dir, &entry, is_json, cr_file_by_bytes);
     if (n < 0) {
         cr_err_set(err, CR_ERR_IO, "cannot list the folder: %s", strerror(errno));
         cr_err_place(err, dir, 0, 0);
@@ -163,9 +163,9 @@ static enum cr_err load_walls(const char *dir, const struct cr_type_rules *rules
                               struct cr_test_list *list, struct cr_error *err) {
     char path[4200];
     int from = list->n;
-    snprintf(path, sizeof path, "%s/share/validation/data/frontal_wall.csv", dir);
+    cr_file_part(dir, "validation/data/frontal_wall.csv", path, sizeof path);
     enum cr_err code = cr_test_load_table(path, CR_TEST_WALL, rules, list, err);
-    snprintf(path, sizeof path, "%s/share/validation/data/frontal_wall_pulse.csv", dir);
+    cr_file_part(dir, "validation/data/frontal_wall_pulse.csv", path, sizeof path);
     if (code != CR_ERR_OK) {
         return code;
     }
@@ -185,10 +185,12 @@ enum cr_err cr_test_load(const char *dir, enum cr_test_class class,
         return load_walls(dir, rules, list, err);
     }
     if (class == CR_TEST_POLE) {
-        snprintf(path, sizeof path, "%s/share/validation/data/side_pole.csv", dir);
+        cr_file_part(dir, "validation/data/side_pole.csv", path, sizeof path);
         return cr_test_load_table(path, class, rules, list, err);
     }
-    snprintf(path, sizeof path, "%s/share/validation/%s", dir, words[class]);
+    char part[100];
+    snprintf(part, sizeof part, "validation/%s", words[class]);
+    cr_file_part(dir, part, path, sizeof path);
     return load_folder(path, class, list, err);
 }
 

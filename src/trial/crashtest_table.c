@@ -3,7 +3,7 @@
  */
 #include "trial/crashtest_read.h"
 
-#include "trial/records.h"
+#include "base/records.h"
 
 #include <math.h>
 #include <stdio.h>

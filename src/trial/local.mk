@@ -6,7 +6,6 @@ libtrial_a_SOURCES = \
 	src/trial/crashtest_load.c src/trial/crashtest_read.h \
 	src/trial/crashtest_solve.c src/trial/crashtest_table.c \
 	src/trial/folds.c src/trial/folds.h \
-	src/trial/records.c src/trial/records.h \
 	src/trial/trial.h \
 	src/trial/types.c src/trial/types.h \
 	src/trial/validate.c \
@@ -15,7 +14,7 @@ libtrial_a_SOURCES = \
 	src/trial/verdict_plot.c \
 	src/trial/verdict_text.c
 libtrial_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)
-validationdatadir = $(pkgdatadir)/share/validation/data
+validationdatadir = $(pkgdatadir)/validation/data
 dist_validationdata_DATA = \
 	share/validation/data/camry_10146_loadcell_energy_kJ.csv \
 	share/validation/data/camry_10146_pulse.csv \
@@ -24,14 +23,14 @@ dist_validationdata_DATA = \
 	share/validation/data/side_pole.csv \
 	share/validation/data/taurus_7292_veh1_pulse.csv \
 	share/validation/data/taurus_7292_veh2_pulse.csv
-validationcardir = $(pkgdatadir)/share/validation/car-to-car
+validationcardir = $(pkgdatadir)/validation/car-to-car
 dist_validationcar_DATA = \
 	share/validation/car-to-car/nhtsa-4363.json \
 	share/validation/car-to-car/nhtsa-4364.json \
 	share/validation/car-to-car/nhtsa-4438.json \
 	share/validation/car-to-car/nhtsa-4474.json \
 	share/validation/car-to-car/nhtsa-7292.json
-validationsmalldir = $(pkgdatadir)/share/validation/small-overlap
+validationsmalldir = $(pkgdatadir)/validation/small-overlap
 dist_validationsmall_DATA = \
 	share/validation/small-overlap/cen1203.json \
 	share/validation/small-overlap/cen1204.json \
@@ -52,13 +51,13 @@ dist_validationsmall_DATA = \
 	share/validation/small-overlap/cf11012.json \
 	share/validation/small-overlap/cf11013.json \
 	share/validation/small-overlap/iihs-fleet.json
-validationlowdir = $(pkgdatadir)/share/validation/low-speed
+validationlowdir = $(pkgdatadir)/validation/low-speed
 dist_validationlow_DATA = \
 	share/validation/low-speed/contour-pole.json \
 	share/validation/low-speed/polo-fiesta.json
-validationpulsedir = $(pkgdatadir)/share/validation/pulse
+validationpulsedir = $(pkgdatadir)/validation/pulse
 dist_validationpulse_DATA = \
 	share/validation/pulse/camry-10146.json
-validationdocdir = $(pkgdatadir)/share/doc
+validationdocdir = $(docdir)
 dist_validationdoc_DATA = share/doc/validation.md share/doc/method.md
 dist_man_MANS += man/crumple-validation.7

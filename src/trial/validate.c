@@ -119,7 +119,7 @@ static enum cr_err load(char **name, int n, struct cr_test_list *list, struct cr
     char dir[4096];
     struct cr_type_rules rules;
     /* complains when there is no data folder */
-    enum cr_err code = cr_cli_data("share/validation", dir, sizeof dir, err);
+    enum cr_err code = cr_cli_data("validation", dir, sizeof dir, err);
     if (code == CR_ERR_OK) {
         code = cr_type_rules_read(cr_data_dir(dir, sizeof dir), &rules, err);
     }
@@ -258,9 +258,9 @@ static enum cr_err report(const struct batch *b, const struct options *opt, bool
 
 static enum cr_err validate(char **name, int n, const struct options *opt, bool *missed,
                             struct cr_error *err) {
-    static const unsigned CROSS = 1u << CR_TEST_CROSS, PAPER = 1u << CR_METHOD_PAPER;
-    static const unsigned MASK[] = {7, 1u << CR_METHOD_EXTENDED | CROSS, PAPER};
-    struct batch b = {.runs = MASK[opt->method] & (opt->fast ? ~CROSS : ~0u),
+    static const unsigned crossed = 1u << CR_TEST_CROSS, paper = 1u << CR_METHOD_PAPER;
+    static const unsigned masks[] = {7, 1u << CR_METHOD_EXTENDED | crossed, paper};
+    struct batch b = {.runs = masks[opt->method] & (opt->fast ? ~crossed : ~0u),
                       .progress = opt->progress};
     struct cr_cli_shared shared = {0};
     struct cr_model_lib *own = NULL;

@@ -7,12 +7,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double NONE = (double)NAN;
+static const double none = (double)NAN;
 
 static const struct {
     const char *key, *label, *unit;
     bool relative;
-} MEASURE[CR_MEASURES] = {
+} measures[CR_MEASURES] = {
 #define X(name, key, label, unit, relative) {key, label, unit, relative},
     CR_MEASURE_LIST(X)
 #undef X
@@ -20,7 +20,7 @@ static const struct {
 
 static const struct {
     const char *word, *title;
-} CLASS[CR_TEST_CLASSES] = {
+} classes[CR_TEST_CLASSES] = {
 #define X(name, word, title) {word, title},
     CR_TEST_CLASS_LIST(X)
 #undef X
@@ -32,22 +32,22 @@ const char *cr_test_run_word(int run) {
     return run == CR_TEST_CROSS ? "cross-validated" : run == CR_METHOD_PAPER ? "paper" : "extended";
 }
 bool cr_test_measure_is_relative(enum cr_measure measure) {
-    return MEASURE[measure].relative;
+    return measures[measure].relative;
 }
 const char *cr_test_measure_key(enum cr_measure measure) {
-    return MEASURE[measure].key;
+    return measures[measure].key;
 }
 const char *cr_test_measure_label(enum cr_measure measure) {
-    return MEASURE[measure].label;
+    return measures[measure].label;
 }
 const char *cr_test_measure_unit(enum cr_measure measure) {
-    return MEASURE[measure].unit;
+    return measures[measure].unit;
 }
 const char *cr_test_class_word(enum cr_test_class class) {
-    return CLASS[class].word;
+    return classes[class].word;
 }
 const char *cr_test_class_title(enum cr_test_class class) {
-    return CLASS[class].title;
+    return classes[class].title;
 }
 
 /* Breitlauch et al. 2023, MPE, SD, MAPE (method.md 8); EES and delta-v are of all their tests */
@@ -55,7 +55,7 @@ static const struct {
     enum cr_test_class class;
     enum cr_measure measure;
     double mpe, sd, mape;
-} PUBLISHED[] = {
+} figures[] = {
     {CR_TEST_WALL, CR_MEASURE_DEPTH, -9.6, NAN, NAN},
     {CR_TEST_WALL, CR_MEASURE_PEAK, -7.2, NAN, NAN},
     {CR_TEST_POLE, CR_MEASURE_DEPTH, 107.6, NAN, NAN},
@@ -68,7 +68,7 @@ static const struct {
 
 double cr_verdict_error(const struct cr_test *test, enum cr_measure m, int run) {
     double ref = test->reference[m], got = test->of[run].value[m];
-    return MEASURE[m].relative ? 100 * (got - ref) / ref : got - ref;
+    return measures[m].relative ? 100 * (got - ref) / ref : got - ref;
 }
 
 /* groups a test is counted in, beside all of its class */
@@ -107,7 +107,7 @@ static struct cr_stats_error differences(const double *got, const double *ref, i
         e.mape += fabs(d[i]) / n;
     }
     e.mpe = e.bias;
-    e.sd = d ? cr_stats_sd(d, n) : NONE;
+    e.sd = d ? cr_stats_sd(d, n) : none;
     free(d);
     return e;
 }
@@ -167,21 +167,21 @@ static double fleet_scatter(const struct cr_test_list *tests, enum cr_test_class
     for (int i = 0; i < CR_TYPES; i++) {
         freedom += line[i].n > 0 ? line[i].n - 1 - line[i].sloped : 0;
     }
-    return freedom > 3 ? sqrt((squares - sum * sum / n) / freedom) : NONE;
+    return freedom > 3 ? sqrt((squares - sum * sum / n) / freedom) : none;
 }
 
 static struct cr_verdict_row *new_row(struct cr_verdict *v) {
     if (v->rows == v->row_size) {
         int size = v->row_size ? 2 * v->row_size : 64;
         struct cr_verdict_row *more = realloc(v->row, (size_t)size * sizeof *more);
-        if (!more) {
+        if (more == NULL) {
             return NULL;
         }
         v->row = more;
         v->row_size = size;
     }
     struct cr_verdict_row *r = &v->row[v->rows++];
-    *r = (struct cr_verdict_row){.fleet_sd = NONE, .published = {NONE, NONE, NONE}};
+    *r = (struct cr_verdict_row){.fleet_sd = none, .published = {none, none, none}};
     return r;
 }
 
@@ -192,7 +192,7 @@ static enum cr_err make_row(const struct cr_test_list *tests, enum cr_test_class
     struct cr_verdict_row *r = new_row(v);
     double *x = calloc(2 * (size_t)tests->n + 1, sizeof *x);
     int most = 0;
-    if (!r || !x) {
+    if (r == NULL || x == NULL) {
         free(x);
         return CR_ERR_MEMORY;
     }
@@ -210,7 +210,7 @@ static enum cr_err make_row(const struct cr_test_list *tests, enum cr_test_class
                 ref[n++] = t->reference[m];
             }
         }
-        r->of[run] = MEASURE[m].relative ? cr_stats_errors(x, ref, n) : differences(x, ref, n);
+        r->of[run] = measures[m].relative ? cr_stats_errors(x, ref, n) : differences(x, ref, n);
         most = n > most ? n : most;
     }
     free(x);
@@ -220,15 +220,15 @@ static enum cr_err make_row(const struct cr_test_list *tests, enum cr_test_class
     }
     bool all = strcmp(group, "all") == 0;
     bool bookkeeping = m == CR_MEASURE_EES || m == CR_MEASURE_DELTA_V;
-    if (all && !bookkeeping && MEASURE[m].relative &&
+    if (all && !bookkeeping && measures[m].relative &&
         (class == CR_TEST_WALL || class == CR_TEST_POLE)) {
         r->fleet_sd = fleet_scatter(tests, class, m);
     }
-    for (size_t i = 0; all && i < sizeof PUBLISHED / sizeof *PUBLISHED; i++) {
-        if (PUBLISHED[i].class == class && PUBLISHED[i].measure == m) {
-            r->published[0] = PUBLISHED[i].mpe;
-            r->published[1] = PUBLISHED[i].sd;
-            r->published[2] = PUBLISHED[i].mape;
+    for (size_t i = 0; all && i < sizeof figures / sizeof *figures; i++) {
+        if (figures[i].class == class && figures[i].measure == m) {
+            r->published[0] = figures[i].mpe;
+            r->published[1] = figures[i].sd;
+            r->published[2] = figures[i].mape;
         }
     }
     return CR_ERR_OK;
@@ -236,19 +236,18 @@ static enum cr_err make_row(const struct cr_test_list *tests, enum cr_test_class
 
 static enum cr_err make_class(const struct cr_test_list *tests, enum cr_test_class class,
                               unsigned runs, struct cr_verdict *v) {
-    static const char *const SPEED[] = {"below 36 km/h", "40 km/h", "48 km/h", "56 km/h"};
-    static const enum cr_measure BY_GROUP[] = {CR_MEASURE_DEPTH, CR_MEASURE_DYNAMIC,
+    static const enum cr_measure by_group[] = {CR_MEASURE_DEPTH, CR_MEASURE_DYNAMIC,
                                                CR_MEASURE_PEAK};
     enum cr_err code = CR_ERR_OK;
     for (int m = 0; m < CR_MEASURES && code == CR_ERR_OK; m++) {
         code = make_row(tests, class, "all", (enum cr_measure)m, runs, v);
     }
-    for (size_t k = 0; k < sizeof BY_GROUP / sizeof *BY_GROUP; k++) {
-        for (int i = 0; i < 4 && code == CR_ERR_OK; i++) {
-            code = make_row(tests, class, SPEED[i], BY_GROUP[k], runs, v);
+    for (size_t k = 0; k < sizeof by_group / sizeof *by_group; k++) {
+        for (int i = 0; i < CR_SPEEDS && code == CR_ERR_OK; i++) {
+            code = make_row(tests, class, cr_test_speed_word(i), by_group[k], runs, v);
         }
         for (int i = 0; i < CR_TYPES && code == CR_ERR_OK; i++) {
-            code = make_row(tests, class, cr_type_word((enum cr_type)i), BY_GROUP[k], runs, v);
+            code = make_row(tests, class, cr_type_word((enum cr_type)i), by_group[k], runs, v);
         }
     }
     return code;
@@ -259,7 +258,7 @@ static enum cr_err add_target(struct cr_verdict *v, const char *name, double val
     if (v->targets == v->target_size) {
         int size = v->target_size ? 2 * v->target_size : 32;
         struct cr_verdict_target *more = realloc(v->target, (size_t)size * sizeof *more);
-        if (!more) {
+        if (more == NULL) {
             return CR_ERR_MEMORY;
         }
         v->target = more;
@@ -278,15 +277,15 @@ static const struct {
     enum cr_test_class class;
     enum cr_measure measure;
     double limit;
-} LIMIT[] = {
+} limits[] = {
     {CR_TEST_WALL, CR_MEASURE_EES, 1},   {CR_TEST_WALL, CR_MEASURE_DELTA_V, 1},
     {CR_TEST_WALL, CR_MEASURE_DEPTH, 2}, {CR_TEST_WALL, CR_MEASURE_PEAK, 4},
     {CR_TEST_POLE, CR_MEASURE_DEPTH, 3},
 };
-static const double GROUP_LIMIT = 6;                   /* %, of the depth by speed and by type */
-static const int GROUP_LEAST = 8;                      /* tests for a group to have a target */
-static const double SPREAD_MORE = 2;                   /* points above the fleet's own scatter */
-static const double PULSE_RMS = 4.9, PULSE_ISO = 0.65; /* g; literature.md 4.10 */
+static const double group_limit = 6;                   /* %, of the depth by speed and by type */
+static const int group_least = 8;                      /* tests for a group to have a target */
+static const double spread_more = 2;                   /* points above the fleet's own scatter */
+static const double pulse_rms = 4.9, pulse_iso = 0.65; /* g; literature.md 4.10 */
 
 static enum cr_err row_targets(const struct cr_verdict_row *r, struct cr_verdict *v) {
     bool crossed = r->of[CR_TEST_CROSS].n > 0;
@@ -294,45 +293,45 @@ static enum cr_err row_targets(const struct cr_verdict_row *r, struct cr_verdict
     char name[96];
     enum cr_err code = CR_ERR_OK;
     bool all = strcmp(r->group, "all") == 0;
-    for (size_t i = 0; i < sizeof LIMIT / sizeof *LIMIT && all && code == CR_ERR_OK; i++) {
-        if (LIMIT[i].class == r->class && LIMIT[i].measure == r->measure) {
-            snprintf(name, sizeof name, "%s: MPE of %s, %%", CLASS[r->class].word,
-                     MEASURE[r->measure].label);
-            code = add_target(v, name, e->mpe, LIMIT[i].limit, false);
+    for (size_t i = 0; i < sizeof limits / sizeof *limits && all && code == CR_ERR_OK; i++) {
+        if (limits[i].class == r->class && limits[i].measure == r->measure) {
+            snprintf(name, sizeof name, "%s: MPE of %s, %%", classes[r->class].word,
+                     measures[r->measure].label);
+            code = add_target(v, name, e->mpe, limits[i].limit, false);
         }
     }
-    if (code == CR_ERR_OK && r->measure == CR_MEASURE_DEPTH && !all && e->n >= GROUP_LEAST) {
-        snprintf(name, sizeof name, "%s, %s: MPE of %s, %%", CLASS[r->class].word, r->group,
-                 MEASURE[r->measure].label);
-        code = add_target(v, name, e->mpe, GROUP_LIMIT, false);
+    if (code == CR_ERR_OK && r->measure == CR_MEASURE_DEPTH && !all && e->n >= group_least) {
+        snprintf(name, sizeof name, "%s, %s: MPE of %s, %%", classes[r->class].word, r->group,
+                 measures[r->measure].label);
+        code = add_target(v, name, e->mpe, group_limit, false);
     }
     if (code == CR_ERR_OK && r->measure == CR_MEASURE_DEPTH && all && isfinite(r->fleet_sd)) {
-        snprintf(name, sizeof name, "%s: SD of %s, points", CLASS[r->class].word,
-                 MEASURE[r->measure].label);
-        code = add_target(v, name, e->sd, r->fleet_sd + SPREAD_MORE, false);
+        snprintf(name, sizeof name, "%s: SD of %s, points", classes[r->class].word,
+                 measures[r->measure].label);
+        code = add_target(v, name, e->sd, r->fleet_sd + spread_more, false);
     }
     return code;
 }
 
 /* Car to car: each vehicle by itself (issue on the physics). */
-static const double CAR_DELTA_V = 5, CAR_YAW = 30; /* %, deg/s */
+static const double car_delta_v = 5, car_yaw = 30; /* %, deg/s */
 /* How far the damaged area of the poles may be off, %. */
-static const double POLE_AREA_OFF = 10;
+static const double pole_area_off = 10;
 
 static enum cr_err car_targets(const struct cr_test *t, struct cr_verdict *v) {
     /* a reference that is a planar impact is compared with one */
     bool planar = isfinite(t->reference[CR_MEASURE_PLANAR_YAW]);
-    const enum cr_measure OF[] = {CR_MEASURE_DELTA_V,
+    const enum cr_measure of[] = {CR_MEASURE_DELTA_V,
                                   planar ? CR_MEASURE_PLANAR_YAW : CR_MEASURE_YAW_RATE};
     enum cr_err code = CR_ERR_OK;
     for (int i = 0; i < 2 && code == CR_ERR_OK; i++) {
         char name[96];
-        bool percent = MEASURE[OF[i]].relative;
-        if (isfinite(t->reference[OF[i]])) {
-            snprintf(name, sizeof name, "%.20s %.20s: %s, %s", t->id, t->part, MEASURE[OF[i]].label,
-                     percent ? "%" : MEASURE[OF[i]].unit);
-            code = add_target(v, name, cr_verdict_error(t, OF[i], CR_METHOD_EXTENDED),
-                              percent ? CAR_DELTA_V : CAR_YAW, false);
+        bool percent = measures[of[i]].relative;
+        if (isfinite(t->reference[of[i]])) {
+            snprintf(name, sizeof name, "%.20s %.20s: %s, %s", t->id, t->part,
+                     measures[of[i]].label, percent ? "%" : measures[of[i]].unit);
+            code = add_target(v, name, cr_verdict_error(t, of[i], CR_METHOD_EXTENDED),
+                              percent ? car_delta_v : car_yaw, false);
         }
     }
     return code;
@@ -350,7 +349,7 @@ static enum cr_err area_target(const struct cr_test_list *tests, struct cr_verdi
     enum cr_err code = area ? CR_ERR_OK : CR_ERR_MEMORY;
     if (n > 0) {
         code = add_target(v, "pole: median damaged area, %",
-                          100 * (cr_stats_median(area, n) / cr_test_pole_area - 1), POLE_AREA_OFF,
+                          100 * (cr_stats_median(area, n) / cr_test_pole_area - 1), pole_area_off,
                           false);
     }
     free(area);
@@ -377,10 +376,10 @@ static enum cr_err make_targets(const struct cr_test_list *tests, struct cr_verd
             continue;
         }
         snprintf(name, sizeof name, "%.40s: RMS error of the pulse, g", t->id);
-        code = add_target(v, name, p->rms_g, PULSE_RMS, false);
+        code = add_target(v, name, p->rms_g, pulse_rms, false);
         snprintf(name, sizeof name, "%.40s: ISO/TS 18571 rating", t->id);
         if (code == CR_ERR_OK) {
-            code = add_target(v, name, p->iso, PULSE_ISO, true);
+            code = add_target(v, name, p->iso, pulse_iso, true);
         }
     }
     return code;

@@ -7,7 +7,7 @@
 #include <string.h>
 
 enum { WIDE = 60, HIGH = 20, BINS = 13, PLOT_LEAST = 5 };
-static const double BIN = 10; /* % */
+static const double bin = 10; /* % */
 
 static bool pick(const struct cr_test *t, enum cr_test_class class, enum cr_measure m, int run) {
     return t->class == class && isfinite(t->reference[m]) && isfinite(t->of[run].value[m]);
@@ -27,7 +27,7 @@ static double round_up(double x) {
 
 static void scatter(const struct cr_test_list *tests, enum cr_test_class class, enum cr_measure m,
                     int run, double top, struct cr_str *out) {
-    static const char MARK[] = " .:+*#@";
+    static const char marks[] = " .:+*#@";
     int count[HIGH][WIDE] = {{0}};
     for (int i = 0; i < tests->n; i++) {
         const struct cr_test *t = &tests->item[i];
@@ -46,7 +46,7 @@ static void scatter(const struct cr_test_list *tests, enum cr_test_class class, 
         for (int x = 0; x < WIDE; x++) {
             int n = count[y][x] < 6 ? count[y][x] : 6;
             bool equal = (int)((double)x / (WIDE - 1) * (HIGH - 1) + 0.5) == y;
-            line[x] = n > 0 ? MARK[n] : equal ? '/' : ' ';
+            line[x] = n > 0 ? marks[n] : equal ? '/' : ' ';
         }
         line[WIDE] = '\0';
         char label[16] = "";
@@ -65,15 +65,15 @@ static void histogram(const struct cr_test_list *tests, enum cr_test_class class
         const struct cr_test *t = &tests->item[i];
         if (pick(t, class, m, run)) {
             double e = cr_verdict_error(t, m, run);
-            int k = (int)floor(e / BIN + BINS / 2.0);
+            int k = (int)floor(e / bin + BINS / 2.0);
             k = k < 0 ? 0 : k > BINS - 1 ? BINS - 1 : k;
             most = ++count[k] > most ? count[k] : most;
         }
     }
     cr_str_add(out, "  errors, %, in steps of 10; the outermost hold all beyond\n");
     for (int k = 0; k < BINS; k++) {
-        double lo = (k - BINS / 2.0) * BIN;
-        cr_str_addf(out, "  %+4.0f..%+4.0f %4d ", lo, lo + BIN, count[k]);
+        double lo = (k - BINS / 2.0) * bin;
+        cr_str_addf(out, "  %+4.0f..%+4.0f %4d ", lo, lo + bin, count[k]);
         cr_str_fill(out, '#', (int)(50.0 * count[k] / most + 0.5));
         cr_str_add(out, "\n");
     }
@@ -99,7 +99,7 @@ void cr_verdict_plot(const struct cr_test_list *tests, enum cr_test_class class,
 /* measured and computed accelerations in g over ms */
 static enum cr_err draw_pulse(const struct cr_test *test, unsigned runs, const struct cr_look *look,
                               double *memory, struct cr_cells *cells) {
-    static const char *const NAME[] = {"measured", "extended", "paper"};
+    static const char *const names[] = {"measured", "extended", "paper"};
     const struct cr_compare *any = &test->of[runs >> CR_METHOD_EXTENDED & 1 ? 0 : 1].pulse.curves;
     int n = any->n, curves = 0;
     struct cr_curve_line line[3];
@@ -119,7 +119,7 @@ static enum cr_err draw_pulse(const struct cr_test *test, unsigned runs, const s
                                                 .y = y,
                                                 .n = n,
                                                 .mark = "MEP"[k],
-                                                .name = NAME[k],
+                                                .name = names[k],
                                                 .dashed = k == 0,
                                                 .role = k == 0   ? CR_ROLE_REFERENCE
                                                         : k == 1 ? CR_ROLE_A

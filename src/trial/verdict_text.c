@@ -127,11 +127,11 @@ static void put_pulse(const struct cr_test *t, const struct cr_verdict_form *for
 
 /* measure that a class is mainly judged by: the depth, else delta-v, else its forward part */
 static enum cr_measure main_measure(const struct cr_test *t) {
-    static const enum cr_measure ORDER[] = {CR_MEASURE_DEPTH, CR_MEASURE_DELTA_V,
+    static const enum cr_measure order[] = {CR_MEASURE_DEPTH, CR_MEASURE_DELTA_V,
                                             CR_MEASURE_DV_FORWARD};
-    for (size_t i = 0; i < sizeof ORDER / sizeof *ORDER; i++) {
-        if (isfinite(t->reference[ORDER[i]])) {
-            return ORDER[i];
+    for (size_t i = 0; i < sizeof order / sizeof *order; i++) {
+        if (isfinite(t->reference[order[i]])) {
+            return order[i];
         }
     }
     return CR_MEASURE_EES;

@@ -6,7 +6,7 @@
 #include <string.h>
 
 /* relative luminance of CIE L* = 50 */
-static const double MIDDLE = 0.184;
+static const double middle = 0.184;
 
 bool cr_ground_may_ask(const char *term) {
     static const char *const names[] = {"xterm", "tmux",    "screen", "rxvt", "foot", "alacritty",
@@ -62,7 +62,7 @@ enum cr_ground cr_ground_of_color(const char *text) {
         p += n;
         p += !hash && *p == '/';
     }
-    return isnan(y) ? CR_GROUND_UNKNOWN : y < MIDDLE ? CR_GROUND_DARK : CR_GROUND_LIGHT;
+    return isnan(y) ? CR_GROUND_UNKNOWN : y < middle ? CR_GROUND_DARK : CR_GROUND_LIGHT;
 }
 
 enum cr_ground_step cr_ground_read(struct cr_ground_reader *r, wint_t code, bool alt) {

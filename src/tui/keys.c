@@ -8,7 +8,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <wctype.h>
 
 #define BIT(area) (1u << CR_AREA_##area)
 enum {
@@ -481,6 +480,14 @@ static void press(struct cr_tui *t, const struct key *k) {
     }
 }
 
+bool cr_tui_key(struct cr_tui *t, const struct cr_input *in) {
+    const struct key *k = find(t, in);
+    if (k != NULL) {
+        press(t, k);
+    }
+    return k != NULL;
+}
+
 void cr_tui_press(struct cr_tui *t, const char *name) {
     for (int i = 0; i < KEYS; i++) {
         if (keys[i].shown != NULL && strcmp(keys[i].shown, name) == 0 &&
@@ -488,50 +495,6 @@ void cr_tui_press(struct cr_tui *t, const char *name) {
             press(t, &keys[i]);
             return;
         }
-    }
-}
-
-/* a participant by the first letter of its name, where the letter has no other meaning */
-static bool choose_letter(struct cr_tui *t, wint_t code) {
-    const struct cr_scene *scene = cr_session_scene(t->session);
-    char line[CR_NAME_MAX + 20];
-    for (int i = 0; i < scene->n; i++) {
-        if (towlower(code) == towlower((wint_t)(unsigned char)scene->part[i].id[0])) {
-            snprintf(line, sizeof line, "show select=%s", scene->part[i].id);
-            cr_tui_run_key(t, line);
-            return true;
-        }
-    }
-    return false;
-}
-
-void cr_tui_input(struct cr_tui *t, const struct cr_input *in) {
-    t->dirty = true;
-    if (in->function && in->code == KEY_RESIZE) {
-        return; /* signals tell it */
-    }
-    if (t->overlay != CR_OVERLAY_NONE && cr_overlay_input(t, in)) {
-        return;
-    }
-    if (in->function && in->code == KEY_MOUSE) {
-        cr_mouse(t, in);
-        return;
-    }
-    const struct key *k = find(t, in);
-    if (k != NULL) {
-        press(t, k);
-        return;
-    }
-    bool letter = !in->function && !in->alt && iswprint(in->code);
-    if (t->focus == CR_AREA_SCENE && letter && choose_letter(t, in->code)) {
-        return;
-    }
-    if (t->focus != CR_AREAS && letter) {
-        cr_tui_focus(t, CR_AREAS); /* it begins a command */
-    }
-    if (t->focus == CR_AREAS) {
-        cr_play_stop(t);
-        cr_prompt_key(in);
     }
 }
 

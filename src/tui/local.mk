@@ -1,9 +1,13 @@
 noinst_LIBRARIES += libtui.a
 libtui_a_SOURCES = \
+	src/tui/clock.c \
 	src/tui/frame.c src/tui/frame.h \
 	src/tui/ground.c src/tui/ground.h \
+	src/tui/history.c \
+	src/tui/input.c \
 	src/tui/keys.c \
 	src/tui/log.c \
+	src/tui/look.c \
 	src/tui/main.c \
 	src/tui/mouse.c \
 	src/tui/overlay.c \
@@ -12,8 +16,10 @@ libtui_a_SOURCES = \
 	src/tui/pointer.c \
 	src/tui/preview.c \
 	src/tui/prompt.c \
+	src/tui/run.c \
 	src/tui/screen.c \
 	src/tui/sweep.c \
 	src/tui/term.c \
-	src/tui/tui.h src/tui/tui_priv.h
+	src/tui/tui.h src/tui/tui_priv.h \
+	src/tui/zoom.c
 libtui_a_CFLAGS = $(CR_CFLAGS) $(NCURSES_CFLAGS) $(READLINE_CFLAGS)

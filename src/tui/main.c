@@ -5,15 +5,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
-enum { PROMPT_W = 9, FRAMES_PER_S = 30 };
-
-double cr_tui_clock(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
+enum { FRAMES_PER_S = 30 };
 
 /* ---- what signals ask for ---- */
 
@@ -55,8 +48,8 @@ static void on_fault(void *user, const struct cr_fault *fault) {
     struct cr_fault shown = *fault;
     struct cr_str text = {0};
     /* a caret below a line that is folded would point anywhere */
-    shown.many = fault->many || PROMPT_W + (int)strlen(fault->text) >= t->w - 2;
-    cr_fault_text(&shown, PROMPT_W, &text);
+    shown.many = fault->many || CR_PROMPT_W + (int)strlen(fault->text) >= t->w - 2;
+    cr_fault_text(&shown, CR_PROMPT_W, &text);
     for (char *p = text.s, *end; p != NULL && (end = strchr(p, '\n')) != NULL; p = end + 1) {
         *end = '\0';
         cr_dialogue_add(&t->log, CR_ROLE_BAD, p);
@@ -135,80 +128,6 @@ static struct cr_out out_of(struct cr_tui *t) {
                            .cancel = on_cancel,
                            .ask = on_ask,
                            .size = on_size};
-}
-
-/* ---- running lines ---- */
-
-struct before {
-    const struct cr_result *result;
-    struct cr_view view;
-    int undos, lines;
-    const char *file;
-};
-
-/* Did the line change what the panes show? Then its answer must not cover them. */
-static bool changed(const struct cr_tui *t, const struct before *b) {
-    const struct cr_view *v = cr_session_view(t->session);
-    return b->result != cr_session_result(t->session) || b->undos != cr_session_undos(t->session) ||
-           memcmp(&b->view, v, sizeof *v) != 0;
-}
-
-static void run(struct cr_tui *t, const char *line) {
-    struct before b = {.result = cr_session_result(t->session),
-                       .view = *cr_session_view(t->session),
-                       .undos = cr_session_undos(t->session),
-                       .lines = t->log.n};
-    t->cancel = false;
-    t->log_back = 0;
-    t->sheet_from = -1;
-    t->sheet_down = 0;
-    cr_completion_fini(&t->candidates);
-    cr_preview_forget(t);
-    t->failed = cr_session_run(t->session, line) != CR_ERR_OK;
-    t->progress = NULL;
-    if (t->log.n > b.lines && (t->failed || !changed(t, &b))) {
-        t->sheet_from = b.lines - 1; /* with the command itself */
-        t->sheet_down = t->failed ? CR_SHEET_END : 0;
-    }
-    t->dirty = true;
-}
-
-void cr_tui_run(struct cr_tui *t, const char *line) {
-    struct cr_str shown = {0};
-    cr_play_stop(t);
-    if (line[strspn(line, " \t\n")] == '\0') {
-        t->sheet_from = -1;
-        return;
-    }
-    cr_str_addf(&shown, "crumple> %s", line);
-    for (char *p = shown.s; p != NULL && *p != '\0'; p++) {
-        *p = *p == '\n' ? ' ' : *p;
-    }
-    cr_dialogue_add(&t->log, CR_ROLE_KEY, cr_str_get(&shown));
-    if (shown.s != NULL && !shown.failed) {
-        cr_prompt_remember(shown.s + PROMPT_W, true);
-    }
-    cr_str_fini(&shown);
-    run(t, line);
-}
-
-void cr_tui_run_key(struct cr_tui *t, const char *line) {
-    cr_dialogue_key(&t->log, line);
-    cr_prompt_remember(line, false);
-    /* the title bar and the panes show what these change */
-    t->mute = strncmp(line, "show ", 5) == 0 || strncmp(line, "move ", 5) == 0 ||
-              strncmp(line, "view ", 5) == 0;
-    run(t, line);
-    t->mute = false;
-}
-
-void cr_tui_run_quiet(struct cr_tui *t, const char *line) {
-    t->mute = true;
-    if (cr_session_script(t->session, line, "key", 1) != CR_ERR_OK) {
-        cr_play_stop(t);
-    }
-    t->mute = false;
-    t->dirty = true;
 }
 
 /* ---- the loop ---- */
@@ -319,6 +238,7 @@ static int run_screen(struct cr_tui *t, const char *state_dir) {
     loop(t);
     cr_prompt_close();
     cr_term_close();
+    cr_paint_forget();
     if (cr_tui_ending) { /* as the sender expects, and without giving up the autosave */
         signal(cr_tui_ending, SIG_DFL);
         raise(cr_tui_ending);

@@ -1,5 +1,4 @@
-/* The mouse: where a click falls, and the command it stands for. Also scale and place of the scene
- * picture, which need the same geometry. */
+/* The mouse: where a click falls, and the command it stands for. */
 #include "tui/tui_priv.h"
 
 #include "render/picture.h"
@@ -9,82 +8,11 @@
 #include <stdio.h>
 #include <string.h>
 
-static bool inside(struct cr_rect r, int x, int y) {
-    return x >= r.x && x < r.x + r.w && y >= r.y && y < r.y + r.h;
-}
-
-static struct cr_rect inner(struct cr_rect r) {
-    return r.w < 3 || r.h < 3 ? r : (struct cr_rect){r.x + 1, r.y + 1, r.w - 2, r.h - 2};
-}
-
-/* ---- the scene picture ---- */
-
-/* The picture as it is drawn; false when there is none. */
-static bool picture(struct cr_tui *t, struct cr_pic *pic) {
-    struct cr_error err;
-    struct cr_rect at = t->layout.pane[CR_AREA_SCENE];
-    struct cr_scene_view view = cr_session_scene_view(t->session);
-    const struct cr_scene *scene = cr_session_scene(t->session);
-    const struct cr_result *result = NULL;
-    const struct cr_compiled *compiled;
-    if (at.w == 0 || scene->n == 0) {
-        return false;
-    }
-    enum cr_solve_state state = cr_session_state(t->session);
-    if (state == CR_STATE_SOLVED || state == CR_STATE_INTERRUPTED) {
-        result = cr_session_result(t->session);
-        compiled = &result->compiled;
-        scene = &result->resolved;
-    } else {
-        compiled = cr_session_compiled(t->session, &err);
-        view.time = (double)NAN;
-    }
-    if (compiled == NULL || cr_pic_init(pic, compiled, scene, result, &view, &err) != CR_ERR_OK) {
-        return false;
-    }
-    cr_pic_fit(pic, result, &view, inner(at));
-    return true;
-}
-
-void cr_scene_zoom(struct cr_tui *t, int step) {
-    static const double scales[] = {0.01, 0.02, 0.025, 0.05, 0.1, 0.2, 0.5, 1, 2, 5};
-    enum { N = sizeof scales / sizeof *scales };
-    struct cr_pic pic;
-    char line[40];
-    int i = 0;
-    if (!picture(t, &pic)) {
-        return;
-    }
-    while (i < N - 1 && scales[i] < pic.m_per_col * (1 - 1e-9)) {
-        i++;
-    }
-    bool between = scales[i] > pic.m_per_col * (1 + 1e-9);
-    i += step > 0 ? (between ? 0 : 1) : -1;
-    i = i < 0 ? 0 : i >= N ? N - 1 : i;
-    cr_pic_fini(&pic);
-    snprintf(line, sizeof line, "show scale=%gm", scales[i]);
-    cr_tui_run_key(t, line);
-}
-
-void cr_scene_pan(struct cr_tui *t, int key) {
-    struct cr_pic pic;
-    char line[80];
-    if (!picture(t, &pic)) {
-        return;
-    }
-    double dx = pic.at.w / 8.0 * pic.m_per_col, dy = pic.at.h / 4.0 * pic.m_per_col;
-    double x = pic.centre.x + (key == 'h' ? -dx : key == 'l' ? dx : 0);
-    double y = pic.centre.y + (key == 'j' ? -dy : key == 'k' ? dy : 0);
-    cr_pic_fini(&pic);
-    snprintf(line, sizeof line, "show centre=%.2f,%.2f", x, y);
-    cr_tui_run_key(t, line);
-}
-
 /* participant at a cell, -1: none */
 static int body_at(struct cr_tui *t, int x, int y) {
     struct cr_pic pic;
     int found = -1;
-    if (!picture(t, &pic)) {
+    if (!cr_scene_picture(t, &pic)) {
         return -1;
     }
     struct cr_vec2 world = cr_pic_to_world(&pic, x + 0.5, y + 0.5);
@@ -144,12 +72,12 @@ static double time_at(const struct cr_tui *t, int x, int y) {
     if (r == NULL || r->solution->samples < 2) {
         return (double)NAN;
     }
-    if (inside(t->layout.spark, x, y)) {
+    if (cr_rect_has(t->layout.spark, x, y)) {
         return cr_render_spark_time(t->layout.spark, r, x);
     }
     for (int i = CR_AREA_PULSE; i <= CR_AREA_ENERGY; i++) {
-        if (inside(inner(t->layout.pane[i]), x, y)) {
-            return plot_time(t, inner(t->layout.pane[i]), x);
+        if (cr_rect_has(cr_rect_inner(t->layout.pane[i]), x, y)) {
+            return plot_time(t, cr_rect_inner(t->layout.pane[i]), x);
         }
     }
     return (double)NAN;
@@ -205,7 +133,7 @@ static void click_bar(struct cr_tui *t, int x) {
 
 static void click_sweep(struct cr_tui *t, int y) {
     const struct cr_sweep *sweep = cr_session_sweep(t->session);
-    struct cr_rect in = inner(t->layout.pane[CR_AREA_SWEEP]);
+    struct cr_rect in = cr_rect_inner(t->layout.pane[CR_AREA_SWEEP]);
     int rows = in.h - 2, first = t->sweep_row >= rows ? t->sweep_row - rows + 1 : 0;
     int row = first + y - in.y - 1;
     if (sweep != NULL && row >= 0 && row < sweep->n) {
@@ -219,7 +147,7 @@ static void press(struct cr_tui *t, int x, int y) {
     int tab = tab_at(t, x, y);
     char line[40];
     cr_play_stop(t);
-    if (inside(t->layout.keys, x, y)) {
+    if (cr_rect_has(t->layout.keys, x, y)) {
         click_bar(t, x);
         return;
     }
@@ -239,11 +167,11 @@ static void press(struct cr_tui *t, int x, int y) {
     }
     /* the keyboard goes along only where the next keys act on what was clicked: who clicks a tab
      * or a curve goes on typing */
-    if (inside(inner(t->layout.pane[CR_AREA_SWEEP]), x, y)) {
+    if (cr_rect_has(cr_rect_inner(t->layout.pane[CR_AREA_SWEEP]), x, y)) {
         cr_tui_focus(t, CR_AREA_SWEEP);
         click_sweep(t, y);
     }
-    if (inside(inner(t->layout.pane[CR_AREA_SCENE]), x, y)) {
+    if (cr_rect_has(cr_rect_inner(t->layout.pane[CR_AREA_SCENE]), x, y)) {
         int body = body_at(t, x, y);
         if (body >= 0) {
             choose(t, body);
@@ -266,7 +194,7 @@ static bool begin_drag(struct cr_tui *t) {
         cr_pic_init(&pic, compiled, cr_session_scene(t->session), NULL, &view, &err) != CR_ERR_OK) {
         return false;
     }
-    cr_pic_fit(&pic, NULL, &view, inner(t->layout.pane[CR_AREA_SCENE]));
+    cr_pic_fit(&pic, NULL, &view, cr_rect_inner(t->layout.pane[CR_AREA_SCENE]));
     t->drag_scale = pic.m_per_col;
     t->drag_centre = pic.centre;
     t->dragged = t->taken;
@@ -303,7 +231,7 @@ static void wheel(struct cr_tui *t, int x, int y, int step) {
     enum cr_area before = t->focus;
     const struct cr_input key = {.function = true, .code = step < 0 ? KEY_UP : KEY_DOWN};
     for (int i = 0; i < CR_AREAS; i++) {
-        if (!inside(t->layout.pane[i], x, y)) {
+        if (!cr_rect_has(t->layout.pane[i], x, y)) {
             continue;
         }
         if (i == CR_AREA_SCENE) {
@@ -312,12 +240,12 @@ static void wheel(struct cr_tui *t, int x, int y, int step) {
             cr_tui_run_key(t, step < 0 ? "show frame=-1" : "show frame=+1");
         } else {
             t->focus = (enum cr_area)i;
-            cr_tui_input(t, &key);
+            cr_tui_key(t, &key);
             t->focus = before;
         }
         return;
     }
-    if (inside(t->layout.spark, x, y)) {
+    if (cr_rect_has(t->layout.spark, x, y)) {
         cr_tui_run_key(t, step < 0 ? "show frame=-1" : "show frame=+1");
     }
 }

@@ -11,6 +11,7 @@
 /* what the terminal shows, as curses itself keeps it: one screen per process */
 static struct cr_cells shown;
 static struct cr_look shown_look;
+static unsigned redraws; /* that were asked of the terminal until then */
 
 void cr_paint_forget(void) {
     cr_cells_fini(&shown);
@@ -94,6 +95,10 @@ void cr_paint(const struct cr_cells *cells, const struct cr_look *look, int curs
               int cursor_y) {
     struct cr_error err;
     size_t row = (size_t)cells->w * sizeof *cells->cell;
+    if (redraws != cr_term_redraws()) {
+        redraws = cr_term_redraws();
+        cr_paint_forget();
+    }
     bool all = shown.w != cells->w || shown.h != cells->h || !same_look(look, &shown_look);
     if (shown.w != cells->w || shown.h != cells->h) {
         cr_cells_fini(&shown);

@@ -28,8 +28,8 @@ static void set_frame(struct cr_tui *t, int frame, bool logged) {
     snprintf(line, sizeof line, "show frame=%d", frame);
     if (logged) {
         cr_tui_run_key(t, line);
-    } else {
-        cr_tui_run_quiet(t, line);
+    } else if (!cr_tui_run_quiet(t, line)) {
+        t->play.on = false;
     }
 }
 

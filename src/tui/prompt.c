@@ -11,15 +11,13 @@
 #include <string.h>
 #include <wchar.h>
 
-#include <readline/history.h>
 #include <readline/readline.h>
 
-enum { HISTORY_MAX = 5000, QUEUE = 64 };
+enum { QUEUE = 64 };
 static const char first_prompt[] = "crumple> ", more_prompt[] = "      -> ";
 
 static struct {
     struct cr_tui *tui;
-    char history[1200]; /* file, "" if there is none */
     FILE *nowhere;
     unsigned char queue[QUEUE]; /* bytes of one key */
     int from, to;
@@ -118,12 +116,7 @@ void cr_prompt_open(struct cr_tui *t, const char *state_dir) {
     if (prompt.nowhere != NULL) {
         rl_outstream = prompt.nowhere;
     }
-    using_history();
-    stifle_history(HISTORY_MAX);
-    if (state_dir[0] != '\0') {
-        snprintf(prompt.history, sizeof prompt.history, "%s/history", state_dir);
-        read_history(prompt.history);
-    }
+    cr_history_open(state_dir);
     rl_callback_handler_install(first_prompt, on_line);
     rl_variable_bind("bell-style", "none");
     rl_bind_key('\t', complete);
@@ -131,28 +124,13 @@ void cr_prompt_open(struct cr_tui *t, const char *state_dir) {
 
 void cr_prompt_close(void) {
     rl_callback_handler_remove();
-    if (prompt.history[0] != '\0') {
-        history_truncate_file(prompt.history, HISTORY_MAX);
-    }
+    cr_history_close();
     if (prompt.nowhere != NULL) {
         rl_outstream = stdout;
         fclose(prompt.nowhere);
     }
     free(prompt.accepted);
     memset(&prompt, 0, sizeof prompt);
-}
-
-void cr_prompt_remember(const char *line, bool file) {
-    const HIST_ENTRY *last =
-        history_length > 0 ? history_get(history_base + history_length - 1) : NULL;
-    if (line[strspn(line, " \t")] == '\0' || (last != NULL && strcmp(last->line, line) == 0)) {
-        return;
-    }
-    add_history(line);
-    using_history(); /* readline has begun the next line already */
-    if (file && prompt.history[0] != '\0' && append_history(1, prompt.history) != 0) {
-        write_history(prompt.history); /* the first line of all makes the file */
-    }
 }
 
 /* ---- keys ---- */
@@ -208,6 +186,7 @@ static void run_accepted(void) {
         cr_str_clear(&t->open);
         rl_set_prompt(first_prompt);
         if (whole != NULL) {
+            cr_play_stop(t);
             cr_tui_run(t, whole);
         }
         free(whole);

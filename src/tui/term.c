@@ -51,6 +51,7 @@ static struct {
     enum cr_ground ground;
     struct cr_ground_reader answer; /* to the question for it, being read */
     struct cr_pointer pointer;      /* an event of the mouse, being read */
+    unsigned redraws;               /* asked for so far */
     double asked_at, answered_at;   /* s of the clock; NaN: not asked, or over; answer begun */
 } term = {.wake = {-1, -1}, .stderr_before = -1, .stderr_file = -1};
 
@@ -400,7 +401,6 @@ void cr_term_close(void) {
     if (term.input != NULL) {
         delwin(term.input);
     }
-    cr_paint_forget();
     delscreen(term.screen);
     term.screen = NULL;
     cr_frame_close();
@@ -443,8 +443,12 @@ void cr_term_redraw(void) {
         reset_prog_mode();
         mouse(true);
     }
-    cr_paint_forget();
+    term.redraws++;
     clearok(curscr, TRUE);
+}
+
+unsigned cr_term_redraws(void) {
+    return term.redraws;
 }
 
 enum cr_color cr_term_color(void) {

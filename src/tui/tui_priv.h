@@ -25,8 +25,9 @@ void cr_term_close(void);
 void cr_term_suspend(void);
 /* Takes over the terminal's new size. */
 void cr_term_resize(int *w, int *h);
-/* Everything is to be drawn again, whatever the terminal shows. */
+/* Everything is to be drawn again, whatever the terminal shows; how often that was asked. */
 void cr_term_redraw(void);
+unsigned cr_term_redraws(void);
 enum cr_color cr_term_color(void);   /* colours of the terminal, NO_COLOR considered */
 enum cr_ground cr_term_ground(void); /* of the terminal, as far as it has told */
 bool cr_term_ascii(void);            /* no UTF-8, or block characters of a doubtful width */
@@ -101,11 +102,18 @@ const char *cr_prompt_line(int *point); /* the line so far, and its cursor in by
 bool cr_prompt_empty(void);
 void cr_prompt_set(const char *line); /* replaces what is typed */
 void cr_prompt_clear(void);           /* ^C: gives the line up */
-void cr_prompt_remember(const char *line, bool file);
 /* Draws it into a row; *x receives the column of the cursor. */
 void cr_prompt_draw(struct cr_cells *cells, struct cr_rect at, int *x);
 
+/* ---- lines typed before (history.c) ---- */
+
+void cr_history_open(const char *state_dir); /* "": none on disk */
+void cr_history_close(void);
+void cr_history_add(const char *line, bool keep); /* keep: also on disk */
+
 /* ---- the program ---- */
+
+enum { CR_PROMPT_W = 9 }; /* columns of "crumple> " */
 
 enum cr_overlay { CR_OVERLAY_NONE, CR_OVERLAY_HELP, CR_OVERLAY_PALETTE };
 enum { CR_FILTER_MAX = 40, CR_PENDING = 256, CR_SHEET_END = 1 << 20 };
@@ -166,9 +174,9 @@ void cr_tui_greet(struct cr_tui *t, const char *state_dir);
  * history; or one step of many, which is not (play and drag end with one that is). */
 void cr_tui_run(struct cr_tui *t, const char *line);
 void cr_tui_run_key(struct cr_tui *t, const char *line);
-void cr_tui_run_quiet(struct cr_tui *t, const char *line);
+bool cr_tui_run_quiet(struct cr_tui *t, const char *line); /* false: it failed */
 
-/* ---- screen.c ---- */
+/* ---- look.c, screen.c ---- */
 /* Colours, glyphs and theme as the session has them now. */
 struct cr_look cr_tui_look(const struct cr_tui *t);
 /* The screen as it is now into t->cells, of t->w x t->h; *cursor_x < 0: no cursor. */
@@ -179,8 +187,10 @@ void cr_tui_draw(struct cr_tui *t);
 int cr_tui_draw_due(struct cr_tui *t);
 int cr_tui_frame_due(const struct cr_tui *t); /* ms until a next frame may be begun */
 
-/* ---- keys.c, overlay.c, mouse.c, play.c ---- */
+/* ---- input.c, keys.c, overlay.c, zoom.c, mouse.c, play.c ---- */
 void cr_tui_input(struct cr_tui *t, const struct cr_input *in);
+/* Runs what a key stands for; false: nothing where the focus is. */
+bool cr_tui_key(struct cr_tui *t, const struct cr_input *in);
 /* Keys of the bar for the present focus; returns how many. */
 int cr_tui_bar(const struct cr_tui *t, struct cr_render_key *out, int max);
 /* Runs what the key of that name in the bar stands for. */
@@ -197,10 +207,15 @@ void cr_overlay_draw(struct cr_tui *t);
 bool cr_overlay_input(struct cr_tui *t, const struct cr_input *in); /* true: it was for it */
 void cr_sheet_draw(struct cr_tui *t);
 
-void cr_mouse(struct cr_tui *t, const struct cr_input *in);
+bool cr_rect_has(struct cr_rect r, int x, int y);
+struct cr_rect cr_rect_inner(struct cr_rect r); /* without its frame */
+/* The scene picture as it is drawn, to be finished by cr_pic_fini; false when there is none. */
+struct cr_pic;
+bool cr_scene_picture(struct cr_tui *t, struct cr_pic *pic);
 /* Scale of the scene picture one round step up (1) or down (-1); its middle moved (h, j, k, l). */
 void cr_scene_zoom(struct cr_tui *t, int step);
 void cr_scene_pan(struct cr_tui *t, int key);
+void cr_mouse(struct cr_tui *t, const struct cr_input *in);
 
 void cr_play_toggle(struct cr_tui *t);
 void cr_play_start(struct cr_tui *t, int frame);

@@ -98,6 +98,10 @@ static void faults_have_a_place(void **state) {
         {"t_s,accel_g\n0,1\n1,nan\n", NULL, CR_ERR_TYPE, 3, "'nan'"},
         {"t_s,accel_g\n0,1\n1\n", NULL, CR_ERR_SYNTAX, 3, "too short"},
         {"t_s,accel_g\n0,1\n0,2\n", NULL, CR_ERR_RANGE, 3, "does not rise"},
+        {"Time,accel_g\n0,1\n1,2\n", NULL, CR_ERR_MISSING, 1, "does not say its unit"},
+        {"t [moons],accel_g\n0,1\n1,2\n", NULL, CR_ERR_NAME, 1, "'moons'"},
+        {"t_s,force (tonf)\n0,1\n1,2\n", NULL, CR_ERR_NAME, 1, "'tonf'"},
+        {"t_s,accel_g\n0,1\n1,\n", NULL, CR_ERR_MISSING, 3, "no value"},
     };
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         struct cr_signal s;

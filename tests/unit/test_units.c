@@ -3,6 +3,7 @@
 
 #include "base/units.h"
 
+#include <stdbool.h>
 #include <string.h>
 
 static void check_value(const char *text, enum cr_dim dim, const char *plain, double want) {
@@ -57,7 +58,7 @@ static void test_what_is_no_value_is_refused(void **state) {
     check_refused("", CR_DIM_SPEED, CR_ERR_TYPE, "km/h");
     check_refused("inf", CR_DIM_SPEED, CR_ERR_TYPE, "inf");
     check_refused("nan", CR_DIM_NUMBER, CR_ERR_TYPE, "nan");
-    check_refused("60kmh", CR_DIM_SPEED, CR_ERR_NAME, "km/h");
+    check_refused("60kmx", CR_DIM_SPEED, CR_ERR_NAME, "km/h");
     check_refused("60kg", CR_DIM_SPEED, CR_ERR_NAME, "'kg'");
     check_refused("2g", CR_DIM_LENGTH, CR_ERR_NAME, "mm");
     check_refused("0x10m", CR_DIM_LENGTH, CR_ERR_NAME, "x10m");
@@ -110,6 +111,110 @@ static void test_numbers_are_scanned_without_their_tail(void **state) {
     }
 }
 
+static void test_spellings_of_people_and_loggers(void **state) {
+    (void)state;
+    static const struct {
+        const char *text;
+        enum cr_dim dim;
+        double si; /* of 1 */
+    } row[] = {
+        {"us", CR_DIMS, 1e-6},
+        {"msec", CR_DIMS, 1e-3},
+        {"SEC", CR_DIMS, 1},
+        {"in", CR_DIMS, 0.0254},
+        {"Feet", CR_DIMS, 0.3048},
+        {"cm", CR_DIMS, 0.01},
+        {"mm", CR_DIMS, 0.001},
+        {"lb", CR_DIMS, 0.45359237},
+        {"lbf", CR_DIMS, 4.4482216152605},
+        {"lb", CR_DIM_FORCE, 4.4482216152605},
+        {"kip", CR_DIMS, 4448.2216152605},
+        {"mi/h", CR_DIMS, 0.44704},
+        {"mph", CR_DIMS, 0.44704},
+        {"kph", CR_DIMS, 1 / 3.6},
+        {"ft/s", CR_DIMS, 0.3048},
+        {"ft/s2", CR_DIMS, 0.3048},
+        {"m/s^2", CR_DIMS, 1},
+        {"m/s\xc2\xb2", CR_DIMS, 1},
+        {"[m/(s*s)]", CR_DIMS, 1},
+        {"G'S", CR_DIMS, 9.80665},
+        {"g", CR_DIM_MASS, 1e-3},
+        {"\xc2\xb0/s", CR_DIMS, 0.017453292519943},
+        {"\xc2\xb5s", CR_DIMS, 1e-6},
+        {"kN", CR_DIMS, 1e3},
+        {"NWT", CR_DIMS, 1},
+        {"km/h", CR_DIMS, 1 / 3.6},
+        {"deg/s2", CR_DIMS, 0.017453292519943},
+    };
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+        const struct cr_unit *unit = cr_unit_spelled(row[i].text, row[i].dim);
+        if (unit == NULL) {
+            fail_msg("%s is not known", row[i].text);
+        }
+        check_near(cr_unit_to_si(unit, 1), row[i].si, 1e-9 * row[i].si);
+    }
+}
+
+static void test_what_is_no_unit(void **state) {
+    (void)state;
+    static const char *const unknown[] = {"furlong",
+                                          "mm/s^3",
+                                          "",
+                                          "m,s",
+                                          "k\xc3\xa4se",
+                                          "hertz",
+                                          "a word that is far too long for any unit"};
+    for (size_t i = 0; i < sizeof unknown / sizeof unknown[0]; i++) {
+        assert_null(cr_unit_spelled(unknown[i], CR_DIMS));
+    }
+}
+
+static void test_names_of_columns(void **state) {
+    (void)state;
+    static const struct {
+        const char *name, *unit; /* "": none, NULL: refused */
+    } row[] = {
+        {"t_us", "us"},
+        {"Time (msec)", "ms"},
+        {"a (m/s\xc2\xb2)", "m/s2"},
+        {"x (cm)", "cm"},
+        {"a (ft/s2)", "ft/s2"},
+        {"crush (in)", "in"},
+        {"force (lbf)", "lbf"},
+        {"v (mi/h)", "mph"},
+        {"accel_x_g_cfc60", "g"},
+        {"t", ""},
+        {"change in speed", ""},
+        {"Speed in km/h", "km/h"},
+        {"dist_in_front", ""},
+        {"yaw_rate_deg_s(cw+,B=1.5m)", "deg/s"},
+        {"k_kN_per_m", "kN/m"},
+        {"dvx_m_s [initial frame]", NULL},
+        {"Index [-]", ""},
+        {"ax (right+)", NULL},
+        {"x [furlong]", NULL},
+        {"Accel (m/(s*s))", "m/s2"},
+        {"count", ""},
+        {"brake (%)", "%"},
+    };
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+        const struct cr_unit *unit;
+        struct cr_error err;
+        enum cr_err code = cr_unit_of_column(row[i].name, CR_DIMS, &unit, &err);
+        bool good =
+            row[i].unit == NULL
+                ? code == CR_ERR_NAME
+                : code == CR_ERR_OK && strcmp(unit != NULL ? unit->name : "", row[i].unit) == 0;
+        if (!good) {
+            fail_msg("%s: %s", row[i].name, unit != NULL ? unit->name : "none");
+        }
+    }
+    const struct cr_unit *unit;
+    struct cr_error err;
+    assert_int_equal(cr_unit_of_column("x [kg]", CR_DIM_SPEED, &unit, &err), CR_ERR_NAME);
+    assert_non_null(strstr(err.hint, "km/h"));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_numbers_with_units),
@@ -117,6 +222,9 @@ int main(void) {
         cmocka_unit_test(test_units_go_back_to_the_shortest_number),
         cmocka_unit_test(test_every_dimension_has_its_si_unit_first),
         cmocka_unit_test(test_numbers_are_scanned_without_their_tail),
+        cmocka_unit_test(test_spellings_of_people_and_loggers),
+        cmocka_unit_test(test_what_is_no_unit),
+        cmocka_unit_test(test_names_of_columns),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,7 +1,7 @@
 /* Tables of crash tests, and their statistics with numbers worked out by hand. */
 #include "test.h"
 
-#include "trial/records.h"
+#include "base/records.h"
 #include "trial/verdict.h"
 
 #include <stdio.h>
@@ -32,7 +32,7 @@ static void records_have_columns_and_lines(void **state) {
     assert_int_equal(r.rows, 2);
     assert_int_equal(r.columns, 3);
     assert_string_equal(r.column[1], "a, b");
-    assert_string_equal(cr_records_text(&r, 1, "name"), "two");
+    assert_string_equal(cr_records_text(&r, 1, "name"), "t\"wo");
     assert_string_equal(cr_records_text(&r, 1, "nowhere"), "");
     assert_int_equal(r.line[1], 5);
     assert_int_equal(cr_records_number(&r, 1, "a, b", &x, NULL), CR_ERR_OK);

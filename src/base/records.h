@@ -1,22 +1,27 @@
-/* Tables of crash tests: CSV files with a header row of column names; # begins a comment line. */
-#ifndef CR_TRIAL_RECORDS_H
-#define CR_TRIAL_RECORDS_H
+/* Tables that are held whole: rows of texts under named columns, read by base/csv.h. */
+#ifndef CR_BASE_RECORDS_H
+#define CR_BASE_RECORDS_H
 
+#include "base/csv.h"
 #include "base/err.h"
 
-enum { CR_RECORDS_COLUMNS = 64 };
+#include <stdbool.h>
 
 struct cr_records {
     int columns, rows;
-    const char *column[CR_RECORDS_COLUMNS];
-    const char **cell; /* [rows * columns]; "" for an empty field */
-    int *line;         /* [rows] in the file */
-    char *text;        /* owner of the texts */
+    const char **column; /* [columns] their names */
+    const char **cell;   /* [rows * columns]; "" for an empty field */
+    int *line;           /* [rows] in the file */
+    char *text;          /* owner of the texts */
+    bool comma;          /* decimal */
     char src[512];
 };
 
-/* Errors: IO, SYNTAX with the line of a row that has not as many fields as the header. */
+/* Read a whole table, to be freed with cr_records_fini also after an error. Errors: those of
+ * cr_csv_open and cr_csv_next. */
 CR_MUST_CHECK enum cr_err cr_records_load(const char *path, struct cr_records *out,
+                                          struct cr_error *err);
+CR_MUST_CHECK enum cr_err cr_records_read(const struct cr_csv_opts *opts, struct cr_records *out,
                                           struct cr_error *err);
 void cr_records_fini(struct cr_records *records);
 

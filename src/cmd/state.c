@@ -1,0 +1,78 @@
+/* The state of a session and its history: undo is a stack of whole states. */
+#include "cmd/cmd_priv.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct cr_state *cr_session_now(const struct cr_session *s) {
+    return s->state[s->now];
+}
+
+void cr_state_free(struct cr_state *state) {
+    if (state != NULL) {
+        cr_scene_fini(&state->scene);
+        free(state->command);
+        free(state);
+    }
+}
+
+enum cr_err cr_state_dup(const struct cr_state *from, struct cr_state **out, struct cr_error *err) {
+    struct cr_state *copy = calloc(1, sizeof *copy);
+    if (copy == NULL) {
+        return cr_err_set(err, CR_ERR_MEMORY, "out of memory");
+    }
+    enum cr_err code = cr_scene_copy(&from->scene, &copy->scene, err);
+    if (code != CR_ERR_OK) {
+        free(copy);
+        return code;
+    }
+    memcpy(copy->placed, from->placed, sizeof copy->placed);
+    memcpy(copy->file, from->file, sizeof copy->file);
+    *out = copy;
+    return CR_ERR_OK;
+}
+
+enum cr_err cr_session_commit(struct cr_session *s, struct cr_state *draft, const char *command,
+                              struct cr_error *err) {
+    /* never smaller: what had been undone is still in it */
+    int size = s->states > s->now + 2 ? s->states : s->now + 2;
+    struct cr_state **bigger = realloc(s->state, (size_t)size * sizeof *bigger);
+    char *text = command != NULL ? strdup(command) : NULL;
+    if (bigger != NULL) {
+        s->state = bigger;
+    }
+    if (bigger == NULL || (command != NULL && text == NULL)) {
+        free(text);
+        cr_state_free(draft);
+        return cr_err_set(err, CR_ERR_MEMORY, "out of memory");
+    }
+    /* what had been undone is forgotten */
+    for (int i = s->now + 1; i < s->states; i++) {
+        cr_state_free(s->state[i]);
+    }
+    draft->command = text;
+    draft->rev = ++s->last_rev;
+    s->state[++s->now] = draft;
+    s->states = s->now + 1;
+    return CR_ERR_OK;
+}
+
+void cr_session_saved(struct cr_session *s, const char *path) {
+    s->saved_rev = cr_session_now(s)->rev;
+    struct cr_state *now = cr_session_now(s);
+    snprintf(now->file, sizeof now->file, "%s", path);
+}
+
+int cr_session_unsaved(const struct cr_session *s) {
+    for (int i = 0; i < s->states; i++) {
+        if (s->state[i]->rev == s->saved_rev) {
+            return abs(s->now - i);
+        }
+    }
+    return s->now > 0 ? s->now : 1;
+}
+
+int cr_session_undos(const struct cr_session *s) {
+    return s->now;
+}

@@ -1,0 +1,46 @@
+/* The clock of long work: when progress is due, and when to look whether the user cancels. */
+#include "cmd/cmd_priv.h"
+
+#include <time.h>
+
+#define FIRST_SHOW 0.3  /* s of work before progress is shown (screen.md) */
+#define SHOW_EVERY 0.1  /* s between two shows */
+#define POLL_EVERY 0.01 /* s between two looks for a cancel */
+
+static double now_s(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+void cr_work_begin(struct cr_session *s) {
+    s->work_began = now_s();
+    s->work_polled = -1; /* the first look is at once, however fast the work is */
+    s->work_shown = 0;
+}
+
+double cr_work_end(struct cr_session *s) {
+    if (s->work_shown > 0 && s->opts.out.progress != NULL) {
+        s->opts.out.progress(s->opts.out.user, NULL);
+    }
+    return now_s() - s->work_began;
+}
+
+bool cr_work_due(struct cr_session *s, double *elapsed) {
+    double now = now_s();
+    *elapsed = now - s->work_began;
+    if (s->opts.out.progress == NULL || *elapsed < FIRST_SHOW || now - s->work_shown < SHOW_EVERY) {
+        return false;
+    }
+    s->work_shown = now;
+    return true;
+}
+
+int cr_work_cancelled(struct cr_session *s) {
+    double now = now_s();
+    if (s->opts.out.cancel == NULL || now - s->work_polled < POLL_EVERY) {
+        return 0;
+    }
+    s->work_polled = now;
+    return s->opts.out.cancel(s->opts.out.user);
+}

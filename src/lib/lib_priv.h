@@ -1,0 +1,32 @@
+/* What the files of the library share: what is behind its two opaque types, errors, the locale. */
+#ifndef CR_LIB_LIB_PRIV_H
+#define CR_LIB_LIB_PRIV_H
+
+#include "lib/crumple.h"
+#include "result/names.h"
+#include "result/result.h"
+
+#include <locale.h>
+
+struct crumple {
+    struct cr_model_lib *models;
+    struct cr_irf_set *irf;
+    locale_t c_locale; /* numbers with a point, messages in English, for the time of a call */
+    char hash[CR_HASH_SIZE];
+};
+
+struct crumple_result {
+    struct cr_result *result;
+    struct cr_arena arena; /* owns the names */
+    struct cr_named *value;
+    int values;
+};
+
+/* Code and error of the library for those of the program; err NULL: of code alone. Returns the
+ * code. */
+int cr_lib_error(enum cr_err code, const struct cr_error *err, crumple_error *out);
+
+/* The options with what an older caller does not know of left at its default. */
+crumple_options cr_lib_options(const crumple_options *given);
+
+#endif

@@ -1,0 +1,164 @@
+/* Solving with the library: one scene, and a stack of them in threads. */
+#include "lib/lib_priv.h"
+
+#include "base/pool.h"
+
+#include <cjson/cJSON.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* the result with the names of its values, which are made here once so that reading changes
+ * nothing */
+static enum cr_err wrap(struct cr_result *result, crumple_result **out, struct cr_error *err) {
+    const struct cr_result_opts opts = {0};
+    cJSON *tree = NULL;
+    struct crumple_result *r = calloc(1, sizeof *r);
+    enum cr_err code = r != NULL ? cr_result_tree(result, &opts, &tree, err)
+                                 : cr_err_set(err, CR_ERR_MEMORY, "no memory for a result");
+    if (code == CR_ERR_OK) {
+        code = cr_names_list(tree, &r->arena, &r->value, &r->values, err);
+    }
+    cJSON_Delete(tree);
+    if (code != CR_ERR_OK) {
+        if (r != NULL) {
+            cr_arena_free(&r->arena);
+        }
+        free(r);
+        cr_result_free(result);
+        return code;
+    }
+    r->result = result;
+    *out = r;
+    return CR_ERR_OK;
+}
+
+static enum cr_err solve(const crumple *lib, const char *text, size_t length,
+                         const crumple_options *opt, crumple_result **out, struct cr_error *err) {
+    struct cr_scene scene;
+    struct cr_result *result = NULL;
+    const struct cr_context ctx = {
+        .models = lib->models, .irf = lib->irf, .cancel = opt->cancel, .user = opt->user};
+    enum cr_err code = cr_scene_parse(text, length, opt->name, &scene, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    if (opt->folder != NULL) {
+        snprintf(scene.dir, sizeof scene.dir, "%s", opt->folder);
+    }
+    for (size_t i = 0; i < opt->sets && code == CR_ERR_OK; i++) {
+        code = cr_scene_assign(&scene, opt->set[i], err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_result_run(&scene, &ctx, &result, err);
+        if (code != CR_ERR_OK && err->src[0] == '\0') {
+            cr_scene_locate(text, length, opt->name, err);
+        }
+    }
+    cr_scene_fini(&scene);
+    return code == CR_ERR_OK ? wrap(result, out, err) : code;
+}
+
+int crumple_solve(const crumple *lib, const char *scene, size_t length,
+                  const crumple_options *options, crumple_result **out, crumple_error *error) {
+    struct cr_error err = {0};
+    const crumple_options opt = cr_lib_options(options);
+    *out = NULL;
+    locale_t callers = uselocale(lib->c_locale);
+    enum cr_err code = solve(lib, scene, length, &opt, out, &err);
+    uselocale(callers);
+    return code == CR_ERR_OK ? CRUMPLE_OK : cr_lib_error(code, &err, error);
+}
+
+void crumple_result_free(crumple_result *result) {
+    if (result != NULL) {
+        cr_result_free(result->result);
+        cr_arena_free(&result->arena);
+        free(result);
+    }
+}
+
+struct item {
+    char *text;
+    size_t length;
+    crumple_result *result;
+    crumple_error error;
+};
+
+struct stack {
+    const crumple *lib;
+    const crumple_options *options;
+    crumple_next next;
+    crumple_done done;
+    void *user;
+    size_t given;
+    bool no_memory, stopped;
+};
+
+static void *take(void *user) {
+    struct stack *s = user;
+    const char *scene = NULL;
+    size_t length = 0;
+    if (!s->next(s->user, &scene, &length)) {
+        return NULL;
+    }
+    struct item *item = calloc(1, sizeof *item);
+    char *text = malloc(length + 1);
+    if (item == NULL || text == NULL) {
+        free(item);
+        free(text);
+        s->no_memory = true;
+        return NULL;
+    }
+    if (length > 0) {
+        memcpy(text, scene, length);
+    }
+    text[length] = '\0';
+    *item = (struct item){.text = text, .length = length, .error = CRUMPLE_ERROR_INIT};
+    return item;
+}
+
+static void work(void *user, void *of) {
+    const struct stack *s = user;
+    struct item *item = of;
+    crumple_solve(s->lib, item->text, item->length, s->options, &item->result, &item->error);
+    free(item->text);
+    item->text = NULL;
+}
+
+static bool give(void *user, void *of) {
+    struct stack *s = user;
+    struct item *item = of;
+    /* what was taken before the stop is not shown any more */
+    if (s->stopped || item->error.code == CRUMPLE_INTERRUPTED) {
+        crumple_result_free(item->result);
+        s->stopped = true;
+    } else {
+        s->stopped = s->done(s->user, s->given++, item->result, &item->error) != 0;
+    }
+    free(item);
+    return !s->stopped;
+}
+
+int crumple_stack(const crumple *lib, int threads, const crumple_options *options,
+                  crumple_next next, crumple_done done, void *user, crumple_error *error) {
+    struct cr_error err = {0};
+    struct stack s = {.lib = lib, .options = options, .next = next, .done = done, .user = user};
+    const struct cr_pool_work pool = {.take = take, .work = work, .give = give, .user = &s};
+    enum cr_err code = CR_ERR_OK;
+    if (threads < 0 || threads > CR_POOL_JOBS_MAX) {
+        code = cr_err_set(&err, CR_ERR_USAGE, "%d threads are not in 0..%d", threads,
+                          CR_POOL_JOBS_MAX);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_pool_run(&pool, threads, &err);
+    }
+    if (code == CR_ERR_OK && s.no_memory) {
+        code = cr_err_set(&err, CR_ERR_MEMORY, "no memory for scene %zu", s.given + 1);
+    }
+    if (code == CR_ERR_OK && s.stopped) {
+        code = cr_err_set(&err, CR_ERR_INTERRUPTED, "stopped after %zu scenes", s.given);
+    }
+    return code == CR_ERR_OK ? CRUMPLE_OK : cr_lib_error(code, &err, error);
+}

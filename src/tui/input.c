@@ -1,0 +1,48 @@
+/* Where a key or an event of the mouse goes: overlay, mouse, table of keys, or the prompt. */
+#include "tui/tui_priv.h"
+
+#include <curses.h>
+#include <stdio.h>
+#include <wctype.h>
+
+/* a participant by the first letter of its name, where the letter has no other meaning */
+static bool choose_letter(struct cr_tui *t, wint_t code) {
+    const struct cr_scene *scene = cr_session_scene(t->session);
+    char line[CR_NAME_MAX + 20];
+    for (int i = 0; i < scene->n; i++) {
+        if (towlower(code) == towlower((wint_t)(unsigned char)scene->part[i].id[0])) {
+            snprintf(line, sizeof line, "show select=%s", scene->part[i].id);
+            cr_tui_run_key(t, line);
+            return true;
+        }
+    }
+    return false;
+}
+
+void cr_tui_input(struct cr_tui *t, const struct cr_input *in) {
+    t->dirty = true;
+    if (in->function && in->code == KEY_RESIZE) {
+        return; /* signals tell it */
+    }
+    if (t->overlay != CR_OVERLAY_NONE && cr_overlay_input(t, in)) {
+        return;
+    }
+    if (in->function && in->code == KEY_MOUSE) {
+        cr_mouse(t, in);
+        return;
+    }
+    if (cr_tui_key(t, in)) {
+        return;
+    }
+    bool letter = !in->function && !in->alt && iswprint(in->code);
+    if (t->focus == CR_AREA_SCENE && letter && choose_letter(t, in->code)) {
+        return;
+    }
+    if (t->focus != CR_AREAS && letter) {
+        cr_tui_focus(t, CR_AREAS); /* it begins a command */
+    }
+    if (t->focus == CR_AREAS) {
+        cr_play_stop(t);
+        cr_prompt_key(in);
+    }
+}

@@ -1,0 +1,142 @@
+"""The library from Python: run by tests/bindings/bindings.sh with the folder of the source tree."""
+
+import json
+import os
+import pathlib
+import signal
+import sys
+import threading
+import unittest
+
+ROOT = pathlib.Path(sys.argv.pop())
+sys.path.insert(0, str(ROOT / "bindings"))
+sys.dont_write_bytecode = True
+import crumple  # noqa: E402
+
+DEMO = ROOT / "share/scenes/q7-fiat500.json"
+
+
+def wall(speed_kmh):
+    scene = json.loads((ROOT / "share/scenes/wall-56.json").read_text())
+    scene["settings"] = {"voxel_mm": 100, "dt_ms": 2}
+    for part in scene["participants"]:
+        if part["kind"] == "vehicle":
+            part["speed_kmh"] = speed_kmh
+    return scene
+
+
+class Solve(unittest.TestCase):
+    def test_the_numbers_of_the_program(self):
+        with os.popen(f"'{os.environ['CRUMPLE']}' run '{DEMO}'") as run:
+            want = json.load(run)
+        result = crumple.solve(DEMO)
+        self.assertEqual(result.dict(resolved=True), want)
+        self.assertEqual(result["A.ees_kmh"], want["participants"][0]["ees_kmh"])
+        self.assertEqual(result["B.cdc"], want["participants"][1]["cdc"])
+        self.assertIn("EES", repr(result))
+
+    def test_text_bytes_and_dict_are_scenes(self):
+        scene = wall(50)
+        values = {
+            crumple.solve(s)["A.ees"] for s in (scene, json.dumps(scene), json.dumps(scene).encode())
+        }
+        self.assertEqual(len(values), 1)
+
+    def test_set(self):
+        result = crumple.solve(wall(50), set={"A.speed_kmh": 30, "restitution": 0})
+        self.assertAlmostEqual(result["A.delta_v"], 30, delta=0.5)
+
+    def test_an_error_has_place_and_hint(self):
+        scene = wall(50)
+        scene["participants"][0]["masskg"] = 1
+        with self.assertRaises(crumple.Error) as caught:
+            crumple.solve(scene)
+        self.assertEqual(caught.exception.code, "unknown-key")
+        self.assertEqual(caught.exception.where, "/participants/0/masskg")
+        self.assertEqual(caught.exception.line, 1)
+        self.assertIn("mass_kg", str(caught.exception))
+        with self.assertRaises(FileNotFoundError):
+            crumple.solve("/nowhere.json")
+        with self.assertRaises(ValueError):
+            crumple.solve({"crumple": float("nan")})
+        with self.assertRaises(crumple.Error):
+            crumple.Crumple("/nowhere")
+
+    def test_names(self):
+        result = crumple.solve(wall(50))
+        self.assertTrue(all(result[name] is not None for name in result.names()))
+        self.assertIsNone(result.get("A.colour"))
+        with self.assertRaises(KeyError):
+            result["A.colour"]
+
+    def test_series_and_field(self):
+        result = crumple.solve(wall(50))
+        t, v = result.series("t_s"), result.series("A.vx_mps")
+        self.assertEqual(len(t), len(v))
+        self.assertAlmostEqual(v[0], 50 / 3.6, delta=1)
+        trace = result.dict(trace=True)["trace"]
+        self.assertAlmostEqual(v[5], trace["A"]["vx_mps"][5], delta=1e-9)
+        damage = result.field("A")
+        self.assertGreater(sum(map(sum, damage)), 1)
+        self.assertAlmostEqual(len(damage[0]) * result.frame("A")["edge_m"], 4.4, delta=0.8)
+        with self.assertRaises(KeyError):
+            result.series("A.colour")
+        with self.assertRaises(KeyError):
+            result.field("A", "colour")
+
+    def test_interrupt(self):
+        slow = wall(50)
+        slow["settings"] = {"voxel_mm": 10, "dt_ms": 0.05}
+        timer = threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT))
+        timer.start()
+        with self.assertRaises(KeyboardInterrupt):
+            for _ in range(100):
+                crumple.solve(slow)
+        timer.join()
+        self.assertIs(signal.getsignal(signal.SIGINT), signal.default_int_handler)
+        timer = threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT))
+        timer.start()
+        with self.assertRaises(KeyboardInterrupt):
+            crumple.solve_many((slow for _ in range(200)), jobs=1)
+        timer.join()
+
+
+class Many(unittest.TestCase):
+    def test_columns_in_order_with_errors(self):
+        scenes = [wall(v) for v in range(20, 60, 4)] + [{}]
+        table = crumple.solve_many(scenes, jobs=3, values=["A.ees", "A.cdc"])
+        self.assertEqual(list(table), ["A.ees", "A.cdc", "error"])
+        self.assertEqual(table["A.ees"][:-1], sorted(table["A.ees"][:-1]))
+        self.assertEqual(table["error"][:-1], [None] * 10)
+        self.assertIn("crumple", table["error"][-1])
+        self.assertIsNone(table["A.ees"][-1])
+        self.assertIn("<td>", table._repr_html_())
+        self.assertEqual(table["A.ees"][3], crumple.solve(scenes[3])["A.ees"])
+
+    def test_an_exception_of_the_scenes_arrives(self):
+        with self.assertRaises(ZeroDivisionError):
+            crumple.solve_many(1 / 0 for _ in range(3))
+
+    def test_pandas(self):
+        try:
+            import pandas  # noqa: F401
+        except ImportError:
+            self.skipTest("no pandas")
+        frame = crumple.solve_many([wall(30), wall(40)], values=["A.ees"]).frame()
+        self.assertEqual(frame.shape, (2, 2))
+
+    def test_threads_of_python(self):
+        got = []
+        threads = [
+            threading.Thread(target=lambda: got.append(crumple.solve(wall(45))["A.ees"]))
+            for _ in range(4)
+        ]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(len(set(got)), 1)
+        self.assertEqual(len(got), 4)
+
+
+unittest.main()
