@@ -383,7 +383,7 @@ static struct range meeting(const struct making *m, int i, int k) {
                           fmin(m->scene->part[i].height, other.hi + dive)};
 }
 
-/* Energies of vehicle i in the heights in which it meets k (method.md 2, beyond the paper). */
+/* Energies of vehicle i in the heights in which it meets k (share/doc/method.md, "heights"). */
 static enum cr_err make_against(struct making *m, int i, int k) {
     bool flank = !cr_face_is_end(struck_face(m, i, k));
     if (m->scene->part[k].kind == CR_KIND_VEHICLE && flank &&

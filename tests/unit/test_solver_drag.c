@@ -1,4 +1,4 @@
-/* Induced deformation: what a dent drags along, against its closed form (method.md, induced).
+/* Induced deformation: what a dent drags along, against its closed form.
  * A flat-nosed box of width b goes w0 deep into a flank of q N/m whose depth falls by no more than
  * the slope k beside it:
  *     A(w0) = b w0 + w0^2 / k,  E(w0) = q A,  P(w0) = q (b + 2 w0 / k),
