@@ -42,8 +42,14 @@ struct word {
     int (*run)(int argc, char **argv);
 };
 static const struct word words[] = {
-    {"run", cr_cli_run}, {"stack", cr_cli_stack},   {"validate", cr_trial_validate},
-    {"mc", cr_cli_mc},   {"models", cr_cli_models}, {"calibrate", cr_trial_calibrate},
+    {"run", cr_cli_run},
+    {"stack", cr_cli_stack},
+    {"validate", cr_trial_validate},
+    {"mc", cr_cli_mc},
+    {"models", cr_cli_models},
+    {"calibrate", cr_trial_calibrate},
+    {"calibrate-damage", cr_trial_calibrate_damage},
+    {"damage", cr_cli_damage},
 };
 enum { WORDS = sizeof words / sizeof *words };
 

@@ -12,5 +12,6 @@ int cr_cli_run(int argc, char **argv);
 int cr_cli_stack(int argc, char **argv);
 int cr_cli_models(int argc, char **argv);
 int cr_cli_mc(int argc, char **argv);
+int cr_cli_damage(int argc, char **argv);
 
 #endif
