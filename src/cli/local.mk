@@ -9,6 +9,7 @@ libcli_a_SOURCES = \
 	src/cli/options.c src/cli/options.h \
 	src/cli/output.c \
 	src/cli/pair.c src/cli/pair.h \
+	src/cli/pictures.c src/cli/pictures.h \
 	src/cli/resume.c src/cli/resume.h \
 	src/cli/run.c \
 	src/cli/shared.c \

@@ -8,6 +8,8 @@ libcmd_a_SOURCES = \
 	src/cmd/complete.c \
 	src/cmd/describe.c \
 	src/cmd/edit.c \
+	src/cmd/export.c src/cmd/export.h \
+	src/cmd/export_picture.c \
 	src/cmd/files.c \
 	src/cmd/help.c \
 	src/cmd/hints.c \

@@ -31,16 +31,16 @@ double cr_crush_square(enum cr_face face) {
     return cr_rad(degrees[face]);
 }
 
-void cr_crush_init(struct cr_crush *crush) {
-    *crush = (struct cr_crush){.length = NAN,
-                               .direct = NAN,
-                               .direct_offset = NAN,
-                               .pdof = NAN,
-                               .z_hi = INFINITY,
-                               .depth_tol = 0.03,
-                               .length_tol = 0.05,
-                               .offset_tol = 0.05,
-                               .pdof_tol = cr_rad(20)};
+void cr_crush_init(struct cr_measured *crush) {
+    *crush = (struct cr_measured){.length = NAN,
+                                  .direct = NAN,
+                                  .direct_offset = NAN,
+                                  .pdof = NAN,
+                                  .z_hi = INFINITY,
+                                  .depth_tol = 0.03,
+                                  .length_tol = 0.05,
+                                  .offset_tol = 0.05,
+                                  .pdof_tol = cr_rad(20)};
 }
 
 static enum cr_model_end end_of(enum cr_face face) {
@@ -53,7 +53,7 @@ static double face_span(const struct cr_participant *p, enum cr_face face) {
     return cr_face_is_end(face) ? p->width : p->length;
 }
 
-static enum cr_err check_stations(const struct cr_crush *m, const struct cr_participant *p,
+static enum cr_err check_stations(const struct cr_measured *m, const struct cr_participant *p,
                                   struct cr_error *err) {
     double reach = cr_face_is_end(m->face) ? p->length : p->width, most = 0;
     for (int i = 0; i < m->stations; i++) {
@@ -69,7 +69,7 @@ static enum cr_err check_stations(const struct cr_crush *m, const struct cr_part
     return CR_ERR_OK;
 }
 
-enum cr_err cr_crush_check(const struct cr_crush *m, const struct cr_participant *p,
+enum cr_err cr_crush_check(const struct cr_measured *m, const struct cr_participant *p,
                            struct cr_error *err) {
     double span = face_span(p, m->face);
     if (m->stations < 2) {
@@ -105,7 +105,7 @@ enum cr_err cr_crush_check(const struct cr_crush *m, const struct cr_participant
 }
 
 enum cr_err cr_crush_open(const struct cr_model_lib *lib, const struct cr_participant *p,
-                          const struct cr_crush *measured, struct cr_arena *arena,
+                          const struct cr_measured *measured, struct cr_arena *arena,
                           struct cr_crush_car *out, struct cr_error *err) {
     struct cr_settings set;
     struct cr_scene scene;
@@ -136,14 +136,14 @@ enum cr_err cr_crush_open(const struct cr_model_lib *lib, const struct cr_partic
 }
 
 /* residual depth at a place along the face, linear between stations; beyond the field its ends */
-static double residual_at(const struct cr_crush *m, double at) {
+static double residual_at(const struct cr_measured *m, double at) {
     double s = ((at - m->offset) / m->length + 0.5) * (m->stations - 1);
     s = cr_clamp(s, 0, m->stations - 1);
     int k = (int)fmin(floor(s), m->stations - 2);
     return m->depth[k] + (s - k) * (m->depth[k + 1] - m->depth[k]);
 }
 
-double cr_crush_dynamic(const struct cr_crush *m, const struct cr_crush_rules *rules, double at,
+double cr_crush_dynamic(const struct cr_measured *m, const struct cr_crush_rules *rules, double at,
                         bool *direct) {
     double wide = isnan(m->direct) ? m->length : m->direct;
     double middle = isnan(m->direct_offset) ? m->offset : m->direct_offset;
@@ -207,7 +207,7 @@ static struct line_sum sum_line(const struct cr_crush_car *car, int line, double
     return sum;
 }
 
-static double oblique_factor(const struct cr_crush *m, const struct cr_crush_rules *rules) {
+static double oblique_factor(const struct cr_measured *m, const struct cr_crush_rules *rules) {
     double off = remainder(m->pdof - cr_crush_square(m->face), 2 * CR_PI);
     /* CRASH3 stops at 45 degrees, where the work along the face is as much as that into it */
     double t = tan(fmin(fabs(off), CR_PI / 4));
@@ -216,7 +216,7 @@ static double oblique_factor(const struct cr_crush *m, const struct cr_crush_rul
 
 void cr_crush_energy(const struct cr_crush_car *car, const struct cr_crush_rules *rules,
                      struct cr_crush_energy *out) {
-    const struct cr_crush *m = &car->m;
+    const struct cr_measured *m = &car->m;
     double along = 0, across = 0;
     double factor =
         rules->level[end_of(m->face)] * car->p->model.energy_factor * oblique_factor(m, rules);
@@ -259,7 +259,7 @@ void cr_crush_left(const struct cr_crush_car *car, const struct cr_crush_rules *
 }
 
 void cr_crush_cdc(const struct cr_crush_car *car, char cdc[12]) {
-    const struct cr_crush *m = &car->m;
+    const struct cr_measured *m = &car->m;
     const struct cr_participant *p = car->p;
     double span = face_span(p, m->face), depth = 0;
     double wide = isnan(m->direct) ? m->length : m->direct;

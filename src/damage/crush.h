@@ -19,7 +19,7 @@ enum { CR_STATIONS_MAX = 64, CR_CRUSH_CARS = 2 };
 
 /* What was measured of one vehicle. Along a face positions run from left to right (ends) or from
  * rear to front (sides), 0 at the middle of the vehicle. */
-struct cr_crush {
+struct cr_measured {
     enum cr_face face;
     double length, offset;         /* of the damaged field, and of its middle, m */
     int stations;                  /* even over the field, from its first end to its last */
@@ -32,7 +32,7 @@ struct cr_crush {
 };
 /* Nothing measured, usual tolerances: 3 cm, 5 cm, 5 cm, 20 degrees, 3 % of the mass (0: taken from
  * the vehicle when it is known). */
-void cr_crush_init(struct cr_crush *crush);
+void cr_crush_init(struct cr_measured *crush);
 /* The usual PDOF of a face, rad clockwise: 0 of the front, 90 degrees of the right side. */
 double cr_crush_square(enum cr_face face);
 /* Words of faces: front, left, rear, right; -1 if there is none. */
@@ -40,7 +40,7 @@ const char *cr_crush_face_word(enum cr_face face);
 int cr_crush_face_find(const char *word);
 /* Is what was measured possible on this vehicle (resolved)? Errors: MISSING, RANGE with a hint:
  * stations, depths beyond the vehicle, a field outside of it. */
-CR_MUST_CHECK enum cr_err cr_crush_check(const struct cr_crush *crush,
+CR_MUST_CHECK enum cr_err cr_crush_check(const struct cr_measured *crush,
                                          const struct cr_participant *p, struct cr_error *err);
 
 /* ---- rules from the calibration on real crashes ---- */
@@ -67,7 +67,7 @@ CR_MUST_CHECK enum cr_err cr_crush_rules_read(const char *path, struct cr_crush_
 struct cr_crush_car {
     char id[CR_NAME_MAX];
     const struct cr_participant *p; /* resolved, borrowed */
-    struct cr_crush m;
+    struct cr_measured m;
     struct cr_grid grid; /* dynamic, of the heights struck */
     double whole_share;  /* 1: the grid has all layers */
 };
@@ -75,7 +75,7 @@ struct cr_crush_car {
  * models. */
 CR_MUST_CHECK enum cr_err cr_crush_open(const struct cr_model_lib *lib,
                                         const struct cr_participant *p,
-                                        const struct cr_crush *measured, struct cr_arena *arena,
+                                        const struct cr_measured *measured, struct cr_arena *arena,
                                         struct cr_crush_car *out, struct cr_error *err);
 
 struct cr_crush_energy {
@@ -85,7 +85,7 @@ struct cr_crush_energy {
     double force;           /* that the last voxels stand for, N */
 };
 /* Depth to which the material was pressed in at a place along the face, m; *direct: struck there */
-double cr_crush_dynamic(const struct cr_crush *m, const struct cr_crush_rules *rules, double at,
+double cr_crush_dynamic(const struct cr_measured *m, const struct cr_crush_rules *rules, double at,
                         bool *direct);
 /* Energy of all voxels outside the outline. left (nullable, [ny * nx]): material that is left;
  * while pressed in, or with residual = true after springback. */
@@ -148,7 +148,7 @@ void cr_crush_best(const struct cr_crush_case *what, const struct cr_crush_rules
 struct cr_crush_file {
     struct cr_scene scene;
     int n;
-    struct cr_crush crush[CR_CRUSH_CARS];
+    struct cr_measured crush[CR_CRUSH_CARS];
     bool object;
     double object_mass, restitution;
 };

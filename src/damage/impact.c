@@ -89,7 +89,7 @@ static enum cr_model_end end_of(enum cr_face face) {
                                   : CR_MODEL_SIDE;
 }
 
-static void move_depths(struct cr_crush *m, double by) {
+static void move_depths(struct cr_measured *m, double by) {
     for (int i = 0; i < m->stations; i++) {
         m->depth[i] = fmax(0, m->depth[i] + by);
     }
@@ -97,7 +97,7 @@ static void move_depths(struct cr_crush *m, double by) {
 
 /* one standard deviation up (sign +1) or down; false when there is nothing to move */
 static bool move(struct moved *to, int car, int cause, int sign) {
-    struct cr_crush *m = &to->what.car[car].m;
+    struct cr_measured *m = &to->what.car[car].m;
     struct cr_participant *p = &to->part[car];
     const double z = 1.959963984540054; /* tolerances hold 95 % of a normal distribution */
     double by = sign / z;

@@ -103,7 +103,7 @@ static bool take_number(const cJSON *x, double *value, double *tolerance) {
     return true;
 }
 
-static enum cr_err take_stations(struct reader *r, const cJSON *m, struct cr_crush *out) {
+static enum cr_err take_stations(struct reader *r, const cJSON *m, struct cr_measured *out) {
     int n = cJSON_GetArraySize(m), i = 0;
     if (!cJSON_IsArray(m) || n < 2 || n > CR_STATIONS_MAX) {
         return fail(r, CR_ERR_TYPE, "crush_m: expected an array of 2 to 64 depths",
@@ -122,7 +122,7 @@ static enum cr_err take_stations(struct reader *r, const cJSON *m, struct cr_cru
 }
 
 /* A measured outline as points [along, depth] becomes stations: 24 of them, evenly. */
-static enum cr_err take_outline(struct reader *r, const cJSON *m, struct cr_crush *out) {
+static enum cr_err take_outline(struct reader *r, const cJSON *m, struct cr_measured *out) {
     enum { EVEN = 24, POINTS = 256 };
     double at[POINTS], depth[POINTS];
     int n = 0;
@@ -154,7 +154,7 @@ static enum cr_err take_outline(struct reader *r, const cJSON *m, struct cr_crus
     return CR_ERR_OK;
 }
 
-static enum cr_err take_face(struct reader *r, const cJSON *m, struct cr_crush *out) {
+static enum cr_err take_face(struct reader *r, const cJSON *m, struct cr_measured *out) {
     int face = cJSON_IsString(m) ? cr_crush_face_find(m->valuestring) : -1;
     if (face < 0) {
         return fail(r, CR_ERR_NAME, "face: expected front, left, rear or right",
@@ -164,7 +164,7 @@ static enum cr_err take_face(struct reader *r, const cJSON *m, struct cr_crush *
     return CR_ERR_OK;
 }
 
-static enum cr_err take_heights(struct reader *r, const cJSON *m, struct cr_crush *out) {
+static enum cr_err take_heights(struct reader *r, const cJSON *m, struct cr_measured *out) {
     const cJSON *lo = cJSON_GetArrayItem(m, 0), *hi = cJSON_GetArrayItem(m, 1);
     if (!cJSON_IsNumber(lo) || !cJSON_IsNumber(hi)) {
         return fail(r, CR_ERR_TYPE, "height_m: expected [lower, upper]", "m above the road");
@@ -174,7 +174,7 @@ static enum cr_err take_heights(struct reader *r, const cJSON *m, struct cr_crus
     return CR_ERR_OK;
 }
 
-static enum cr_err take_key(struct reader *r, const cJSON *m, struct cr_crush *out) {
+static enum cr_err take_key(struct reader *r, const cJSON *m, struct cr_measured *out) {
     double none = 0;
     const struct {
         const char *key;
@@ -206,7 +206,7 @@ static enum cr_err take_key(struct reader *r, const cJSON *m, struct cr_crush *o
                       "direct_offset_m, pdof_deg, height_m, crush_tolerance_m");
 }
 
-static enum cr_err take_damage(struct reader *r, const cJSON *json, struct cr_crush *out) {
+static enum cr_err take_damage(struct reader *r, const cJSON *json, struct cr_measured *out) {
     double face = NAN;
     cr_crush_init(out);
     out->face = CR_FACES;

@@ -18,7 +18,7 @@ static void say_value(struct cr_str *out, const char *name, const struct cr_crus
 }
 
 static void say_measured(const struct cr_crush_car *car, struct cr_str *out) {
-    const struct cr_crush *m = &car->m;
+    const struct cr_measured *m = &car->m;
     const struct cr_participant *p = car->p;
     cr_str_addf(out, "%s: %s %.0f kg, %s, field %.2f m at %+.2f m, crush", car->id,
                 cr_type_word(p->type), p->mass, cr_crush_face_word(m->face), m->length, m->offset);

@@ -18,6 +18,7 @@ libresult_a_SOURCES = \
 	src/result/pulse.c src/result/pulse.h \
 	src/result/rating.c src/result/rating.h \
 	src/result/result.h src/result/result_priv.h \
+	src/result/risk.c \
 	src/result/run.c \
 	src/result/signal.c src/result/signal.h \
 	src/result/trace.c \

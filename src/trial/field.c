@@ -20,7 +20,8 @@ const char *cr_field_kind_word(enum cr_field_kind kind) {
     return kinds[kind];
 }
 
-void cr_field_evaluate(struct cr_field *field, const struct cr_crush_rules *rules, bool folds) {
+void cr_field_evaluate(struct cr_field_table *field, const struct cr_crush_rules *rules,
+                       bool folds) {
     for (int i = 0; i < field->n; i++) {
         struct cr_field_row *row = &field->row[i];
         const struct cr_crush_rules *by = &rules[folds ? row->fold : 0];
@@ -46,7 +47,7 @@ static void collect(struct cr_field_stats *s, const double *value, const double 
     s->median = 100 * (exp(cr_stats_median(scratch, s->n)) - 1);
 }
 
-enum cr_err cr_field_result(const struct cr_field *field, int kind, int type,
+enum cr_err cr_field_result(const struct cr_field_table *field, int kind, int type,
                             struct cr_field_result *out, struct cr_error *err) {
     size_t size = (size_t)field->n + 1;
     double *a = calloc(6 * size, sizeof *a);
@@ -80,7 +81,7 @@ enum cr_err cr_field_result(const struct cr_field *field, int kind, int type,
 
 /* ---- the word ---- */
 
-static enum cr_err write_form(const struct cr_field *field, const struct cr_field_task *task,
+static enum cr_err write_form(const struct cr_field_table *field, const struct cr_field_task *task,
                               const struct cr_field_form *form, const struct cr_crush_rules *rules,
                               struct cr_str *out, struct cr_error *err) {
     return task->format == 1   ? cr_field_json(field, form, rules, out, err)
@@ -94,7 +95,7 @@ enum cr_err cr_field_validate(const struct cr_field_task *task, struct cr_str *o
     struct cr_crush_rules rules, folds[CR_FIELD_FOLDS];
     struct cr_field_filter filter;
     struct cr_cli_shared shared = {0};
-    struct cr_field field = {0};
+    struct cr_field_table field = {0};
     bool shipped = task->path == NULL;
     enum cr_err code = cr_cli_data("damage/calibration.json", path, sizeof path, err);
     if (code == CR_ERR_OK) {

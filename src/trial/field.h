@@ -47,7 +47,7 @@ struct cr_field_row {
     double value;              /* of damage, likewise; NaN: not evaluated */
 };
 
-struct cr_field {
+struct cr_field_table {
     int n;
     struct cr_field_row *row;
     int dropped; /* rows with a recorder that the filter left out */
@@ -61,12 +61,13 @@ bool cr_field_is(const char *path);
 /* Rows of a table that the filter lets through, with their models. Errors: those of tables with
  * their line, and of models. */
 CR_MUST_CHECK enum cr_err cr_field_load(const char *path, const struct cr_field_filter *filter,
-                                        const struct cr_model_lib *lib, struct cr_field *out,
+                                        const struct cr_model_lib *lib, struct cr_field_table *out,
                                         struct cr_error *err);
-void cr_field_fini(struct cr_field *field);
+void cr_field_fini(struct cr_field_table *field);
 
 /* Values of all rows by rules of their fold: rules[CR_FIELD_FOLDS]; or of rules[0] for all. */
-void cr_field_evaluate(struct cr_field *field, const struct cr_crush_rules *rules, bool folds);
+void cr_field_evaluate(struct cr_field_table *field, const struct cr_crush_rules *rules,
+                       bool folds);
 
 struct cr_field_stats {
     int n;
@@ -77,34 +78,34 @@ struct cr_field_stats {
 struct cr_field_result {
     struct cr_field_stats own, same, smash;
 };
-CR_MUST_CHECK enum cr_err cr_field_result(const struct cr_field *field, int kind, int type,
+CR_MUST_CHECK enum cr_err cr_field_result(const struct cr_field_table *field, int kind, int type,
                                           struct cr_field_result *out, struct cr_error *err);
 
 struct cr_field_form {
     bool cases, plot, crossed;
     const char *title;
 };
-CR_MUST_CHECK enum cr_err cr_field_text(const struct cr_field *field,
+CR_MUST_CHECK enum cr_err cr_field_text(const struct cr_field_table *field,
                                         const struct cr_field_form *form,
                                         const struct cr_crush_rules *rules, struct cr_str *out,
                                         struct cr_error *err);
-CR_MUST_CHECK enum cr_err cr_field_json(const struct cr_field *field,
+CR_MUST_CHECK enum cr_err cr_field_json(const struct cr_field_table *field,
                                         const struct cr_field_form *form,
                                         const struct cr_crush_rules *rules, struct cr_str *out,
                                         struct cr_error *err);
-CR_MUST_CHECK enum cr_err cr_field_csv(const struct cr_field *field, struct cr_str *out,
+CR_MUST_CHECK enum cr_err cr_field_csv(const struct cr_field_table *field, struct cr_str *out,
                                        struct cr_error *err);
 
 /* Fit the rules to the rows whose fold is not `without` (-1: all), starting from *rules; the loss
  * is that of the aims: bias and mean error of each kind, scatter. Errors: USAGE without NLopt. */
-CR_MUST_CHECK enum cr_err cr_field_fit(struct cr_field *field, int without,
+CR_MUST_CHECK enum cr_err cr_field_fit(struct cr_field_table *field, int without,
                                        struct cr_crush_rules *rules, struct cr_error *err);
 /* Scatter of the energies: of the residuals less the recorder's noise. */
-void cr_field_scatter(const struct cr_field *field, struct cr_crush_rules *rules);
+void cr_field_scatter(const struct cr_field_table *field, struct cr_crush_rules *rules);
 /* The rules of all and of each fold as the text of share/damage/calibration.json. */
 CR_MUST_CHECK enum cr_err cr_field_write(const struct cr_crush_rules *all,
                                          const struct cr_crush_rules folds[CR_FIELD_FOLDS],
-                                         const struct cr_field *field, struct cr_str *out,
+                                         const struct cr_field_table *field, struct cr_str *out,
                                          struct cr_error *err);
 /* Rules of the folds out of that file. */
 CR_MUST_CHECK enum cr_err cr_field_folds_read(const char *path,

@@ -61,7 +61,7 @@ enum cr_err cr_field_folds_read(const char *path, struct cr_crush_rules out[CR_F
     return code;
 }
 
-static enum cr_err fit_all(struct cr_field *field, struct cr_crush_rules *rules,
+static enum cr_err fit_all(struct cr_field_table *field, struct cr_crush_rules *rules,
                            struct cr_crush_rules folds[CR_FIELD_FOLDS], struct cr_error *err) {
     enum cr_err code = CR_ERR_OK;
     for (int turn = 0; turn < 2 && code == CR_ERR_OK; turn++) { /* again from where it came to */
@@ -89,7 +89,7 @@ static enum cr_err calibrate(const char *table, struct cr_str *out, struct cr_er
     struct cr_crush_rules rules, folds[CR_FIELD_FOLDS];
     struct cr_field_filter filter;
     struct cr_cli_shared shared = {0};
-    struct cr_field field = {0};
+    struct cr_field_table field = {0};
     enum cr_err code = cr_cli_data("damage/calibration.json", path, sizeof path, err);
     if (code == CR_ERR_OK) {
         code = cr_crush_rules_read(path, &rules, err);

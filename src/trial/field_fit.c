@@ -60,7 +60,7 @@ static double group_loss(const struct group *g, bool whole) {
     return g->amount + g->n * (50 * sd + 0.06 * bias * bias);
 }
 
-static double loss(const struct cr_field *field, int without) {
+static double loss(const struct cr_field_table *field, int without) {
     struct group kind[CR_FIELD_KINDS] = {{0}}, part[CR_FIELD_KINDS][CR_MODEL_ENDS] = {{{0}}};
     double sum = 0;
     int n = 0;
@@ -88,7 +88,7 @@ static double loss(const struct cr_field *field, int without) {
 
 #if HAVE_NLOPT
 struct search {
-    struct cr_field *field;
+    struct cr_field_table *field;
     struct cr_crush_rules rules;
     int without;
 };
@@ -102,7 +102,7 @@ static double objective(unsigned n, const double *x, double *gradient, void *use
     return loss(s->field, s->without);
 }
 
-enum cr_err cr_field_fit(struct cr_field *field, int without, struct cr_crush_rules *rules,
+enum cr_err cr_field_fit(struct cr_field_table *field, int without, struct cr_crush_rules *rules,
                          struct cr_error *err) {
     struct search s = {.field = field, .rules = *rules, .without = without};
     double x[PARAMETERS], step[PARAMETERS], value;
@@ -134,7 +134,7 @@ enum cr_err cr_field_fit(struct cr_field *field, int without, struct cr_crush_ru
     return CR_ERR_OK;
 }
 #else
-enum cr_err cr_field_fit(struct cr_field *field, int without, struct cr_crush_rules *rules,
+enum cr_err cr_field_fit(struct cr_field_table *field, int without, struct cr_crush_rules *rules,
                          struct cr_error *err) {
     (void)loss, (void)unpack, (void)most;
     (void)field, (void)without, (void)rules;
@@ -144,7 +144,7 @@ enum cr_err cr_field_fit(struct cr_field *field, int without, struct cr_crush_ru
 }
 #endif
 
-void cr_field_scatter(const struct cr_field *field, struct cr_crush_rules *rules) {
+void cr_field_scatter(const struct cr_field_table *field, struct cr_crush_rules *rules) {
     struct cr_field_result r;
     struct cr_error ignored;
     if (cr_field_result(field, -1, -1, &r, &ignored) != CR_ERR_OK || r.own.n < 3) {
@@ -178,7 +178,8 @@ static cJSON *rules_json(const struct cr_crush_rules *r) {
 
 enum cr_err cr_field_write(const struct cr_crush_rules *all,
                            const struct cr_crush_rules folds[CR_FIELD_FOLDS],
-                           const struct cr_field *field, struct cr_str *out, struct cr_error *err) {
+                           const struct cr_field_table *field, struct cr_str *out,
+                           struct cr_error *err) {
     char basis[160];
     cJSON *root = rules_json(all);
     snprintf(basis, sizeof basis,

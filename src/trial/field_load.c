@@ -94,7 +94,7 @@ struct loading {
     const struct cr_records *t;
     const struct cr_field_filter *f;
     const struct cr_model_lib *lib;
-    struct cr_field *out;
+    struct cr_field_table *out;
     struct cr_error *err;
     enum cr_err code;
 };
@@ -182,7 +182,7 @@ static enum cr_type type_of(struct loading *l, int i) {
                                             : CR_TYPE_SEDAN;
 }
 
-static void take_crush(struct loading *l, int i, struct cr_crush *m) {
+static void take_crush(struct loading *l, int i, struct cr_measured *m) {
     cr_crush_init(m);
     m->face = (enum cr_face)face_of(l->t, i);
     m->stations = 6;
@@ -200,7 +200,7 @@ static void take_crush(struct loading *l, int i, struct cr_crush *m) {
 }
 
 /* What tables say beyond the car: fields as wide as the car itself, forces along its face. */
-static void make_possible(struct cr_crush *m, const struct cr_participant *p) {
+static void make_possible(struct cr_measured *m, const struct cr_participant *p) {
     double span = cr_face_is_end(m->face) ? p->width : p->length, square = cr_crush_square(m->face);
     m->length = fmin(fmax(m->length, 0.1), span);
     m->offset = isnan(m->offset) ? 0 : m->offset;
@@ -221,7 +221,7 @@ static void open_car(struct loading *l, int i, struct cr_crush_car *car) {
     struct cr_scene scene;
     struct cr_assumed assumed = {0};
     struct cr_participant *p = NULL, *wall = NULL;
-    struct cr_crush m;
+    struct cr_measured m;
     double mass = number(l, i, "curb_kg"), cargo = number(l, i, "cargo_kg");
     if (l->code != CR_ERR_OK) {
         return;
@@ -307,7 +307,7 @@ static void take_row(struct loading *l, int i) {
 }
 
 enum cr_err cr_field_load(const char *path, const struct cr_field_filter *filter,
-                          const struct cr_model_lib *lib, struct cr_field *out,
+                          const struct cr_model_lib *lib, struct cr_field_table *out,
                           struct cr_error *err) {
     struct cr_records t;
     memset(out, 0, sizeof *out);
@@ -336,7 +336,7 @@ enum cr_err cr_field_load(const char *path, const struct cr_field_filter *filter
     return l.code;
 }
 
-void cr_field_fini(struct cr_field *field) {
+void cr_field_fini(struct cr_field_table *field) {
     free(field->row);
     cr_arena_free(&field->arena);
     memset(field, 0, sizeof *field);

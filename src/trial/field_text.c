@@ -15,7 +15,7 @@ static void say_row(struct cr_str *out, const char *name, const struct cr_field_
                 r->same.mape, r->same.log_sd, r->smash.bias, r->smash.mape, r->smash.log_sd);
 }
 
-static enum cr_err say_groups(const struct cr_field *field, struct cr_str *out,
+static enum cr_err say_groups(const struct cr_field_table *field, struct cr_str *out,
                               struct cr_error *err) {
     struct cr_field_result r;
     enum cr_err code = cr_field_result(field, -1, -1, &r, err);
@@ -37,7 +37,7 @@ static enum cr_err say_groups(const struct cr_field *field, struct cr_str *out,
     return code;
 }
 
-static void say_plot(const struct cr_field *field, struct cr_str *out) {
+static void say_plot(const struct cr_field_table *field, struct cr_str *out) {
     enum { WIDE = 60, HIGH = 24 };
     static const char marks[] = " .:+*#@";
     int count[HIGH][WIDE] = {{0}};
@@ -69,7 +69,7 @@ static void say_plot(const struct cr_field *field, struct cr_str *out) {
     cr_str_addf(out, "          0%*.0f\n", WIDE, top);
 }
 
-static void say_cases(const struct cr_field *field, struct cr_str *out) {
+static void say_cases(const struct cr_field_table *field, struct cr_str *out) {
     cr_str_add(out,
                "  case/vehicle          kind         type            recorder  damage WinSMASH "
                "km/h\n");
@@ -85,7 +85,7 @@ static void say_cases(const struct cr_field *field, struct cr_str *out) {
     }
 }
 
-enum cr_err cr_field_text(const struct cr_field *field, const struct cr_field_form *form,
+enum cr_err cr_field_text(const struct cr_field_table *field, const struct cr_field_form *form,
                           const struct cr_crush_rules *rules, struct cr_str *out,
                           struct cr_error *err) {
     cr_str_addf(out, "field: delta-v from the measured damage against event data recorders (%s)\n",
@@ -161,7 +161,7 @@ static cJSON *row_json(const struct cr_field_row *r) {
     return o;
 }
 
-enum cr_err cr_field_json(const struct cr_field *field, const struct cr_field_form *form,
+enum cr_err cr_field_json(const struct cr_field_table *field, const struct cr_field_form *form,
                           const struct cr_crush_rules *rules, struct cr_str *out,
                           struct cr_error *err) {
     cJSON *root = cJSON_CreateObject();
@@ -199,7 +199,8 @@ enum cr_err cr_field_json(const struct cr_field *field, const struct cr_field_fo
                              : cr_err_set(err, CR_ERR_MEMORY, "no memory");
 }
 
-enum cr_err cr_field_csv(const struct cr_field *field, struct cr_str *out, struct cr_error *err) {
+enum cr_err cr_field_csv(const struct cr_field_table *field, struct cr_str *out,
+                         struct cr_error *err) {
     cr_str_add(out, "case,line,kind,type,face,recorder_kmh,damage_kmh,winsmash_kmh\n");
     for (int i = 0; i < field->n; i++) {
         const struct cr_field_row *r = &field->row[i];
