@@ -102,9 +102,13 @@ static bool move(struct moved *to, int car, int cause, int sign) {
     const double z = 1.959963984540054; /* tolerances hold 95 % of a normal distribution */
     double by = sign / z;
     switch (cause) {
-    case 0: /* the type's own scatter: as more or less energy of all its voxels */
-        p->model.energy_factor *= exp(sign * to->rules.log_sd[end_of(m->face)]);
-        return true;
+    case 0: /* scatter found on real crashes, which does not tell the two partners apart: both
+               together have more or less energy than their models */
+        for (int i = 0; i < to->what.n && car == 0; i++) {
+            to->part[i].model.energy_factor *=
+                exp(sign * to->rules.log_sd[end_of(to->what.car[i].m.face)]);
+        }
+        return car == 0;
     case 1:
         move_depths(m, by * m->depth_tol);
         return m->depth_tol > 0;

@@ -150,11 +150,11 @@ void cr_field_scatter(const struct cr_field_table *field, struct cr_crush_rules 
     if (cr_field_result(field, -1, -1, &r, &ignored) != CR_ERR_OK || r.own.n < 3) {
         return;
     }
-    /* what is left of the scatter without the recorder is that of the energy of both partners, of
-     * which delta-v is the root: twice as much, and two that are alike add up */
+    /* what is left of the scatter without the recorder is that of the energy, of which delta-v is
+     * the root */
     double speed = sqrt(fmax(0, r.own.log_sd * r.own.log_sd - rules->noise * rules->noise));
     for (int i = 0; i < CR_MODEL_ENDS; i++) {
-        rules->log_sd[i] = 2 * speed * sqrt(2);
+        rules->log_sd[i] = 2 * speed;
     }
 }
 
