@@ -21,6 +21,7 @@ static const char help[] =
     "       crumple run SCENE.json           solve one scene\n"
     "       crumple stack INPUT ...          solve many, one result per line\n"
     "       crumple validate [CLASS ...]     compare with crash tests\n"
+    "       crumple damage FILE.json         EES and delta-v out of a measured deformation\n"
     "       crumple mc SCENE.json            solve many draws of its uncertain inputs\n"
     "       crumple models [NAME]            list, show or export the models\n"
     "       crumple calibrate                fit the models to the crash tests again\n"

@@ -13,6 +13,7 @@ struct options {
     bool picture;
     const char *out;
     struct cr_cli_look look;
+    struct cr_error *err;
 };
 
 static const char about[] =
@@ -22,17 +23,15 @@ static const char about[] =
 
 static enum cr_err write_case(const struct cr_crush_case *what,
                               const struct cr_crush_impact *impact,
-                              const struct cr_crush_rules *rules,
-                              const struct cr_cli_shared *shared, const struct options *opt,
-                              struct cr_str *text, struct cr_error *err) {
-    int width;
-    struct cr_look look = cr_cli_look_of(&opt->look, opt->out != NULL, &width);
+                              const struct cr_crush_rules *rules, const struct cr_crush_look *how,
+                              const struct options *opt, struct cr_str *text) {
+    struct cr_error *err = opt->err;
     if (opt->format == 1) {
         return cr_crush_json(what, impact, text, err);
     }
     enum cr_err code = cr_crush_text(what, impact, text, err);
     for (int i = 0; i < what->n && opt->picture && code == CR_ERR_OK; i++) {
-        code = cr_crush_picture(shared->models, &what->car[i], rules, &look, width, text, err);
+        code = cr_crush_picture(&what->car[i], rules, how, text, err);
     }
     return code;
 }
@@ -67,7 +66,10 @@ static enum cr_err run(const char *file, const struct options *opt, struct cr_er
         cr_err_place(err, file, 0, 0);
     }
     if (code == CR_ERR_OK) {
-        code = write_case(&what, &impact, &rules, &shared, opt, &text, err);
+        int width;
+        struct cr_look look = cr_cli_look_of(&opt->look, opt->out != NULL, &width);
+        const struct cr_crush_look how = {.lib = shared.models, .look = &look, .width = width};
+        code = write_case(&what, &impact, &rules, &how, opt, &text);
     }
     if (code == CR_ERR_OK) {
         code = cr_cli_emit(opt->out, &text, err);
@@ -80,7 +82,8 @@ static enum cr_err run(const char *file, const struct options *opt, struct cr_er
 }
 
 int cr_cli_damage(int argc, char **argv) {
-    struct options opt = {0};
+    struct cr_error err = {0};
+    struct options opt = {.err = &err};
     const struct cr_option table[] = {
         {.name = "format",
          .letter = 'f',
@@ -105,7 +108,6 @@ int cr_cli_damage(int argc, char **argv) {
                                    .options = sizeof table / sizeof *table,
                                    .least = 1,
                                    .most = 1};
-    struct cr_error err = {0};
     int operands, status = cr_cli_options(&usage, argc, argv, &operands);
     if (status >= 0) {
         return status;

@@ -1,4 +1,5 @@
-/* From a measured deformation to energy, EES and delta-v: the way back from a bent car to its crash.
+/* From a measured deformation to energy, EES and delta-v: the way back from a bent car to its
+ * crash.
  *
  * The voxels outside the measured outline (residual crush and what has sprung back) give their
  * energy; two vehicles, or one and an object, give delta-v by energy and momentum. SI units inside,

@@ -25,9 +25,9 @@ static enum cr_err draw_view(const struct cr_projection *p, const struct cr_look
     return code;
 }
 
-enum cr_err cr_crush_picture(const struct cr_model_lib *lib, const struct cr_crush_car *car,
-                             const struct cr_crush_rules *rules, const struct cr_look *look,
-                             int width, struct cr_str *out, struct cr_error *err) {
+enum cr_err cr_crush_picture(const struct cr_crush_car *car, const struct cr_crush_rules *rules,
+                             const struct cr_crush_look *how, struct cr_str *out,
+                             struct cr_error *err) {
     struct cr_arena arena = {0};
     struct cr_voxels voxels;
     struct cr_scene scene;
@@ -35,7 +35,7 @@ enum cr_err cr_crush_picture(const struct cr_model_lib *lib, const struct cr_cru
     cr_scene_init(&scene);
     struct cr_model_query q = cr_scene_query(&scene, car->p, cr_crush_square(car->m.face));
     q.voxel = edge;
-    enum cr_err code = cr_model_voxels(lib, &q, &arena, &voxels, err);
+    enum cr_err code = cr_model_voxels(how->lib, &q, &arena, &voxels, err);
     if (code != CR_ERR_OK) {
         goto out;
     }
@@ -57,7 +57,7 @@ enum cr_err cr_crush_picture(const struct cr_model_lib *lib, const struct cr_cru
                                         .grid = &car->grid,
                                         .left = left,
                                         .face = car->m.face};
-        code = draw_view(&p, look, width, out, err);
+        code = draw_view(&p, how->look, how->width, out, err);
     }
 out:
     cr_arena_free(&arena);

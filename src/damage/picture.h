@@ -5,12 +5,17 @@
 #include "damage/crush.h"
 #include "render/render.h"
 
-/* Lines of both views in `width` columns: the voxels that gave energy as digits, their depth in dm;
- * shades of EES elsewhere. Errors: those of the model, MEMORY. */
-CR_MUST_CHECK enum cr_err cr_crush_picture(const struct cr_model_lib *lib,
-                                           const struct cr_crush_car *car,
+/* How it is drawn. */
+struct cr_crush_look {
+    const struct cr_model_lib *lib;
+    const struct cr_look *look;
+    int width; /* columns */
+};
+/* Lines of both views: the voxels that gave energy as digits, their depth in dm; shades of EES
+ * elsewhere. Errors: those of the model, MEMORY. */
+CR_MUST_CHECK enum cr_err cr_crush_picture(const struct cr_crush_car *car,
                                            const struct cr_crush_rules *rules,
-                                           const struct cr_look *look, int width,
-                                           struct cr_str *out, struct cr_error *err);
+                                           const struct cr_crush_look *how, struct cr_str *out,
+                                           struct cr_error *err);
 
 #endif

@@ -2,8 +2,6 @@
 #include "trial/field.h"
 
 #include "base/stats.h"
-#include "cli/cli.h"
-#include "cli/word.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -77,57 +75,4 @@ enum cr_err cr_field_result(const struct cr_field_table *field, int kind, int ty
     collect(&out->smash, smash, with, scratch);
     free(a);
     return CR_ERR_OK;
-}
-
-/* ---- the word ---- */
-
-static enum cr_err write_form(const struct cr_field_table *field, const struct cr_field_task *task,
-                              const struct cr_field_form *form, const struct cr_crush_rules *rules,
-                              struct cr_str *out, struct cr_error *err) {
-    return task->format == 1   ? cr_field_json(field, form, rules, out, err)
-           : task->format == 2 ? cr_field_csv(field, out, err)
-                               : cr_field_text(field, form, rules, out, err);
-}
-
-enum cr_err cr_field_validate(const struct cr_field_task *task, struct cr_str *out,
-                              struct cr_error *err) {
-    char path[4200], table[4200], filter_path[4200];
-    struct cr_crush_rules rules, folds[CR_FIELD_FOLDS];
-    struct cr_field_filter filter;
-    struct cr_cli_shared shared = {0};
-    struct cr_field_table field = {0};
-    bool shipped = task->path == NULL;
-    enum cr_err code = cr_cli_data("damage/calibration.json", path, sizeof path, err);
-    if (code == CR_ERR_OK) {
-        code = cr_crush_rules_read(path, &rules, err);
-    }
-    if (code == CR_ERR_OK && shipped) {
-        code = cr_field_folds_read(path, folds, err);
-    }
-    if (code == CR_ERR_OK) {
-        code = cr_cli_data("validation/field/crush_edr.csv", table, sizeof table, err);
-    }
-    if (code == CR_ERR_OK) {
-        code = cr_cli_data("validation/field/filter.csv", filter_path, sizeof filter_path, err);
-    }
-    if (code == CR_ERR_OK) {
-        code = cr_field_filter_read(filter_path, &filter, err);
-    }
-    if (code == CR_ERR_OK) {
-        code = cr_cli_open(&shared, CR_CLI_ALL, err);
-    }
-    if (code == CR_ERR_OK) {
-        code = cr_field_load(shipped ? table : task->path, &filter, shared.models, &field, err);
-    }
-    if (code == CR_ERR_OK) {
-        const struct cr_field_form form = {.cases = task->cases,
-                                           .plot = task->plot,
-                                           .crossed = shipped,
-                                           .title = shipped ? "NHTSA CISS" : task->path};
-        cr_field_evaluate(&field, shipped ? folds : &rules, shipped);
-        code = write_form(&field, task, &form, &rules, out, err);
-    }
-    cr_field_fini(&field);
-    cr_cli_close(&shared);
-    return code;
 }

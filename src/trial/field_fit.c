@@ -3,15 +3,7 @@
 
 #include "trial/field.h"
 
-#include "base/file.h"
-#include "base/json.h"
-#include "base/stats.h"
-
-#include <cjson/cJSON.h>
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #if HAVE_NLOPT
 #include <nlopt.h>
@@ -156,43 +148,4 @@ void cr_field_scatter(const struct cr_field_table *field, struct cr_crush_rules 
     for (int i = 0; i < CR_MODEL_ENDS; i++) {
         rules->log_sd[i] = 2 * speed;
     }
-}
-
-/* ---- the file ---- */
-
-static cJSON *rules_json(const struct cr_crush_rules *r) {
-    static const char *const ends[CR_MODEL_ENDS] = {"front", "side", "rear"};
-    cJSON *o = cJSON_CreateObject(), *faces = cJSON_AddObjectToObject(o, "faces");
-    for (int i = 0; i < CR_MODEL_ENDS; i++) {
-        cJSON *face = cJSON_AddObjectToObject(faces, ends[i]);
-        cJSON_AddNumberToObject(face, "rise_m", round(r->rise[i] * 1e4) / 1e4);
-        cJSON_AddNumberToObject(face, "level", round(r->level[i] * 1e4) / 1e4);
-        cJSON_AddNumberToObject(face, "energy_log_sd", round(r->log_sd[i] * 1e4) / 1e4);
-    }
-    cJSON_AddNumberToObject(o, "ramp_m", r->ramp);
-    cJSON_AddNumberToObject(o, "oblique", round(r->oblique * 1e4) / 1e4);
-    cJSON_AddNumberToObject(o, "recorder_drag_kmh", cr_kmh(r->drag));
-    cJSON_AddNumberToObject(o, "recorder_noise", r->noise);
-    return o;
-}
-
-enum cr_err cr_field_write(const struct cr_crush_rules *all,
-                           const struct cr_crush_rules folds[CR_FIELD_FOLDS],
-                           const struct cr_field_table *field, struct cr_str *out,
-                           struct cr_error *err) {
-    char basis[160];
-    cJSON *root = rules_json(all);
-    snprintf(basis, sizeof basis,
-             "%d recorders of share/validation/field/crush_edr.csv (filter.csv); folds by case",
-             field->n);
-    cJSON_AddNumberToObject(root, "crumple_damage_calibration", 1);
-    cJSON_AddStringToObject(root, "basis", basis);
-    cJSON_AddStringToObject(root, "made_by", "crumple calibrate-damage");
-    cJSON *list = cJSON_AddArrayToObject(root, "folds");
-    for (int i = 0; i < CR_FIELD_FOLDS; i++) {
-        cJSON_AddItemToArray(list, rules_json(&folds[i]));
-    }
-    bool done = cr_json_add(root, true, out);
-    cr_str_add(out, "\n");
-    return done && !out->failed ? CR_ERR_OK : cr_err_set(err, CR_ERR_MEMORY, "no memory");
 }

@@ -6,7 +6,8 @@ libtrial_a_SOURCES = \
 	src/trial/crashtest_load.c src/trial/crashtest_read.h \
 	src/trial/crashtest_solve.c src/trial/crashtest_table.c \
 	src/trial/field.c src/trial/field.h \
-	src/trial/field_calibrate.c src/trial/field_fit.c src/trial/field_load.c src/trial/field_text.c \
+	src/trial/field_fit.c src/trial/field_load.c src/trial/field_rules.c \
+	src/trial/field_text.c src/trial/field_word.c \
 	src/trial/folds.c src/trial/folds.h \
 	src/trial/trial.h \
 	src/trial/types.c src/trial/types.h \

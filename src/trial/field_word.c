@@ -1,16 +1,12 @@
-/* `crumple calibrate-damage`: fits the rules of damage to the recorders of real crashes, with all
- * of them and without each fold, and writes share/damage/calibration.json. */
+/* `crumple validate field`, and `crumple calibrate-damage`, which fits the rules of damage to the
+ * recorders of real crashes, with all of them and without each fold. */
 #include "trial/field.h"
 #include "trial/trial.h"
 
-#include "base/file.h"
-#include "base/json.h"
 #include "cli/cli.h"
 #include "cli/word.h"
 
-#include <cjson/cJSON.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 static const char about[] =
@@ -18,46 +14,54 @@ static const char about[] =
     "recorders of TABLE (the shipped one), for all and for each of five folds of cases, and\n"
     "prints the calibration file that crumple damage reads. A minute; after the models changed.\n";
 
-/* the part of a file that holds one set of rules, through a file of its own */
-static enum cr_err read_fold(const cJSON *fold, const char *path, struct cr_crush_rules *out,
-                             struct cr_error *err) {
-    struct cr_str text = {0};
-    cJSON *copy = cJSON_Duplicate(fold, 1);
-    enum cr_err code = CR_ERR_OK;
-    if (copy == NULL || !cr_json_add(copy, false, &text)) {
-        code = cr_err_set(err, CR_ERR_MEMORY, "no memory for the rules");
-    }
-    if (code == CR_ERR_OK) {
-        code = cr_crush_rules_parse(cr_str_get(&text), path, out, err);
-    }
-    cr_str_fini(&text);
-    return code;
+static enum cr_err write_form(const struct cr_field_table *field, const struct cr_field_task *task,
+                              const struct cr_field_form *form, const struct cr_crush_rules *rules,
+                              struct cr_str *out, struct cr_error *err) {
+    return task->format == 1   ? cr_field_json(field, form, rules, out, err)
+           : task->format == 2 ? cr_field_csv(field, out, err)
+                               : cr_field_text(field, form, rules, out, err);
 }
 
-enum cr_err cr_field_folds_read(const char *path, struct cr_crush_rules out[CR_FIELD_FOLDS],
-                                struct cr_error *err) {
-    char *text = NULL;
-    size_t len;
-    enum cr_err code = cr_file_read(path, &text, &len, err);
+enum cr_err cr_field_validate(const struct cr_field_task *task, struct cr_str *out,
+                              struct cr_error *err) {
+    char path[4200], table[4200], filter_path[4200];
+    struct cr_crush_rules rules, folds[CR_FIELD_FOLDS];
+    struct cr_field_filter filter;
+    struct cr_cli_shared shared = {0};
+    struct cr_field_table field = {0};
+    bool shipped = task->path == NULL;
+    enum cr_err code = cr_cli_data("damage/calibration.json", path, sizeof path, err);
     if (code == CR_ERR_OK) {
-        code = cr_json_check(text, len, path, err);
+        code = cr_crush_rules_read(path, &rules, err);
     }
-    if (code != CR_ERR_OK) {
-        free(text);
-        return code;
+    if (code == CR_ERR_OK && shipped) {
+        code = cr_field_folds_read(path, folds, err);
     }
-    cJSON *json = cJSON_Parse(text);
-    const cJSON *list = cJSON_GetObjectItemCaseSensitive(json, "folds");
-    if (cJSON_GetArraySize(list) != CR_FIELD_FOLDS) {
-        code = cr_err_set(err, CR_ERR_MODEL, "\"folds\" has not the rules of %d folds",
-                          CR_FIELD_FOLDS);
-        cr_err_place(err, path, 0, 0);
+    if (code == CR_ERR_OK) {
+        code = cr_cli_data("validation/field/crush_edr.csv", table, sizeof table, err);
     }
-    for (int i = 0; i < CR_FIELD_FOLDS && code == CR_ERR_OK; i++) {
-        code = read_fold(cJSON_GetArrayItem(list, i), path, &out[i], err);
+    if (code == CR_ERR_OK) {
+        code = cr_cli_data("validation/field/filter.csv", filter_path, sizeof filter_path, err);
     }
-    cJSON_Delete(json);
-    free(text);
+    if (code == CR_ERR_OK) {
+        code = cr_field_filter_read(filter_path, &filter, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_cli_open(&shared, CR_CLI_ALL, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_field_load(shipped ? table : task->path, &filter, shared.models, &field, err);
+    }
+    if (code == CR_ERR_OK) {
+        const struct cr_field_form form = {.cases = task->cases,
+                                           .plot = task->plot,
+                                           .crossed = shipped,
+                                           .title = shipped ? "NHTSA CISS" : task->path};
+        cr_field_evaluate(&field, shipped ? folds : &rules, shipped);
+        code = write_form(&field, task, &form, &rules, out, err);
+    }
+    cr_field_fini(&field);
+    cr_cli_close(&shared);
     return code;
 }
 
