@@ -6,7 +6,7 @@
 
 #include <stdbool.h>
 
-/* What the collision deformation classification of SAE J224 is made of (literature.md 4.2). */
+/* What the collision deformation classification of SAE J224 is made of [CDC-J224]. */
 struct cr_cdc_case {
     double pdof;       /* rad clockwise */
     enum cr_face face; /* struck face */
