@@ -9,6 +9,7 @@ librender_a_SOURCES = \
 	src/render/draw.c \
 	src/render/field.c \
 	src/render/glyph.c \
+	src/render/impacts.c \
 	src/render/layout.c src/render/layout.h \
 	src/render/marks.c \
 	src/render/page.c \
