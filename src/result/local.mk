@@ -11,12 +11,14 @@ libresult_a_SOURCES = \
 	src/result/irf.c \
 	src/result/json.c src/result/json_priv.h src/result/json_severity.c \
 	src/result/measure.c \
+	src/result/measures.c src/result/measures.h \
 	src/result/names.c src/result/names.h \
 	src/result/outline.c \
 	src/result/planar.c src/result/planar.h \
 	src/result/pulse.c src/result/pulse.h \
 	src/result/rating.c src/result/rating.h \
 	src/result/result.h src/result/result_priv.h \
+	src/result/risk.c \
 	src/result/run.c \
 	src/result/signal.c src/result/signal.h \
 	src/result/trace.c \

@@ -145,6 +145,11 @@ void cr_irf_free(struct cr_irf_set *set);
 /* SHA-256 of all files of the set. */
 const char *cr_irf_hash(const struct cr_irf_set *set);
 
+/* The injury risks of a participant at another delta-v, m/s, with the direction and partner of the
+ * result and with closing speed and EES changed in proportion, into out->injury. irf NULL: none. */
+void cr_result_risk(const struct cr_result *result, const struct cr_irf_set *irf, int body,
+                    double delta_v, struct cr_severity *out);
+
 struct cr_result_opts {
     bool trace;    /* with the time series */
     bool resolved; /* with input.resolved */

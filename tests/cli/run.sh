@@ -128,4 +128,36 @@ env LC_ALL=de_DE.UTF-8 "$crumple" run "$demo" 2>&1 | cksum >"$tmp/german"
 same "a German locale changes nothing" "$(cat "$tmp/german")" "$("$crumple" run "$demo" | cksum)"
 refused "an id that nobody has: all there are" 3 'no participant "C" .there is A, B' \
     run "$demo" --set C.speed=50
+# pictures
+run run "$demo" --picture "$tmp/o.svg" -p after="$tmp/a.svg" -p 40ms="$tmp/t.svg"
+same "pictures alone print no result" "$status $out$errs" "0 "
+has "a picture is SVG" "$(head -n 2 "$tmp/o.svg")" '<svg xmlns'
+has "the overview has the pulse" "$(cat "$tmp/o.svg")" '>\|a\|, g<'
+has "the scene at a time" "$(cat "$tmp/t.svg")" 'In the crash: 40.0 ms after first contact'
+for what in before contact engagement pulse energy damage side top front risk; do
+    "$crumple" run "$demo" -p "$what=$tmp/$what.svg" 2>"$tmp/errs" || break
+    [ -s "$tmp/$what.svg" ] || break
+done
+same "every picture is drawn" "$what" risk
+python3 - "$tmp"/*.svg <<'END' 2>"$tmp/errs"
+import sys, xml.dom.minidom
+for path in sys.argv[1:]:
+    xml.dom.minidom.parse(path)
+END
+same "every picture is sound XML" "$?$(cat "$tmp/errs")" 0
+run run "$demo" -p "$tmp/o2.svg" -o "$tmp/r.json"
+cmp -s "$tmp/o.svg" "$tmp/o2.svg"
+report $? "the same bytes on every run"
+has "with -o the result is written too" "$(head -n 3 "$tmp/r.json")" crumple_result
+refused "a picture that there is none of" 2 'no picture .pulses.*did you mean pulse=FILE' \
+    run "$demo" -p "pulses=$tmp/x.svg"
+refused "a picture in an unknown form" 2 'none of .svg, .pdf, .png' run "$demo" -p "$tmp/x.gif"
+refused "a picture that cannot be written" 2 'cannot write' run "$demo" -p "$tmp/no/x.svg"
+if "$crumple" --version | grep -q cairo; then
+    run run "$demo" -p "after=$tmp/a.pdf" -p "after=$tmp/a.png"
+    same "PDF and PNG" "$(head -c 5 "$tmp/a.pdf") $(head -c 4 "$tmp/a.png" | tail -c 3)" "%PDF- PNG"
+else
+    skip "PDF and PNG" "a build without cairo"
+fi
+
 finish
