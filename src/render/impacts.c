@@ -54,11 +54,6 @@ static const struct {
     {"energy", "kJ", 7, 1, get_energy, NULL},
 };
 
-const char *cr_render_face(enum cr_face face) {
-    static const char *const words[CR_FACES] = {"front", "left", "rear", "right"};
-    return face < CR_FACES ? words[face] : "-";
-}
-
 /* where a table goes on */
 struct pen {
     struct cr_cells *cells;

@@ -36,8 +36,6 @@ struct row {
 OF(get_mass, s->result->compiled.cs.body[s->body].mass)
 OF(get_ees, cr_kmh(s->of->ees))
 OF(get_delta_v, cr_kmh(s->of->delta_v))
-OF(get_net, cr_kmh(s->of->delta_v_net))
-OF(get_impacts, s->of->impacts)
 OF(get_forward, cr_kmh(s->of->delta_v_body.x))
 OF(get_left, cr_kmh(s->of->delta_v_body.y))
 OF(get_world_x, cr_kmh(s->of->delta_v_world.x))
@@ -78,6 +76,14 @@ OF(now_area, s->now.crushed)
 OF(now_ees, cr_kmh(sqrt(2 * fmax(s->now.energy, 0) / get_mass(s))))
 OF(now_delta_v, cr_kmh(cr_vec2_len(cr_vec2_sub(s->now.vel, s->outcome->before.vel))))
 #undef OF
+
+static double get_net(const struct source *s) {
+    return cr_kmh(s->of->delta_v_net);
+}
+
+static double get_impacts(const struct source *s) {
+    return s->of->impacts;
+}
 
 static void put_type(const struct source *s, char *buf, int size) {
     const struct cr_participant *part = &s->result->resolved.part[s->body];
@@ -258,15 +264,6 @@ struct layout {
 
 static int column_end(const struct layout *l, int k) {
     return l->at.x + l->label + (k + 1) * l->column;
-}
-
-void cr_render_number(double x, int decimals, char *buf, int size) {
-    if (!isfinite(x)) {
-        snprintf(buf, (size_t)size, "-");
-        return;
-    }
-    x = fabs(x) < 0.5 * pow(10, -decimals) ? 0 : x; /* no "-0.0" */
-    snprintf(buf, (size_t)size, "%.*f", decimals, x);
 }
 
 /* ---- measured values beside the results ---- */
