@@ -3,15 +3,18 @@
 #include "config.h"
 
 #include "base/arena.h"
+#include "base/show.h"
 #include "base/str.h"
 #include "cli/cli.h"
 #include "repl/repl.h"
 #include "trial/trial.h"
 #include "tui/tui.h"
 
+#include <fcntl.h>
 #include <locale.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 static const char help[] =
     "usage: crumple                          full screen on a terminal, else commands from stdin\n"
@@ -61,10 +64,24 @@ static int unknown(const char *what, const char *given) {
         known[i + 2] = words[i].name;
     }
     const char *near = cr_str_nearest(given, known, WORDS + 2);
-    fprintf(stderr, "crumple: error: unknown %s %s (%s%s%s)\n", what, given,
+    char shown[256];
+    fprintf(stderr, "crumple: error: unknown %s %s (%s%s%s)\n", what,
+            cr_show(given, shown, sizeof shown),
             near != NULL ? "did you mean " : "crumple --help lists them", near != NULL ? near : "",
             near != NULL ? "?" : "");
     return 2;
+}
+
+/* With one of the first three descriptors closed, the next file that is opened would get its
+ * number, and what is meant for the user would go there. What takes its place fails like what is
+ * closed. */
+static void keep_descriptors(void) {
+    for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++) {
+        if (fcntl(fd, F_GETFD) == -1 &&
+            open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY) != fd) {
+            _exit(2);
+        }
+    }
 }
 
 static int interactive(int argc, char **argv, const char *data_dir) {
@@ -80,8 +97,11 @@ static int interactive(int argc, char **argv, const char *data_dir) {
 }
 
 int main(int argc, char **argv) {
+    keep_descriptors();
     cr_arena_keep();
     setlocale(LC_ALL, "");
+    /* a result is the same text wherever it was made, also where it quotes the system */
+    setlocale(LC_MESSAGES, "C");
     /* JSON and command files have a decimal point wherever the program runs */
     setlocale(LC_NUMERIC, "C");
     const char *word = argc > 1 ? argv[1] : "";

@@ -259,7 +259,7 @@ static enum cr_err read_shard(struct stack *s, struct cr_error *err) {
 static enum cr_err open_stack(struct stack *s, char **input, int inputs, struct cr_error *err) {
     enum cr_err rc = read_shard(s, err);
     rc = rc ? rc : cr_cli_open(&s->shared, CR_CLI_ALL, err);
-    rc = rc ? rc : cr_feed_new(input, inputs, &s->feed, err);
+    rc = rc ? rc : cr_feed_new(input, inputs, cr_cli_cancelled, NULL, &s->feed, err);
     rc = rc ? rc : cr_pair_new(&s->homes, err);
     rc = rc ? rc : cr_pair_new(&s->pairs, err);
     if (!rc && s->opt->resume.n > 0) {

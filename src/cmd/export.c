@@ -10,7 +10,7 @@
 #include <string.h>
 #include <strings.h>
 
-static const char *const SUFFIX[CR_EXPORT_FORMS] = {
+static const char *const suffix_of[CR_EXPORT_FORMS] = {
 #define X(name, suffix) suffix,
     CR_EXPORT_FORM_LIST(X)
 #undef X
@@ -19,8 +19,8 @@ static const char *const SUFFIX[CR_EXPORT_FORMS] = {
 static int form_of(const char *path) {
     size_t n = strlen(path);
     for (int i = 0; i < CR_EXPORT_FORMS; i++) {
-        size_t k = strlen(SUFFIX[i]);
-        if (n > k && strcasecmp(path + n - k, SUFFIX[i]) == 0) {
+        size_t k = strlen(suffix_of[i]);
+        if (n > k && strcasecmp(path + n - k, suffix_of[i]) == 0) {
             return i;
         }
     }
@@ -72,9 +72,9 @@ static enum cr_err export_field(struct cr_export *x, struct cr_error *err) {
             if (g->fill[i] <= 0) {
                 continue;
             }
-            cr_str_addf(out, "%s,%.6g,%.6g,%.6g,%.6g,%.6g,", r->resolved.part[b].id,
-                        g->x0 + (i % g->nx + 0.5) * g->h, g->y0 + (i / g->nx + 0.5) * g->h,
-                        g->energy[i], g->fill[i], o->left[i]);
+            cr_str_csv(out, r->resolved.part[b].id);
+            cr_str_addf(out, ",%.6g,%.6g,%.6g,%.6g,%.6g,", g->x0 + (i % g->nx + 0.5) * g->h,
+                        g->y0 + (i / g->nx + 0.5) * g->h, g->energy[i], g->fill[i], o->left[i]);
             if (isfinite((double)o->t_crushed[i])) {
                 cr_str_addf(out, "%.6g", (double)o->t_crushed[i]);
             }
@@ -95,12 +95,14 @@ static enum cr_err export_steps(struct cr_export *x, struct cr_error *err) {
     for (int i = 0; i < sol->slices; i++) {
         const struct cr_slice *c = &sol->slice[i];
         const struct cr_contact *pair = &sol->contact[c->contact];
-        cr_str_addf(out,
-                    "%d,%.9g,%s,%s,%d,%d,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n",
-                    c->sample + 1, sol->t[c->sample], r->resolved.part[pair->a].id,
-                    r->resolved.part[pair->b].id, c->deformed[0], c->deformed[1], c->energy[0],
-                    c->energy[1], c->induced, c->path, c->force, c->impulse, c->mass_eff,
-                    c->approach, c->friction, c->coe.x, c->coe.y);
+        cr_str_addf(out, "%d,%.9g,", c->sample + 1, sol->t[c->sample]);
+        cr_str_csv(out, r->resolved.part[pair->a].id);
+        cr_str_add(out, ",");
+        cr_str_csv(out, r->resolved.part[pair->b].id);
+        cr_str_addf(out, ",%d,%d,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n",
+                    c->deformed[0], c->deformed[1], c->energy[0], c->energy[1], c->induced, c->path,
+                    c->force, c->impulse, c->mass_eff, c->approach, c->friction, c->coe.x,
+                    c->coe.y);
     }
     return CR_ERR_OK;
 }
@@ -138,7 +140,7 @@ static const struct {
     bool result;    /* wants one */
     bool numbers;   /* of an interrupted solve they are not written by mistake */
     enum cr_err (*make)(struct cr_export *x, struct cr_error *err);
-} WHAT[] = {
+} what_table[] = {
     {"result", BIT_CSV | BIT_JSON | BIT_TXT, true, true, export_result},
     {"scene", BIT_JSON | BIT_TXT | PICTURE, false, false, export_scene},
     {"field", BIT_CSV, true, true, export_field},
@@ -158,30 +160,31 @@ static const struct {
     {"risk", PICTURE, true, true, cr_export_picture},
     {"overview", PICTURE, true, true, cr_export_picture},
 };
-enum { WHATS = sizeof WHAT / sizeof WHAT[0] };
+enum { WHATS = sizeof what_table / sizeof what_table[0] };
 
 static enum cr_err bad_form(struct cr_call *call, int what, const char *path,
                             struct cr_error *err) {
     char list[100] = "";
     for (int i = 0; i < CR_EXPORT_FORMS; i++) {
         size_t n = strlen(list);
-        if (WHAT[what].forms >> i & 1) {
-            snprintf(list + n, sizeof list - n, "%s%s", n > 0 ? ", " : "", SUFFIX[i]);
+        if (what_table[what].forms >> i & 1) {
+            snprintf(list + n, sizeof list - n, "%s%s", n > 0 ? ", " : "", suffix_of[i]);
         }
     }
-    cr_err_set(err, CR_ERR_NAME, "%s cannot be written as '%.80s'", WHAT[what].word, path);
+    cr_err_set(err, CR_ERR_NAME, "%s cannot be written as '%.80s'", what_table[what].word, path);
     cr_err_hint(err, "give the file the suffix %s", list);
     return cr_cmd_blame(call, cr_cmd_given(call, "FILE") ? "FILE" : "WHAT", CR_ERR_NAME);
 }
 
 static enum cr_err may_export(struct cr_call *call, int what, struct cr_error *err) {
-    if (WHAT[what].result) {
+    if (what_table[what].result) {
         enum cr_err code = cr_session_need_result(call->s, err);
         if (code != CR_ERR_OK) {
             return code;
         }
     }
-    if (!WHAT[what].numbers || call->force || cr_session_state(call->s) != CR_STATE_INTERRUPTED) {
+    if (!what_table[what].numbers || call->force ||
+        cr_session_state(call->s) != CR_STATE_INTERRUPTED) {
         return CR_ERR_OK;
     }
     cr_err_set(err, CR_ERR_MISSING, "the solve was interrupted: its values are not of the crash");
@@ -190,7 +193,7 @@ static enum cr_err may_export(struct cr_call *call, int what, struct cr_error *e
 }
 
 static enum cr_err write_out(struct cr_export *x, int what, struct cr_error *err) {
-    enum cr_err code = WHAT[what].make(x, err);
+    enum cr_err code = what_table[what].make(x, err);
     if (code == CR_ERR_OK && x->text.failed) {
         code = cr_err_set(err, CR_ERR_MEMORY, "out of memory");
     }
@@ -207,7 +210,7 @@ enum cr_err cr_cmd_export(struct cr_call *call, struct cr_error *err) {
     bool named = strchr(typed, '.') != NULL && !cr_cmd_given(call, "FILE");
     struct cr_export x = {.call = call,
                           .s = call->s,
-                          .what = WHAT[what].word,
+                          .what = what_table[what].word,
                           .path = cr_cmd_text(call, "FILE", named ? typed : NULL)};
     if (x.path == NULL) {
         cr_err_set(err, CR_ERR_MISSING, "export needs FILE (its suffix says how)");
@@ -215,7 +218,7 @@ enum cr_err cr_cmd_export(struct cr_call *call, struct cr_error *err) {
         return CR_ERR_MISSING;
     }
     x.form = form_of(x.path);
-    if (x.form < 0 || (WHAT[what].forms >> x.form & 1) == 0) {
+    if (x.form < 0 || (what_table[what].forms >> x.form & 1) == 0) {
         return bad_form(call, what, x.path, err);
     }
     enum cr_err code = may_export(call, what, err);

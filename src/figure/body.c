@@ -7,7 +7,7 @@
 #include <stdio.h>
 
 enum { ABOVE = 18, BELOW = 22, BARE = -2, DEFORMED = -1 };
-static const double EES_TOP = 100; /* km/h, as in the scene */
+static const double ees_top = 100; /* km/h, as in the scene */
 
 /* points per m for a plane of w x h m in a box */
 static double scale(double w, double h, struct cr_box at) {
@@ -31,7 +31,7 @@ static int step_of(const struct cr_plane *pl, int u, int v) {
     double ees = pl->ees[v * pl->nu + u];
     return !isfinite(ees)                  ? BARE
            : pl->depth[v * pl->nu + u] > 0 ? DEFORMED
-                                           : cr_ink_step(fmin(ees / EES_TOP, 1));
+                                           : cr_ink_step(fmin(ees / ees_top, 1));
 }
 
 static void runs(struct cr_canvas *c, const struct cr_plane *pl, const double at[3], int step) {
@@ -96,8 +96,8 @@ enum cr_err cr_figure_body(struct cr_canvas *c, struct cr_box at, const struct c
     }
     depths(c, &pl, place);
     if (p->view != CR_PROJECT_TOP) {
-        cr_figure_rule(c, at.x, place[1] + 0.5, at.x + at.w, place[1] + 0.5, CR_INK_TEXT, 1,
-                       CR_DASH_NONE);
+        cr_figure_rule(c, (struct cr_line){at.x, place[1] + 0.5, at.x + at.w, place[1] + 0.5},
+                       CR_INK_TEXT, 1, CR_DASH_NONE);
     }
     double x = at.x, y = at.y + at.h - 5;
     x += cr_figure_scale_bar(c, x, y, k) + 16;

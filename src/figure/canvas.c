@@ -96,7 +96,7 @@ void cr_canvas_rect(struct cr_canvas *c, double x, double y, double w, double h)
 }
 
 /* a quarter of a circle as a Bezier curve misses it by 0.03 % with this distance of its points */
-static const double ROUND = 0.5522847498;
+static const double round_off = 0.5522847498;
 
 void cr_canvas_circle(struct cr_canvas *c, double x, double y, double r) {
     static const int turn[5][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}};
@@ -105,11 +105,11 @@ void cr_canvas_circle(struct cr_canvas *c, double x, double y, double r) {
     add_step(c, &(struct cr_step){CR_VERB_MOVE, {x + r}, {y}});
     for (int i = 0; i < 4; i++) {
         const int *a = turn[i], *b = turn[i + 1];
-        add_step(c,
-                 &(struct cr_step){
-                     CR_VERB_CURVE,
-                     {x + r * (a[0] + ROUND * b[0]), x + r * (b[0] + ROUND * a[0]), x + r * b[0]},
-                     {y + r * (a[1] + ROUND * b[1]), y + r * (b[1] + ROUND * a[1]), y + r * b[1]}});
+        add_step(c, &(struct cr_step){CR_VERB_CURVE,
+                                      {x + r * (a[0] + round_off * b[0]),
+                                       x + r * (b[0] + round_off * a[0]), x + r * b[0]},
+                                      {y + r * (a[1] + round_off * b[1]),
+                                       y + r * (b[1] + round_off * a[1]), y + r * b[1]}});
     }
     cr_canvas_close(c);
 }
@@ -186,13 +186,13 @@ void cr_canvas_text(struct cr_canvas *c, double x, double y, const struct cr_typ
 
 /* Widths of the characters 32..126 of Helvetica in 1/1000 of the size, as Adobe published them
  * (Core 14 AFM files). */
-static const short WIDTH[95] = {
+static const short helvetica[95] = {
     278, 278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333,  278, 278, 556, 556, 556,
     556, 556, 556, 556, 556, 556, 556, 278, 278, 584, 584, 584, 556, 1015, 667, 667, 722, 722, 667,
     611, 778, 722, 278, 500, 667, 556, 833, 722, 778, 667, 778, 722, 667,  611, 722, 667, 944, 667,
     667, 611, 278, 278, 278, 469, 556, 333, 556, 556, 500, 556, 556, 278,  556, 556, 222, 222, 500,
     222, 833, 556, 556, 556, 556, 333, 500, 278, 556, 500, 722, 500, 500,  500, 334, 260, 334, 584};
-static const double COURIER = 600, BOLD = 1.07, OTHER = 556, WIDE = 1000;
+static const double courier = 600, bold_more = 1.07, other_letter = 556, wide_letter = 1000;
 
 double cr_text_width(const struct cr_type_face *face, const char *utf8) {
     double sum = 0;
@@ -200,9 +200,12 @@ double cr_text_width(const struct cr_type_face *face, const char *utf8) {
         int n = sequence(s);
         unsigned char c = (unsigned char)*s;
         /* three bytes and more: arrows, signs, scripts whose letters are as wide as high */
-        double w = face->mono ? COURIER : c >= 32 && c < 127 ? WIDTH[c - 32] : n > 2 ? WIDE : OTHER;
+        double w = face->mono           ? courier
+                   : c >= 32 && c < 127 ? helvetica[c - 32]
+                   : n > 2              ? wide_letter
+                                        : other_letter;
         sum += w;
         s += n > 0 ? n : 1;
     }
-    return sum * 1e-3 * face->size * (face->bold && !face->mono ? BOLD : 1);
+    return sum * 1e-3 * face->size * (face->bold && !face->mono ? bold_more : 1);
 }

@@ -7,13 +7,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static const double SMALL = 8;
+static const double small_size = 8;
 
 /* ---- a value over two inputs ---- */
 
 static void map_cell(struct cr_canvas *c, const struct cr_heat_map *m, const double at[4],
                      double value, const double range[2]) {
-    struct cr_type_face face = {.size = SMALL, .anchor = CR_ANCHOR_MIDDLE};
+    struct cr_type_face face = {.size = small_size, .anchor = CR_ANCHOR_MIDDLE};
     char text[32] = "-";
     uint32_t fill = 0xffffff;
     if (isfinite(value)) {
@@ -25,7 +25,7 @@ static void map_cell(struct cr_canvas *c, const struct cr_heat_map *m, const dou
     cr_canvas_rect(c, at[0], at[1], at[2], at[3]);
     cr_canvas_paint(c, &(struct cr_paint){.fill = fill, .line = 0xffffff, .width = 0.5});
     face.ink = cr_ink_on(fill);
-    face.size = fmin(SMALL, at[3] - 2);
+    face.size = fmin(small_size, at[3] - 2);
     if (cr_text_width(&face, text) < at[2] - 1 && face.size >= 4) {
         cr_canvas_text(c, at[0] + at[2] / 2, at[1] + at[3] / 2 + 0.36 * face.size, &face, text);
     }
@@ -41,7 +41,7 @@ static int every(int n, double length, double need) {
 }
 
 static void map_names(struct cr_canvas *c, struct cr_box b, const struct cr_heat_map *m) {
-    struct cr_type_face face = {.size = SMALL, .ink = CR_INK_TEXT, .anchor = CR_ANCHOR_MIDDLE};
+    struct cr_type_face face = {.size = small_size, .ink = CR_INK_TEXT, .anchor = CR_ANCHOR_MIDDLE};
     char text[32];
     double w = b.w / m->nx, h = b.h / m->ny;
     for (int i = 0; i < m->nx; i += every(m->nx, b.w, 30)) {
@@ -88,10 +88,11 @@ void cr_figure_map(struct cr_canvas *c, struct cr_box at, const struct cr_heat_m
 
 static void histogram_mark(const struct cr_axes *a, double x, const char *name, int row) {
     struct cr_type_face face = {
-        .size = SMALL, .ink = CR_INK_TEXT, .anchor = CR_ANCHOR_MIDDLE, .halo = true};
+        .size = small_size, .ink = CR_INK_TEXT, .anchor = CR_ANCHOR_MIDDLE, .halo = true};
     char text[64];
     double at = cr_axes_x(a, x);
-    cr_figure_rule(a->canvas, at, a->at.y, at, a->at.y + a->at.h, CR_INK_TEXT, 0.9, CR_DASH_LONG);
+    cr_figure_rule(a->canvas, (struct cr_line){at, a->at.y, at, a->at.y + a->at.h}, CR_INK_TEXT,
+                   0.9, CR_DASH_LONG);
     snprintf(text, sizeof text, "%.30s %.4g", name, x);
     double half = cr_text_width(&face, text) / 2;
     cr_canvas_text(a->canvas, cr_clamp(at, a->at.x + half, a->at.x + a->at.w - half),
@@ -127,7 +128,8 @@ void cr_figure_histogram(struct cr_canvas *canvas, struct cr_box at, const struc
     }
     if (h->point >= h->lo && h->point <= h->hi) {
         double x = cr_axes_x(&a, h->point);
-        cr_figure_rule(canvas, x, a.at.y + 34, x, a.at.y + a.at.h, CR_INK_FORCE, 1.4, CR_DASH_NONE);
+        cr_figure_rule(canvas, (struct cr_line){x, a.at.y + 34, x, a.at.y + a.at.h}, CR_INK_FORCE,
+                       1.4, CR_DASH_NONE);
     }
 }
 
@@ -139,14 +141,15 @@ static double round_span(double span, double *step) {
 }
 
 static void tornado_axis(struct cr_axes *a, const struct cr_tornado *t) {
-    struct cr_type_face face = {.size = SMALL, .ink = CR_INK_TEXT, .anchor = CR_ANCHOR_MIDDLE};
+    struct cr_type_face face = {.size = small_size, .ink = CR_INK_TEXT, .anchor = CR_ANCHOR_MIDDLE};
     double step, bottom = a->at.y + a->at.h;
     round_span(a->x_hi - a->x_lo, &step);
     for (double v = ceil(a->x_lo / step - 1e-9) * step; v <= a->x_hi + step * 1e-6; v += step) {
         char text[32];
         double x = cr_axes_x(a, v);
         cr_tick_text(v, step, text, sizeof text);
-        cr_figure_rule(a->canvas, x, a->at.y, x, bottom, CR_INK_GRID, 0.5, CR_DASH_NONE);
+        cr_figure_rule(a->canvas, (struct cr_line){x, a->at.y, x, bottom}, CR_INK_GRID, 0.5,
+                       CR_DASH_NONE);
         cr_canvas_text(a->canvas, x, bottom + 11, &face, text);
     }
     face.anchor = CR_ANCHOR_END;
@@ -165,7 +168,7 @@ static void tornado_half(const struct cr_axes *a, double from, double to, double
 
 static void tornado_legend(struct cr_canvas *c, struct cr_box at,
                            const struct cr_figure_words *words) {
-    struct cr_type_face face = {.size = SMALL, .ink = CR_INK_TEXT};
+    struct cr_type_face face = {.size = small_size, .ink = CR_INK_TEXT};
     static const char *const names[] = {"input at its upper end", "input at its lower end"};
     double x = at.x;
     for (int i = 0; i < 2; i++) {
@@ -181,7 +184,7 @@ static void tornado_legend(struct cr_canvas *c, struct cr_box at,
 
 void cr_figure_tornado(struct cr_canvas *c, struct cr_box at, const struct cr_tornado *t,
                        const struct cr_figure_words *words) {
-    struct cr_type_face face = {.size = SMALL, .ink = CR_INK_TEXT, .anchor = CR_ANCHOR_END};
+    struct cr_type_face face = {.size = small_size, .ink = CR_INK_TEXT, .anchor = CR_ANCHOR_END};
     double lo = t->middle, hi = t->middle, names = 0;
     for (int i = 0; i < t->bars; i++) {
         lo = fmin(lo, fmin(t->bar[i].at_lo, t->bar[i].at_hi));
@@ -206,7 +209,8 @@ void cr_figure_tornado(struct cr_canvas *c, struct cr_box at, const struct cr_to
         cr_canvas_text(c, a.at.x - 5, y + h / 2 + 3, &face, t->bar[i].name);
     }
     double x = cr_axes_x(&a, t->middle);
-    cr_figure_rule(c, x, a.at.y, x, a.at.y + a.at.h, CR_INK_TEXT, 1, CR_DASH_NONE);
+    cr_figure_rule(c, (struct cr_line){x, a.at.y, x, a.at.y + a.at.h}, CR_INK_TEXT, 1,
+                   CR_DASH_NONE);
     tornado_legend(c, at, words);
 }
 
@@ -242,15 +246,16 @@ static void corridor(const struct cr_axes *a, double share) {
     const double slopes[3] = {1, 1 - share, 1 + share};
     for (int i = 0; i < (share > 0 ? 3 : 1); i++) {
         double x = fmin(a->x_hi, a->y_hi / slopes[i]);
-        cr_figure_rule(a->canvas, cr_axes_x(a, 0), cr_axes_y(a, 0), cr_axes_x(a, x),
-                       cr_axes_y(a, slopes[i] * x), CR_INK_TEXT, i == 0 ? 1 : 0.6,
-                       i == 0 ? CR_DASH_NONE : CR_DASH_LONG);
+        cr_figure_rule(a->canvas,
+                       (struct cr_line){cr_axes_x(a, 0), cr_axes_y(a, 0), cr_axes_x(a, x),
+                                        cr_axes_y(a, slopes[i] * x)},
+                       CR_INK_TEXT, i == 0 ? 1 : 0.6, i == 0 ? CR_DASH_NONE : CR_DASH_LONG);
     }
 }
 
 void cr_figure_scatter(struct cr_canvas *canvas, struct cr_box at, const struct cr_scatter *s,
                        const struct cr_figure_words *words) {
-    struct cr_type_face face = {.size = SMALL, .ink = CR_INK_TEXT};
+    struct cr_type_face face = {.size = small_size, .ink = CR_INK_TEXT};
     double top = 0;
     for (int i = 0; i < s->n; i++) {
         top = fmax(top, fmax(s->x[i], s->y[i]));
@@ -277,7 +282,8 @@ void cr_figure_scatter(struct cr_canvas *canvas, struct cr_box at, const struct 
     if (s->corridor > 0) {
         char text[64];
         snprintf(text, sizeof text, "\u00b1%g %%", 100 * s->corridor);
-        cr_figure_rule(canvas, x - 4, y - 3, x + 12, y - 3, CR_INK_TEXT, 0.6, CR_DASH_LONG);
+        cr_figure_rule(canvas, (struct cr_line){x - 4, y - 3, x + 12, y - 3}, CR_INK_TEXT, 0.6,
+                       CR_DASH_LONG);
         cr_canvas_text(canvas, x + 16, y, &face, text);
     }
 }

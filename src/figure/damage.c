@@ -77,7 +77,8 @@ static void profile(const struct view *v, bool measured) {
     for (int i = 0; i < n; i++) {
         double u = px(v, station(from, to, n, i));
         char text[24];
-        cr_figure_rule(v->canvas, u, v->y0, u, py(v, depth[i]), ink, 0.5, CR_DASH_DOT);
+        cr_figure_rule(v->canvas, (struct cr_line){u, v->y0, u, py(v, depth[i])}, ink, 0.5,
+                       CR_DASH_DOT);
         cr_canvas_circle(v->canvas, u, py(v, depth[i]), 2);
         snprintf(text, sizeof text, "%.0f", 100 * depth[i]);
         cr_canvas_text(v->canvas, u, v->y0 - (measured ? 17 : 6), &face, text);
@@ -92,7 +93,7 @@ static void legend(const struct view *v, struct cr_box at, const struct cr_figur
     x += cr_figure_scale_bar(v->canvas, x, y, v->k) + 18;
     for (int i = 0; i < (v->plan->measured > 0 ? 2 : 1); i++) {
         const char *name = cr_figure_say(words, names[i]);
-        cr_figure_rule(v->canvas, x, y - 3, x + 20, y - 3, cr_ink_of_body(i), 1.4,
+        cr_figure_rule(v->canvas, (struct cr_line){x, y - 3, x + 20, y - 3}, cr_ink_of_body(i), 1.4,
                        i == 0 ? CR_DASH_NONE : CR_DASH_LONG);
         cr_canvas_text(v->canvas, x + 24, y, &face, name);
         x += 40 + cr_text_width(&face, name);
@@ -135,8 +136,8 @@ void cr_figure_damage(struct cr_canvas *canvas, struct cr_box at, const struct c
     cr_canvas_clip(canvas, at.x, at.y + ABOVE - 2, at.w, at.h - ABOVE - 30);
     outline(&v);
     cr_canvas_unclip(canvas);
-    cr_figure_rule(canvas, px(&v, -wide / 2), v.y0, px(&v, wide / 2), v.y0, CR_INK_TEXT, 0.8,
-                   CR_DASH_LONG);
+    cr_figure_rule(canvas, (struct cr_line){px(&v, -wide / 2), v.y0, px(&v, wide / 2), v.y0},
+                   CR_INK_TEXT, 0.8, CR_DASH_LONG);
     profile(&v, false);
     if (p->measured > 0) {
         profile(&v, true);

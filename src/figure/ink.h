@@ -44,9 +44,12 @@ void cr_axes_fit(struct cr_axes *axes, struct cr_box at, bool title);
 /* Grid lines, ticks and numbers, frame, names. */
 void cr_axes_draw(const struct cr_axes *axes, const char *x_name, const char *y_name);
 
-/* A straight line from a to b. */
-void cr_figure_rule(struct cr_canvas *canvas, double x0, double y0, double x1, double y1,
-                    uint32_t ink, double width, enum cr_dash dash);
+/* A straight line. */
+struct cr_line {
+    double x0, y0, x1, y1;
+};
+void cr_figure_rule(struct cr_canvas *canvas, struct cr_line line, uint32_t ink, double width,
+                    enum cr_dash dash);
 /* An arrow with a full head, with a white edge where it lies on a picture. */
 void cr_figure_arrow(struct cr_canvas *canvas, const double from[2], const double to[2],
                      uint32_t ink, double width, bool edge);
@@ -54,7 +57,7 @@ void cr_figure_arrow(struct cr_canvas *canvas, const double from[2], const doubl
 void cr_figure_title(struct cr_canvas *canvas, struct cr_box at, const char *title);
 /* Slanting lines over the path given as a closed polygon. */
 void cr_figure_hatch(struct cr_canvas *canvas, const double *x, const double *y, int n,
-                     double spacing, uint32_t ink, double width);
+                     double spacing, uint32_t ink);
 /* Colour bar with its ends named: returns its width. beyond: the last step is for what is more. */
 double cr_figure_ramp(struct cr_canvas *canvas, double x, double y, const char *from,
                       const char *to, bool beyond);

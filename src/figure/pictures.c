@@ -11,28 +11,28 @@
 
 enum { WIDTH = 500, MARGIN = 10, INNER = WIDTH - 2 * MARGIN, PLOT_H = 240, MOST_H = 460 };
 enum { RISK_POINTS = 81, RISK_MOST = 3 };
-static const double PNG_DPI = 144;
+static const double png_dpi = 144;
 
 static const struct {
     const char *word;
     bool result;
-} PICTURES[CR_PICTURES] = {
+} pictures[CR_PICTURES] = {
 #define X(name, word, result, help) {word, result},
     CR_PICTURE_LIST(X)
 #undef X
 };
 
 const char *cr_picture_word(enum cr_picture picture) {
-    return PICTURES[picture].word;
+    return pictures[picture].word;
 }
 
 bool cr_picture_needs_result(enum cr_picture picture) {
-    return PICTURES[picture].result;
+    return pictures[picture].result;
 }
 
 int cr_picture_find(const char *word) {
     for (int i = 0; i < CR_PICTURES; i++) {
-        if (strcmp(PICTURES[i].word, word) == 0) {
+        if (strcmp(pictures[i].word, word) == 0) {
             return i;
         }
     }
@@ -173,8 +173,8 @@ static enum cr_err vehicle_of(const struct cr_picture_source *s, int *body, stru
     return cr_err_set(err, CR_ERR_MISSING, "there is no vehicle in the scene");
 }
 
-/* C1 and C6 along the struck face, m from the middle of the vehicle's box: from left to right on the
- * ends, from rear to front on the sides. */
+/* C1 and C6 along the struck face, m from the middle of the vehicle's box: from left to right on
+ * the ends, from rear to front on the sides. */
 static void span(const struct cr_result *r, int body, struct cr_damage_plan *p) {
     const struct cr_severity *of = &r->of[body];
     double middle = cr_face_is_end(p->face) ? p->centre.y - of->profile_middle
@@ -354,7 +354,7 @@ static enum cr_err overview(const struct cr_picture_source *s, struct cr_canvas 
 enum cr_err cr_picture_draw(enum cr_picture picture, const struct cr_picture_source *s,
                             struct cr_canvas **out, struct cr_error *err) {
     *out = NULL;
-    if (PICTURES[picture].result && s->result == NULL) {
+    if (pictures[picture].result && s->result == NULL) {
         cr_err_set(err, CR_ERR_MISSING, "nothing has been solved yet");
         cr_err_hint(err, "try: solve");
         return CR_ERR_MISSING;
@@ -396,7 +396,7 @@ enum cr_err cr_picture_text(struct cr_canvas *canvas, enum cr_picture_format for
     case CR_FORMAT_PDF:
         return cr_canvas_pdf(&canvas, 1, &about, out, err);
     case CR_FORMAT_PNG:
-        return cr_canvas_png(canvas, PNG_DPI, out, err);
+        return cr_canvas_png(canvas, png_dpi, out, err);
     default:
         return cr_canvas_svg(canvas, title, true, out, err);
     }

@@ -62,14 +62,16 @@ static void grid(const struct cr_sheet *s) {
     char text[32];
     for (double v = ceil(x0 / step) * step; v <= x1; v += step) {
         struct cr_vec2 p = cr_sheet_at(s, cr_vec2(v, 0));
-        cr_figure_rule(s->canvas, p.x, m->y, p.x, m->y + m->h, CR_INK_GRID, 0.4, CR_DASH_NONE);
+        cr_figure_rule(s->canvas, (struct cr_line){p.x, m->y, p.x, m->y + m->h}, CR_INK_GRID, 0.4,
+                       CR_DASH_NONE);
         cr_tick_text(v, step, text, sizeof text);
         cr_canvas_text(s->canvas, p.x, m->y + m->h + 9, &face, text);
     }
     face.anchor = CR_ANCHOR_END;
     for (double v = ceil(y0 / step) * step; v <= y1; v += step) {
         struct cr_vec2 p = cr_sheet_at(s, cr_vec2(0, v));
-        cr_figure_rule(s->canvas, m->x, p.y, m->x + m->w, p.y, CR_INK_GRID, 0.4, CR_DASH_NONE);
+        cr_figure_rule(s->canvas, (struct cr_line){m->x, p.y, m->x + m->w, p.y}, CR_INK_GRID, 0.4,
+                       CR_DASH_NONE);
         cr_tick_text(v, step, text, sizeof text);
         cr_canvas_text(s->canvas, m->x - 3, p.y + 2.5, &face, text);
     }
@@ -208,7 +210,7 @@ static void draw_rigid(struct cr_sheet *s, const struct cr_pic_body *b) {
     cr_canvas_close(s->canvas);
     cr_canvas_paint(
         s->canvas, &(struct cr_paint){.fill = CR_INK_RIGID_PALE, .line = CR_INK_RIGID, .width = 1});
-    cr_figure_hatch(s->canvas, x, y, b->outline_n, 6, CR_INK_RIGID, 0.5);
+    cr_figure_hatch(s->canvas, x, y, b->outline_n, 6, CR_INK_RIGID);
     s->pic.any_rigid = true;
 }
 

@@ -8,8 +8,9 @@
 #include <string.h>
 
 /* arrows are as long as in the picture in text: the way of 60 ms, within bounds */
-static const double WAY = 0.06, LEAST = 0.5, MOST = 2.0, FORCE_LEAST = 0.25, FORCE_SPAN = 1.25;
-static const double SHOWN = 0.02; /* share of the greatest force from which one is drawn */
+static const double way_s = 0.06, least_m = 0.5, most_m = 2.0, force_least = 0.25,
+                    force_span = 1.25;
+static const double shown_from = 0.02; /* share of the greatest force from which one is drawn */
 
 struct cr_vec2 cr_sheet_at(const struct cr_sheet *s, struct cr_vec2 world) {
     return cr_vec2(s->map.x + s->map.w / 2 + (world.x - s->centre.x) * s->k,
@@ -39,13 +40,13 @@ static void velocity(const struct cr_sheet *s, int body) {
         return;
     }
     struct cr_vec2 p = cr_sheet_at(s, b->now.pos);
-    double len = cr_clamp(WAY * v, LEAST, MOST) * s->k / v;
+    double len = cr_clamp(way_s * v, least_m, most_m) * s->k / v;
     const double from[2] = {p.x, p.y}, to[2] = {p.x + len * b->now.vel.x, p.y - len * b->now.vel.y};
     cr_figure_arrow(s->canvas, from, to, cr_ink_of_body(body), 2, true);
 }
 
 static bool forced(const struct cr_sheet *s, const struct cr_pic_body *b) {
-    return s->pic.force_max > 0 && cr_vec2_len(b->now.force) > SHOWN * s->pic.force_max &&
+    return s->pic.force_max > 0 && cr_vec2_len(b->now.force) > shown_from * s->pic.force_max &&
            isfinite(b->now.coe.x) && isfinite(b->now.coe.y);
 }
 
@@ -55,7 +56,7 @@ static void force(const struct cr_sheet *s, const struct cr_pic_body *b) {
         return;
     }
     struct cr_vec2 p = cr_sheet_at(s, b->now.coe);
-    double len = (FORCE_LEAST + FORCE_SPAN * f / s->pic.force_max) * s->k / f;
+    double len = (force_least + force_span * f / s->pic.force_max) * s->k / f;
     const double from[2] = {p.x, p.y},
                  to[2] = {p.x + len * b->now.force.x, p.y - len * b->now.force.y};
     cr_figure_arrow(s->canvas, from, to, CR_INK_FORCE, 1.6, true);
@@ -198,7 +199,7 @@ static double swatch(const struct cr_sheet *s, double x, double y, bool both, co
                     &(struct cr_paint){.fill = both ? CR_INK_CRUSHED_PALE : CR_INK_INDUCED_PALE,
                                        .line = ink,
                                        .width = 0.4});
-    cr_figure_hatch(s->canvas, px, py, 4, 5, ink, 0.5);
+    cr_figure_hatch(s->canvas, px, py, 4, 5, ink);
     for (double u = 5; both && u < w + h; u += 5) {
         double x0 = x + fmax(0, u - h), y0 = y + 1 - h + fmax(0, h - u);
         double d = fmin(fmin(u, h), x + w - x0);
@@ -244,7 +245,7 @@ void cr_sheet_legend(const struct cr_sheet *s, struct cr_box at) {
     if (s->view->vectors && moving) {
         x += arrow_entry(s, x, y, CR_INK_DIM, cr_figure_say(s->words, "speed"));
     }
-    if (s->view->vectors && pic->force_max > 0 && pic->force_now > SHOWN * pic->force_max) {
+    if (s->view->vectors && pic->force_max > 0 && pic->force_now > shown_from * pic->force_max) {
         snprintf(to, sizeof to, "%s %.0f kN", cr_figure_say(s->words, "force"),
                  pic->force_now * 1e-3);
         x += arrow_entry(s, x, y, CR_INK_FORCE, to);

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-static const double SMALL = 8;
+static const double small_size = 8;
 
 static enum cr_dash dash_of(const struct cr_plot *plot, int k) {
     const struct cr_curve_line *c = &plot->curve[k];
@@ -79,7 +79,7 @@ static void entry_text(const struct cr_curve_line *line, const struct cr_figure_
 /* The entries from the right end leftward; with draw = false only how wide they are. */
 static double legend(struct cr_canvas *c, double right, double y, const struct cr_plot *plot,
                      const struct cr_figure_words *words, bool draw) {
-    struct cr_type_face face = {.size = SMALL, .ink = CR_INK_TEXT};
+    struct cr_type_face face = {.size = small_size, .ink = CR_INK_TEXT};
     double x = right;
     for (int k = plot->curves - 1; k >= 0; k--) {
         const struct cr_curve_line *line = &plot->curve[k];
@@ -88,8 +88,8 @@ static double legend(struct cr_canvas *c, double right, double y, const struct c
         x -= cr_text_width(&face, text);
         if (draw) {
             cr_canvas_text(c, x, y, &face, text);
-            cr_figure_rule(c, x - 24, y - 3, x - 4, y - 3, cr_ink_of(line->role), 1.3,
-                           dash_of(plot, k));
+            cr_figure_rule(c, (struct cr_line){x - 24, y - 3, x - 4, y - 3}, cr_ink_of(line->role),
+                           1.3, dash_of(plot, k));
         }
         x -= 34;
     }
@@ -122,7 +122,8 @@ void cr_figure_plot(struct cr_canvas *canvas, struct cr_box at, const struct cr_
                  plot->title == NULL && unit ? plot->y_unit : "");
     if (plot->cursor >= a.x_lo && plot->cursor <= a.x_hi) {
         double x = cr_axes_x(&a, plot->cursor);
-        cr_figure_rule(canvas, x, a.at.y, x, a.at.y + a.at.h, CR_INK_FORCE, 0.8, CR_DASH_LONG);
+        cr_figure_rule(canvas, (struct cr_line){x, a.at.y, x, a.at.y + a.at.h}, CR_INK_FORCE, 0.8,
+                       CR_DASH_LONG);
     }
     cr_canvas_clip(canvas, a.at.x, a.at.y, a.at.w, a.at.h);
     /* the first curve is drawn last, so that it lies on top */

@@ -171,7 +171,7 @@ static enum cr_err add_file(struct cr_irf_set *set, const char *path, struct cr_
     char *text = NULL;
     size_t len;
     cJSON *json = NULL;
-    enum cr_err rc = cr_file_read(path, &text, &len, err);
+    enum cr_err rc = cr_file_read_regular(path, &text, &len, err);
     if (rc) {
         return rc;
     }

@@ -1,14 +1,16 @@
 /* What a scene must keep to beyond the ranges of its single values. */
 #include "scene/scene_priv.h"
 
+#include "base/show.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 enum cr_err cr_scene_id_check(struct cr_reader *r, const char *id) {
     size_t n = strlen(id);
-    if (n == 0 || n >= CR_NAME_MAX) {
-        return cr_scene_fail(r, CR_ERR_RANGE, "an id has 1 to %d characters", CR_NAME_MAX - 1);
+    if (n == 0 || n >= CR_NAME_MAX || cr_utf8_chars(id) > CR_NAME_CHARS) {
+        return cr_scene_fail(r, CR_ERR_RANGE, "an id has 1 to %d characters", CR_NAME_CHARS);
     }
     for (size_t i = 0; i < n; i++) {
         unsigned char c = (unsigned char)id[i];

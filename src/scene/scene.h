@@ -15,7 +15,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum { CR_NAME_MAX = 64, CR_PATH_MAX = 512, CR_VERTEX_MAX = 64, CR_WAYPOINT_MAX = 100000 };
+/* names (of scenes, pairs, participants) have up to 63 characters, each of up to four bytes */
+enum { CR_NAME_CHARS = 63, CR_NAME_MAX = 4 * CR_NAME_CHARS + 1 };
+enum { CR_PATH_MAX = 512, CR_VERTEX_MAX = 64, CR_WAYPOINT_MAX = 100000 };
 
 enum cr_method { CR_METHOD_EXTENDED, CR_METHOD_PAPER };
 
