@@ -161,7 +161,7 @@ CR_MUST_CHECK enum cr_err cr_render_energy(struct cr_cells *cells, struct cr_rec
                                            const struct cr_result *result, double cursor,
                                            struct cr_error *err);
 
-/* The results table (formats.md quantities with units, a column per participant), as text lines;
+/* The results table (quantities with units, a column per participant), as text lines;
  * time NaN: final values, else those of that instant. */
 CR_MUST_CHECK enum cr_err cr_render_table(struct cr_cells *cells, struct cr_rect at,
                                           const struct cr_look *look,

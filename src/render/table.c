@@ -1,4 +1,4 @@
-/* The results table: one row per quantity of formats.md, one column per participant. */
+/* The results table: one row per quantity, one column per participant. */
 #include "render/picture.h"
 #include "render/table.h"
 

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
-/* direct damage narrower than 16 in counts as narrow (literature.md 4.2) */
+/* direct damage narrower than 16 in counts as narrow [CDC-J224] */
 static const double NARROW = 0.41;
 /* share of a third that must be struck for the third to count */
 static const double TOUCHED = 0.1;

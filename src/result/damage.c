@@ -8,7 +8,7 @@
 /* residual depth from which a column counts as damaged, m: what a tape measure shows */
 static const double DAMAGED = 0.01;
 /* Front and rear are measured along the bumper beam: recorded damage width over overall width of
- * 186 full-width wall tests (stiffness.md 1.3). */
+ * 186 full-width wall tests [RESIDUAL-SHAPE]. */
 static const double BEAM_WIDTH = 0.83;
 /* Beyond where the undeformed outline lies this far back, m, it is the corner that leads round to
  * the next face. */
@@ -265,7 +265,7 @@ static double depth_at(const struct cr_deform *d, enum cr_face face, double x, d
     return a + f * (b - a);
 }
 
-/* Six equal spaces over the damaged width (NHTSA's DPD, literature.md 4.2): from a straight line
+/* Six equal spaces over the damaged width [CRUSH-POINTS]: from a straight line
  * along the foremost point of the undeformed face, as a string is stretched, and from the
  * undeformed outline, whose curvature is then taken off. */
 static void crush_profile(const struct cr_deform *d, const struct face_damage *f,

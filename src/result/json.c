@@ -1,4 +1,4 @@
-/* Result -> JSON (formats.md, result version 2, version 1 on request). Every number passes
+/* Result -> JSON (share/schema, version 2, version 1 on request). Every number passes
  * cr_round12, so that the text is the same wherever the last bits differ; what is not a number
  * becomes null. */
 #include "config.h"

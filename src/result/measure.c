@@ -1,4 +1,4 @@
-/* What is reported of a finished solution (method.md 6, literature.md 4). */
+/* What is reported of a finished solution (share/doc/sources.md, "Measures"). */
 #include "result/result_priv.h"
 
 #include "result/damage.h"

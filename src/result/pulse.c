@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* 10 kHz, the rate of ISO/TS 18571 and of the test vector in literature.md 4.3 */
+/* 10 kHz, the rate of ISO/TS 18571 and of the test vector of [CFC-FILTER] */
 static const double STEP = 1e-4;
 static const double BEFORE = 0.02; /* s of rest ahead of first contact, as test signals have */
 static const double AFTER = 0.02;  /* s beyond the last contact */

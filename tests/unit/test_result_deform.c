@@ -248,7 +248,7 @@ static void outline_of_nothing(void **state) {
 static void cdc_of_known_crashes(void **state) {
     (void)state;
     char cdc[12];
-    /* 2018 Camry on a full wall, 0.518 m: 12FDEW2 (literature.md 6.4); pillar 2.4 m behind the
+    /* 2018 Camry on a full wall, 0.518 m: 12FDEW2 [CAMRY-CDC]; pillar 2.4 m behind the
      * bumper */
     struct cr_cdc_case what = {.pdof = 0,
                                .face = CR_FACE_FRONT,

@@ -121,7 +121,7 @@ static void constant_deceleration(void **state) {
     check_near(s->pulse, 0.1, 1e-12);
     check_near(s->speed_after, 0, 1e-9);
     check_near(s->t_depth_max, 0.075, 1e-12);
-    /* literature.md 4.4, stopped before t2: t1 = sqrt(0.13 / 160), s = 0.8 m at 0.1 s, from there
+    /* [OLC-STEPS], stopped before t2: t1 = sqrt(0.13 / 160), s = 0.8 m at 0.1 s, from there
      * 16 m/s: t2 = 2 (0.3 - 0.8) / 16 + 0.2 - t1; CFC60 rounds the corners of the pulse off */
     check_near(s->olc, 16 / (0.1375 - 2 * sqrt(0.13 / 160)), 0.5);
     /* 50 ms inside the pulse */

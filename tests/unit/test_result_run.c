@@ -176,7 +176,7 @@ static void interrupted_solves_leave_their_part(void **state) {
     ctx = before;
 }
 
-/* keys of formats.md in its order; others may stand between them */
+/* keys of the schema of results in its order; others may stand between them */
 static void check_order(const cJSON *object, const char *const *key, int n) {
     const cJSON *item = object->child;
     for (int i = 0; i < n; i++) {
@@ -184,7 +184,7 @@ static void check_order(const cJSON *object, const char *const *key, int n) {
             item = item->next;
         }
         if (!item) {
-            fail_msg("no '%s' where formats.md has it", key[i]);
+            fail_msg("no '%s' where the schema has it", key[i]);
         }
     }
 }
