@@ -234,9 +234,8 @@ enum cr_err cr_result_json(const struct cr_result *r, const struct cr_result_opt
     return code == CR_ERR_OK ? print(json, opts->pretty, out, err) : code;
 }
 
-enum cr_err cr_result_error_json(const char *scene, const struct cr_error *what,
-                                 const struct cr_result_opts *opts, struct cr_str *out,
-                                 struct cr_error *err) {
+cJSON *cr_result_error_tree(const char *scene, const struct cr_error *what,
+                            const struct cr_result_opts *opts) {
     cJSON *json = cJSON_CreateObject();
     cr_json_put(json, "crumple_result", opts->version ? opts->version : CR_RESULT_VERSION);
     cJSON_AddStringToObject(json, "scene", scene ? scene : "");
@@ -258,5 +257,11 @@ enum cr_err cr_result_error_json(const char *scene, const struct cr_error *what,
     cr_str_add(&s, what->where);
     cJSON_AddStringToObject(e, "where", cr_str_get(&s));
     cr_str_fini(&s);
-    return print(json, opts->pretty, out, err);
+    return json;
+}
+
+enum cr_err cr_result_error_json(const char *scene, const struct cr_error *what,
+                                 const struct cr_result_opts *opts, struct cr_str *out,
+                                 struct cr_error *err) {
+    return print(cr_result_error_tree(scene, what, opts), opts->pretty, out, err);
 }
