@@ -172,7 +172,10 @@ CR_MUST_CHECK enum cr_err cr_result_json(const struct cr_result *result,
 /* SHA-256 of the scene's JSON text as `input.scene_sha256` has it. Errors: MEMORY. */
 CR_MUST_CHECK enum cr_err cr_result_scene_hash(const struct cr_scene *scene, char hex[CR_HASH_SIZE],
                                                struct cr_error *err);
-/* The error object of a scene that could not be solved. */
+/* The error object of a scene that could not be solved: as a tree of cJSON, which the caller
+ * deletes (NULL when memory is out), and as text with a newline. */
+struct cJSON *cr_result_error_tree(const char *scene, const struct cr_error *what,
+                                   const struct cr_result_opts *opts);
 CR_MUST_CHECK enum cr_err cr_result_error_json(const char *scene, const struct cr_error *what,
                                                const struct cr_result_opts *opts,
                                                struct cr_str *out, struct cr_error *err);

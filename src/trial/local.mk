@@ -62,7 +62,8 @@ validationpulsedir = $(pkgdatadir)/validation/pulse
 dist_validationpulse_DATA = \
 	share/validation/pulse/camry-10146.json
 validationdocdir = $(docdir)
-dist_validationdoc_DATA = share/doc/validation.md share/doc/method.md share/doc/sources.md
+dist_validationdoc_DATA = share/doc/validation.md share/doc/library.md \
+	share/doc/method.md share/doc/sources.md
 dist_man_MANS += man/crumple-validation.7
 validationfielddir = $(pkgdatadir)/validation/field
 dist_validationfield_DATA = share/validation/field/crush_edr.csv share/validation/field/filter.csv
