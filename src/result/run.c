@@ -48,7 +48,7 @@ static double guess_pdof(const struct cr_scene *scene, int i) {
         struct cr_vec2 rel = cr_vec2_sub(approach(&scene->part[k], &from, &unused), vel);
         struct cr_vec2 way = cr_vec2_sub(pos, from);
         double speed2 = cr_vec2_dot(rel, rel);
-        // time of the nearest approach of the reference points
+        /* time of the nearest approach of the reference points */
         double t = speed2 > 0 ? cr_vec2_dot(way, rel) / speed2 : (double)INFINITY;
         t = t < 0 && speed2 > 0 ? 1e3 - t : t;
         if (t < soonest) {
