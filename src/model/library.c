@@ -142,6 +142,10 @@ const struct cr_dims *cr_model_dims(const struct cr_model_lib *lib, enum cr_type
     return &r->dims;
 }
 
+const struct cr_model_rules *cr_model_rules(const struct cr_model_lib *lib, enum cr_type type) {
+    return &recipe_of(lib, type)->rules;
+}
+
 void cr_model_pillars(const struct cr_model_lib *lib, enum cr_type type, double *a, double *b) {
     const struct cr_model_recipe *r = recipe_of(lib, type);
     *a = (r->a_pillar - r->dims.front_overhang) / r->dims.wheelbase;

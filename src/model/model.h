@@ -92,6 +92,15 @@ CR_MUST_CHECK enum cr_err cr_model_need_all(const struct cr_model_lib *lib, stru
 const struct cr_dims *cr_model_dims(const struct cr_model_lib *lib, enum cr_type type,
                                     double *mass_kg);
 
+/* What is assumed of a vehicle of a type that was not given: offset and rise per kg of its mass,
+ * and the share of the height from which its front and rear have material that crushes. */
+struct cr_model_rules {
+    double cg_height, cg_height_per_kg; /* m, m/kg */
+    double track, track_per_kg;         /* m, m/kg */
+    double end_low;                     /* of the height */
+};
+const struct cr_model_rules *cr_model_rules(const struct cr_model_lib *lib, enum cr_type type);
+
 /* Where the pillars stand: share of the wheelbase behind the front axle, the same for all vehicles
  * of a type (stretch.c). */
 void cr_model_pillars(const struct cr_model_lib *lib, enum cr_type type, double *a, double *b);

@@ -305,9 +305,9 @@ static enum cr_err make_body(struct making *m, int i) {
 }
 
 /* What a vehicle's end holds out at another, as shares of its height: from under the bumper beam to
- * the bonnet. The class medians of the recipes' profiles, where an SUV stands 0.1 m higher; a flank
- * goes up to the roof. */
-static const double end_low = 0.12, end_low_suv = 0.162, end_high = 0.65;
+ * the bonnet; the recipe says from where, the middle of a car's is end_low. A flank goes up to the
+ * roof. */
+static const double end_low = 0.12, end_high = 0.65;
 /* Material below this share of the height, or above this share of what meets, changes nothing that
  * matters: most pairs need no second grid. */
 static const double low_share = 0.15, high_share = 0.8;
@@ -329,7 +329,7 @@ static struct range held_level(const struct making *m, int i, int k) {
     }
     enum cr_face face = struck_face(m, i, k);
     bool end = cr_face_is_end(face);
-    double low = p->type == CR_TYPE_SUV ? end_low_suv : end_low;
+    double low = cr_model_rules(m->lib, p->type)->end_low;
     return (struct range){low * p->height, (end ? end_high : 1) * p->height};
 }
 
@@ -418,10 +418,9 @@ static enum cr_err make_flank(struct making *m, int i, struct cr_strength *out) 
     if (part == NULL) {
         return no_memory(m);
     }
-    for (int k = 0; k < CR_PUSHES; k++) {
-        if (k == CR_PUSH_SIDEWAYS || !by_normal) {
-            out->energy[k] = part;
-        }
+    out->energy[CR_PUSH_SIDEWAYS] = part;
+    if (!by_normal) {
+        out->energy[CR_PUSH_REARWARD] = out->energy[CR_PUSH_FORWARD] = part;
     }
     return CR_ERR_OK;
 }

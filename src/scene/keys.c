@@ -69,7 +69,7 @@ static const struct cr_key settings_keys[] = {
      RANGED("", NUMBER, 0, 2), .def = {NAN, 0}, .aux = IN(cr_settings, friction_auto)},
     SETTING("road_friction", "", NUMBER, 0, 2, 0.8, 0.8, road_friction,
             "friction of the tyres on the road"),
-    SETTING("dt_ms", "ms", TIME, 0.001, 5, 0.5, 0.5, dt, "longest time slice"),
+    SETTING("dt_ms", "ms", TIME, 0.001, 5, 1, 0.5, dt, "longest time slice"),
     SETTING("voxel_mm", "mm", LENGTH, 5, 100, 25, 25, voxel, "edge of the voxels"),
     {ROW("elastic_ms", CR_KEY_NUMBER, 0, 0, IN(cr_settings, elastic),
          "length of the elastic compression, and of the restitution, or auto from the force"),

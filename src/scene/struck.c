@@ -24,8 +24,8 @@ static struct box box_of(const struct cr_participant *p) {
     double length = box ? p->length : 2 * p->radius, width = box ? p->width : 2 * p->radius;
     length = isfinite(length) ? length : small;
     width = isfinite(width) ? width : small;
-    double front = p->kind == CR_KIND_VEHICLE ? p->cg_behind_front_axle + p->front_overhang
-                                              : length / 2;
+    double front =
+        p->kind == CR_KIND_VEHICLE ? p->cg_behind_front_axle + p->front_overhang : length / 2;
     return (struct box){{front - length, front}, {-width / 2, width / 2}};
 }
 

@@ -1,9 +1,9 @@
 /* Fits the faces of the six types to public crash tests by solving them.
  *
  * Front: wall tests; force factor and springback by least squares on the measured dynamic crush and
- * the greatest residual depth. Side: pole tests; strength of the flank and slope of what it drags along, so
- * that the greatest depth of each type and the damaged area of all come out. Types with few tests
- * lean on the mean of all. */
+ * the greatest residual depth. Side: pole tests; strength of the flank and slope of what it drags
+ * along, so that the greatest depth of each type and the damaged area of all come out. Types with
+ * few tests lean on the mean of all. */
 #include "trial/calibrate.h"
 
 #include "base/stats.h"
@@ -234,8 +234,8 @@ static enum cr_err side_round(struct cr_calibration *f, struct cr_error *err) {
     slope = cr_clamp(slope, 0.6, 1.6); /* a step that the next round can take back */
     for (int t = 0; t < CR_TYPES; t++) {
         double ratio = pole_ratio(f, t, &n);
-        double force = damaged / cr_test_pole_area *
-                       exp(pole_force * (ratio - all) * n / (n + prior_poles));
+        double force =
+            damaged / cr_test_pole_area * exp(pole_force * (ratio - all) * n / (n + prior_poles));
         struct cr_model_face side = *cr_model_face(f->lib, (enum cr_type)t, CR_MODEL_SIDE);
         scale_face(&side, sqrt(force));
         side.drag_slope *= slope;

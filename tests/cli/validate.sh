@@ -66,7 +66,7 @@ run validate pole --fast --method extended
 area=$(printf '%s\n' "$out" | grep 'median damaged area')
 has "pole:$(printf '%s' "$area" | tr -s ' ' | cut -d: -f2)" "$area" '^ met '
 
-# a deliberately wrong model: without what it drags along the pole goes in twice as deep
+# a deliberately wrong model: with nothing dragged along the pole goes in much deeper
 mkdir "$tmp/models"
 for recipe in "$SRC"/models/*.json; do
     sed 's/"drag_slope": [0-9.]*/"drag_slope": 0/' "$recipe" \
