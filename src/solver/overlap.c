@@ -143,18 +143,30 @@ static double on_surface(double phi, double h) {
     return fmax(1 - fabs(phi) / h, 0);
 }
 
-/* forces, thickness and closing speed of what presses */
+/* Forces, thickness and closing speed of what presses. Voxels beyond the outline have no strength to
+ * say; those inside speak for them, or a structure would seem weaker within its first half voxel. */
 static void sum_cells(struct cr_side *k) {
-    double h = k->m->body->grid.h;
+    const struct cr_grid *g = &k->m->body->grid;
+    double h = g->h, all[2] = {0}, solid[2] = {0};
     for (int i = 0; i < k->cells; i++) {
         const struct cr_cell *c = &k->cell[i];
         double met = c->met * c->strength;
         double end = met * on_surface(c->other, h);
+        bool inside = c->voxel >= 0 && g->fill[c->voxel] > 0;
+        double weight[2] = {c->met * on_surface(c->phi, h), c->met * on_surface(c->other, h)};
+        for (int n = 0; n < 2; n++) {
+            all[n] += weight[n];
+            solid[n] += inside ? weight[n] : 0;
+        }
         k->begin += met * on_surface(c->phi, h);
         k->end += end;
         k->thick += end * c->overlap;
         k->closing += end * c->approach;
     }
+    k->begin *= solid[0] > 0 ? all[0] / solid[0] : 1;
+    k->end *= solid[1] > 0 ? all[1] / solid[1] : 1;
+    k->thick *= solid[1] > 0 ? all[1] / solid[1] : 1;
+    k->closing *= solid[1] > 0 ? all[1] / solid[1] : 1;
 }
 
 double cr_overlap_distance(const struct cr_duo *d, int side, struct cr_vec2 p,

@@ -9,6 +9,13 @@ double cr_touch_weight(const struct cr_duo *d, const struct cr_force *f) {
     return spent > 0 ? 0.5 * mass * closing * closing / spent : (double)INFINITY;
 }
 
+/* Bodies that have parted touch again where they last did because they turn away from each other; a
+ * touch elsewhere is the other end that slaps. */
+static bool is_rubbing(const struct cr_duo *d, const struct cr_force *f) {
+    double way = cr_vec2_len(cr_vec2_sub(f->coe, d->touch->coe));
+    return cr_touch_weight(d, f) < (way < cr_elsewhere ? cr_rubbing_here : cr_rubbing_elsewhere);
+}
+
 /* A pair that has parted can touch slice after slice: that is one contact. */
 static void reopen(struct cr_solver *s, struct cr_touch *t, const struct cr_touch *old,
                    double restitution) {
@@ -44,6 +51,7 @@ bool cr_touch_begin(struct cr_duo *d, const struct cr_force *f) {
     const struct cr_opts *o = &s->cs->opts;
     double e = o->restitution_auto ? cr_restitution_auto(closing, !d->ma->soft || !d->mb->soft)
                                    : o->restitution;
+    bool rubbing = is_rubbing(d, f);
     *t = (struct cr_touch){.record = s->contacts,
                            .last = s->contacts,
                            .coe = f->coe,
@@ -52,7 +60,7 @@ bool cr_touch_begin(struct cr_duo *d, const struct cr_force *f) {
                            .taut = {old.taut[0], old.taut[1]},
                            .spent = old.spent,
                            .restitution = e,
-                           .rubbing = cr_touch_weight(d, f) < cr_rubbing_share};
+                           .rubbing = rubbing};
     wake(d);
     if (t->rubbing && old.rubbing) {
         reopen(s, t, &old, e);

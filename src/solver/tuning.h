@@ -22,8 +22,6 @@ static const double cr_rate_exponent = 0.03;
 /* guard: overlap that is left over from before is taken away at most this much faster than the bodies
  * approach, so that the force is that of the structure: strength times width. */
 static const double cr_pass_most = 1.1;
-/* guard: a surface that stands so steeply to the force (cosine) drags nothing. */
-static const double cr_drag_cosine = 0.02;
 /* fitted: the beam of an end and what stands on it hangs together between its rails, up to this share
  * of the half width; beyond, wing and wheel house are dragged along less, by this slope. */
 static const double cr_rails_share = 0.43, cr_beyond_rails = 3;
@@ -32,7 +30,7 @@ static const double cr_rails_share = 0.43, cr_beyond_rails = 3;
  * past the edge of a rigid barrier as in 398 tests with 25 % overlap. */
 static const double cr_friction_hooked = 1.0, cr_friction_smooth = 0.1;
 /* guard: a force closer to the surface than this cosine has no approach that could be divided by. */
-static const double cr_cosine_least = 0.02;
+static const double cr_cosine_least = 1e-4;
 /* guard: approach below which no contact begins, m/s: rounding after a contact. */
 static const double cr_begin_speed = 1e-3;
 /* guard: share of the plastic impulse that may be missing when the threshold counts as reached. */
@@ -41,12 +39,12 @@ static const double cr_threshold_reached = 1e-4;
  * long a way or time passed without crush, m and s. */
 static const double cr_gap_path = 0.35, cr_gap_time = 0.05;
 /* source: definition. A touch whose energy of approach is below this share of the pair's crush energy
- * is rubbing of bodies that turn away, not the crash. */
-static const double cr_rubbing_share = 0.001;
+ * is rubbing of bodies that turn away, not the crash: where they last touched, and elsewhere. */
+static const double cr_rubbing_here = 0.01, cr_rubbing_elsewhere = 0.001;
 /* source: corners and curved ends lag behind: from this share of an end's width on it is whole. */
 static const double cr_whole_width = 0.95;
 /* guard: approach of two bodies in one slice, voxels. */
-static const double cr_approach_voxels = 0.5;
+static const double cr_approach_voxels = 1;
 /* guard: half the size of a contact patch, m: what turns about the COE within it counts as approach. */
 static const double cr_patch_reach = 0.75;
 /* guard: slices of free motion after a contact are up to this many times longer. */

@@ -8,7 +8,7 @@ static const double length = 4.2, width = 1.8;
 /* Strength grows as the power c of the speed of crush (yield.c), so that two linear fronts in
  * series go d1/d2 = (k2/k1)^(1/(1+c)) deep: where forces are equal, k1 d1 v1^c = k2 d2 v2^c, and
  * v1/v2 = d1/d2. The energies follow, E1/E2 = k1 d1^2/(k2 d2^2); with c -> 0 it is k2/k1. */
-static const double rate = 0.05;
+static const double rate = 0.03;
 
 /* depth of the first front against that of the second */
 static double depth_ratio(double k1, double k2) {
