@@ -30,13 +30,22 @@ static struct opponent opponent_of(const struct cr_moving *me, const struct cr_m
     return o;
 }
 
-/* signed distance of the opponent's surface at p and its normal, body frame */
-static double distance_to(const struct opponent *o, struct cr_vec2 p, struct cr_vec2 *normal) {
+/* signed distance of the opponent's surface at p, body frame */
+static double distance_to(const struct opponent *o, struct cr_vec2 p) {
     struct cr_vec2 q = cr_vec2_add(o->origin, cr_vec2_rotate(p, o->c, o->s)), n;
-    double d = o->m->soft ? cr_surface_distance(&o->m->surface, q, &n)
-                          : cr_shape_distance(&o->m->body->shape, q, &n);
-    *normal = cr_vec2_unrotate(n, o->c, o->s);
-    return d;
+    return o->m->soft ? cr_surface_distance(&o->m->surface, q)
+                      : cr_shape_distance(&o->m->body->shape, q, &n);
+}
+
+/* the opponent's outward normal at p, body frame, not quite of length 1 */
+static struct cr_vec2 normal_to(const struct opponent *o, struct cr_vec2 p) {
+    struct cr_vec2 q = cr_vec2_add(o->origin, cr_vec2_rotate(p, o->c, o->s)), n;
+    if (o->m->soft) {
+        n = cr_surface_gradient(&o->m->surface, q);
+    } else {
+        cr_shape_distance(&o->m->body->shape, q, &n);
+    }
+    return cr_vec2_unrotate(n, o->c, o->s);
 }
 
 static bool room_for_cell(struct cr_side *k) {
@@ -78,31 +87,62 @@ static struct window window_of(const struct cr_moving *me, const struct opponent
     };
 }
 
-/* One voxel; returns how many voxels along the row may be passed over: a distance changes by no more
- * than the way. */
-static double look_at(struct cr_side *k, const struct opponent *o, int ix, int iy) {
+/* The opponent's distance along a row of the body: its grid is walked through by steps. */
+struct walk {
+    const struct cr_surface *f; /* NULL: a rigid shape */
+    double u, v;                /* of the row's voxel 0 in the opponent's padded grid, voxels */
+    double du, dv;              /* from voxel to voxel */
+    double wide, high;          /* of what can be interpolated in that grid, voxels */
+    double h;
+};
+
+static struct walk walk_of(const struct opponent *o, struct cr_vec2 row, double h) {
+    struct walk w = {.f = o->m->soft ? &o->m->surface : NULL};
+    if (w.f == NULL) {
+        return w;
+    }
+    const struct cr_grid *g = w.f->grid;
+    struct cr_vec2 q = cr_vec2_add(o->origin, cr_vec2_rotate(row, o->c, o->s));
+    w.u = (q.x - g->x0) / g->h - 0.5 + CR_MARGIN;
+    w.v = (q.y - g->y0) / g->h - 0.5 + CR_MARGIN;
+    w.du = o->c * h / g->h;
+    w.dv = o->s * h / g->h;
+    w.wide = g->nx + 2 * CR_MARGIN - 2;
+    w.high = g->ny + 2 * CR_MARGIN - 2;
+    w.h = g->h;
+    return w;
+}
+
+/* distance at voxel ix of the row; beyond the grid that to what can be interpolated */
+static inline double walk_at(const struct walk *w, int ix) {
+    double u = w->u + ix * w->du, v = w->v + ix * w->dv;
+    if (!(u >= 1 && v >= 1 && u < w->wide && v < w->high)) {
+        double x = u < 1 ? 1 - u : u - w->wide, y = v < 1 ? 1 - v : v - w->high;
+        double off = (x > y ? x : y) * w->h;
+        return off > w->f->band ? off : w->f->band;
+    }
+    int i = (int)u, j = (int)v;
+    u -= i;
+    v -= j;
+    const double *q = w->f->phi + j * w->f->stride + i, *r = q + w->f->stride;
+    double low = q[0] + u * (q[1] - q[0]), high = r[0] + u * (r[1] - r[0]);
+    return low + v * (high - low);
+}
+
+/* a voxel that lies near both surfaces, into the list */
+static void note_cell(struct cr_side *k, const struct opponent *o, int ix, int iy,
+                      struct cr_cell c) {
     const struct cr_surface *f = &k->m->surface;
     const struct cr_grid *g = f->grid;
-    double h = g->h, outside = cr_kept_voxels * h, near = cr_kept_voxels * h;
+    double h = g->h;
     bool inside = ix >= 0 && iy >= 0 && ix < g->nx && iy < g->ny;
-    int at = cr_surface_at(f, ix, iy), voxel = inside ? iy * g->nx + ix : -1;
-    double phi = f->phi[at];
-    if (phi > outside) {
-        return (phi - outside) / h;
-    }
-    struct cr_cell c = {.voxel = voxel,
-                        .at = at,
-                        .phi = phi,
-                        .place = {g->x0 + (ix + 0.5) * h, g->y0 + (iy + 0.5) * h}};
-    c.other = distance_to(o, c.place, &c.normal);
-    if (c.other > near) {
-        return (c.other - near) / h;
-    }
-    c.overlap = -(phi + c.other);
+    c.voxel = inside ? iy * g->nx + ix : -1;
+    c.at = cr_surface_at(f, ix, iy);
+    c.place = cr_vec2(g->x0 + (ix + 0.5) * h, g->y0 + (iy + 0.5) * h);
+    c.normal = normal_to(o, c.place);
     double steep = cr_vec2_len(c.normal);
-    c.core = fabs(phi - c.other) < 2 * cr_core_voxels * h;
-    if (!(steep > 1e-3) || (c.core && !(c.overlap > 0))) {
-        return 1;
+    if (!(steep > 1e-3)) {
+        return;
     }
     c.normal = cr_vec2_scale(c.normal, 1 / steep);
     struct cr_vec2 v = cr_vec2_axpy(o->still, o->turn, cr_vec2_perp(c.place));
@@ -112,9 +152,43 @@ static double look_at(struct cr_side *k, const struct opponent *o, int ix, int i
     c.met = c.core && c.approach > 0
                 ? fmin(c.overlap / (c.approach * o->dt), 1) * fmin(c.approach / whole, 1)
                 : 0;
-    c.strength = inside ? cr_unit_energy(k, voxel, k->push) * f->dense[voxel] / h : 0;
+    c.strength = inside ? cr_unit_energy(k, c.voxel, k->push) * f->dense[c.voxel] / h : 0;
     k->cell[k->cells++] = c;
-    return 1;
+}
+
+/* The voxels [from, to) of a row; false when memory is out. Voxels that a distance says are far from
+ * one of the surfaces are passed over: it changes by no more than the way. */
+static bool find_in_row(struct cr_side *k, const struct opponent *o, int iy, int from, int to) {
+    const struct cr_surface *f = &k->m->surface;
+    const struct cr_grid *g = f->grid;
+    double h = g->h, kept = cr_kept_voxels * h, per = 1 / h;
+    struct cr_vec2 row = {g->x0 + 0.5 * h, g->y0 + (iy + 0.5) * h};
+    struct walk walk = walk_of(o, row, h);
+    const double *own = f->phi + cr_surface_at(f, 0, iy);
+    for (int ix = from; ix < to;) {
+        struct cr_cell c = {.phi = own[ix]};
+        double far = c.phi - kept;
+        if (far <= 0) {
+            c.other = walk.f != NULL ? walk_at(&walk, ix)
+                                     : distance_to(o, cr_vec2(row.x + ix * h, row.y));
+            far = c.other - kept;
+        }
+        if (far <= 0) {
+            c.overlap = -(c.phi + c.other);
+            double middle = fabs(c.phi - c.other);
+            c.core = middle < 2 * cr_core_voxels * h;
+            /* a gap closes by at most twice the way */
+            far = c.overlap < -h ? 0.5 * (-c.overlap - h) : 0;
+            if (far <= 0 && middle < 2 * kept && (!c.core || c.overlap > 0)) {
+                if (!room_for_cell(k)) {
+                    return false;
+                }
+                note_cell(k, o, ix, iy, c);
+            }
+        }
+        ix += far > h ? (int)(far * per) : 1;
+    }
+    return true;
 }
 
 /* false when memory is out */
@@ -125,14 +199,8 @@ static bool find_cells(struct cr_side *k, const struct opponent *o) {
     for (int iy = w.y0; iy < w.y1; iy++) {
         int row = iy < 0 ? 0 : iy < g->ny ? iy : g->ny - 1;
         int from = rear[row] - EDGE, to = g->nx - front[row] + EDGE;
-        from = from > w.x0 ? from : w.x0;
-        to = to < w.x1 ? to : w.x1;
-        for (int ix = from; ix < to;) {
-            if (!room_for_cell(k)) {
-                return false;
-            }
-            double skip = look_at(k, o, ix, iy);
-            ix += skip > 1 ? (int)skip : 1;
+        if (!find_in_row(k, o, iy, from > w.x0 ? from : w.x0, to < w.x1 ? to : w.x1)) {
+            return false;
         }
     }
     return true;
@@ -172,7 +240,8 @@ static void sum_cells(struct cr_side *k) {
 double cr_overlap_distance(const struct cr_duo *d, int side, struct cr_vec2 p,
                            struct cr_vec2 *normal) {
     struct opponent o = opponent_of(side == 0 ? d->ma : d->mb, side == 0 ? d->mb : d->ma, d->s->dt);
-    return distance_to(&o, p, normal);
+    *normal = normal_to(&o, p);
+    return distance_to(&o, p);
 }
 
 /* Direction in which a body is pushed, its frame: that of the force in the last slice, before the first

@@ -84,6 +84,26 @@ static void spread_piece(struct cr_surface *s, double *near, int ix, int iy, str
     }
 }
 
+/* Further out a lower bound of the distance is enough to pass over empty voxels: from neighbour to
+ * neighbour, a pass forward and a pass back. */
+static void spread_outward(struct cr_surface *s, const double *near) {
+    int w = s->stride, rows = s->grid->ny + 2 * CR_MARGIN;
+    double straight = 0.9 * s->grid->h, slant = 1.3 * s->grid->h;
+    for (int pass = 0; pass < 2; pass++) {
+        int way = pass == 0 ? 1 : -1;
+        for (int n = 0; n < (w - 2) * (rows - 2); n++) {
+            int cell = pass == 0 ? n : (w - 2) * (rows - 2) - 1 - n;
+            int k = (cell / (w - 2) + 1) * w + cell % (w - 2) + 1;
+            if (isfinite(near[k]) || s->phi[k] < 0) {
+                continue;
+            }
+            double d = fmin(s->phi[k - way], s->phi[k - way * w]) + straight;
+            d = fmin(d, fmin(s->phi[k - way * (w - 1)], s->phi[k - way * (w + 1)]) + slant);
+            s->phi[k] = pass == 0 ? fmax(d, s->band) : fmax(fmin(s->phi[k], d), s->band);
+        }
+    }
+}
+
 static void measure_outline(struct cr_surface *s, enum cr_face face) {
     const struct cr_grid *g = s->grid;
     struct cr_lines lines = cr_surface_lines(g, face);
@@ -165,6 +185,7 @@ bool cr_surface_new(struct cr_surface *s, const struct cr_grid *grid, struct cr_
             }
         }
     }
+    spread_outward(s, near);
     for (int f = 0; f < CR_FACES; f++) {
         measure_outline(s, f);
     }
@@ -182,19 +203,42 @@ static inline void parabola(double t, double w[3], double slope[3]) {
     slope[2] = t + 0.5;
 }
 
-double cr_surface_distance(const struct cr_surface *s, struct cr_vec2 p, struct cr_vec2 *gradient) {
+/* Place in the padded grid, in voxels; false beyond it, with the least distance there. */
+static bool place_in(const struct cr_surface *s, struct cr_vec2 p, double *u, double *v,
+                     double *beyond) {
     const struct cr_grid *g = s->grid;
-    double per = 1 / g->h, u = (p.x - g->x0) * per - 0.5, v = (p.y - g->y0) * per - 0.5;
     const double edge = CR_MARGIN - 1;
-    *gradient = cr_vec2(0, 0);
-    if (!(u >= -edge && v >= -edge && u < g->nx - 1 + edge && v < g->ny - 1 + edge)) {
-        double x = fmax(fmax(-u, u - (g->nx - 1)), 0), y = fmax(fmax(-v, v - (g->ny - 1)), 0);
-        return fmax(s->band, g->h * (fmax(x, y) - 1));
+    double x = (p.x - g->x0) / g->h - 0.5, y = (p.y - g->y0) / g->h - 0.5;
+    *u = x + CR_MARGIN;
+    *v = y + CR_MARGIN;
+    if (x >= -edge && y >= -edge && x < g->nx - 1 + edge && y < g->ny - 1 + edge) {
+        return true;
     }
-    u += CR_MARGIN;
-    v += CR_MARGIN;
+    double dx = fmax(fmax(-x, x - (g->nx - 1)), 0), dy = fmax(fmax(-y, y - (g->ny - 1)), 0);
+    *beyond = fmax(s->band, g->h * (fmax(dx, dy) - 1));
+    return false;
+}
+
+double cr_surface_distance(const struct cr_surface *s, struct cr_vec2 p) {
+    double u, v, beyond;
+    if (!place_in(s, p, &u, &v, &beyond)) {
+        return beyond;
+    }
+    int i = (int)u, j = (int)v;
+    u -= i;
+    v -= j;
+    const double *q = s->phi + j * s->stride + i, *r = q + s->stride;
+    double low = q[0] + u * (q[1] - q[0]), high = r[0] + u * (r[1] - r[0]);
+    return low + v * (high - low);
+}
+
+struct cr_vec2 cr_surface_gradient(const struct cr_surface *s, struct cr_vec2 p) {
+    double u, v, beyond;
+    if (!place_in(s, p, &u, &v, &beyond)) {
+        return cr_vec2(0, 0);
+    }
     int i = (int)(u + 0.5), j = (int)(v + 0.5); /* the nearest voxel */
-    double wx[3], wy[3], dx[3], dy[3], x = 0, y = 0;
+    double wx[3], wy[3], dx[3], dy[3], x = 0, y = 0, per = 1 / s->grid->h;
     parabola(u - i, wx, dx);
     parabola(v - j, wy, dy);
     const double *q = s->phi + (j - 1) * s->stride + i - 1;
@@ -202,16 +246,7 @@ double cr_surface_distance(const struct cr_surface *s, struct cr_vec2 p, struct 
         x += wy[k] * (dx[0] * q[0] + dx[1] * q[1] + dx[2] * q[2]);
         y += dy[k] * (wx[0] * q[0] + wx[1] * q[1] + wx[2] * q[2]);
     }
-    *gradient = cr_vec2(x * per, y * per);
-    i = (int)u;
-    j = (int)v;
-    u -= i;
-    v -= j;
-    q = s->phi + j * s->stride + i;
-    double low = q[0] + u * (q[1] - q[0]);
-    q += s->stride;
-    double high = q[0] + u * (q[1] - q[0]);
-    return low + v * (high - low);
+    return cr_vec2(x * per, y * per);
 }
 
 void cr_surface_renew(struct cr_surface *s, enum cr_face face, int line) {

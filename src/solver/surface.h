@@ -50,9 +50,10 @@ static inline int cr_surface_at(const struct cr_surface *s, int ix, int iy) {
 /* The surface of an undamaged grid, memory from the arena; false when memory is out. */
 bool cr_surface_new(struct cr_surface *s, const struct cr_grid *grid, struct cr_arena *arena);
 
-/* Signed distance at a place of the body's frame, m, and its gradient (of about length 1; zero
- * beyond the band). */
-double cr_surface_distance(const struct cr_surface *s, struct cr_vec2 p, struct cr_vec2 *gradient);
+/* Signed distance at a place of the body's frame, m; beyond the band a lower bound. */
+double cr_surface_distance(const struct cr_surface *s, struct cr_vec2 p);
+/* Its gradient there, of about length 1 near the surface. */
+struct cr_vec2 cr_surface_gradient(const struct cr_surface *s, struct cr_vec2 p);
 
 /* What is left of a voxel whose surface lies at phi and has the normal n, body frame. */
 static inline double cr_surface_left(double phi, struct cr_vec2 n, double h, double dense) {
