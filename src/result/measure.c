@@ -5,6 +5,7 @@
 #include "result/pulse.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -53,6 +54,16 @@ static int impacts_of(const struct cr_events *all, int body) {
     return n;
 }
 
+/* The model of a vehicle by name; strengths that are mixed by the force are told by the sector that the
+ * force lies in. */
+static void name_model(const struct cr_result *r, int i, struct cr_severity *s) {
+    const struct cr_participant *p = &r->resolved.part[i];
+    memcpy(s->model, r->compiled.model[i], sizeof s->model);
+    if (cr_scene_by_push(p) && p->model.kind != CR_MODEL_STIFFNESS) {
+        snprintf(s->model, sizeof s->model, "%s/%d", cr_type_word(p->type), s->pdof_clock);
+    }
+}
+
 static void measure_motion(const struct taking *t, const struct cr_event *e, int side,
                            struct cr_severity *s) {
     const struct cr_result *r = t->r;
@@ -78,7 +89,7 @@ static void measure_motion(const struct taking *t, const struct cr_event *e, int
     s->course_after = atan2(after->vel.y, after->vel.x);
     s->yaw_rate_after = after->yaw_rate;
     s->t_depth_max = e->t_elastic_end - r->solution->body[i].t_first;
-    memcpy(s->model, r->compiled.model[i], sizeof s->model);
+    name_model(r, i, s);
 }
 
 static enum cr_err filter(struct cr_pulse *p, struct cr_error *err) {
@@ -248,7 +259,7 @@ static void measure_totals(const struct taking *t, int body, struct cr_severity 
             }
         }
     }
-    memcpy(s->model, r->compiled.model[body], sizeof s->model);
+    name_model(r, body, s);
     s->energy = o->energy;
     s->energy_induced = o->induced;
     s->ees = mass > 0 ? sqrt(2 * o->energy / mass) : 0;

@@ -11,8 +11,6 @@
 /* the trial's voxels and time slices, never finer than the scene's own */
 static const double TRIAL_VOXEL = 0.1; /* m */
 static const double TRIAL_DT = 2e-3;   /* s */
-/* a blended model is solved anew when the direction moved by more than half a sector */
-static const double BLEND_MOVED = CR_PI / 12;
 
 /* velocity at the end of the approach, world, m/s */
 static struct cr_vec2 approach(const struct cr_participant *p, struct cr_vec2 *pos,
@@ -63,9 +61,9 @@ static double guess_pdof(const struct cr_scene *scene, int i) {
 }
 
 /* the model of one sector must be chosen by the direction of the force, which the solve tells */
-static bool is_auto(const struct cr_scene *scene, const struct cr_participant *p) {
+static bool is_auto(const struct cr_participant *p) {
     return p->kind == CR_KIND_VEHICLE && p->model.kind != CR_MODEL_FILE &&
-           p->model.pdof_kind == CR_PDOF_AUTO && !cr_scene_by_normal(scene, p);
+           p->model.pdof_kind == CR_PDOF_AUTO && !cr_scene_by_push(p);
 }
 
 /* PDOF of the velocity change of every vehicle that was struck */
@@ -171,18 +169,13 @@ static enum cr_err trial(const struct cr_scene *scene, const struct cr_context *
 }
 
 /* the model that belongs to direction b is another one than that of a */
-static bool moved(const struct cr_scene *scene, const struct cr_participant *p, double a,
-                  double b) {
-    if (!is_auto(scene, p)) {
-        return false;
-    }
-    return p->model.blend ? fabs(cr_angle_wrap(b - a)) > BLEND_MOVED
-                          : cr_pdof_clock(a) != cr_pdof_clock(b);
+static bool moved(const struct cr_participant *p, double a, double b) {
+    return is_auto(p) && cr_pdof_clock(a) != cr_pdof_clock(b);
 }
 
 static int first_moved(const struct cr_scene *scene, const double *a, const double *b) {
     for (int i = 0; i < scene->n; i++) {
-        if (moved(scene, &scene->part[i], a[i], b[i])) {
+        if (moved(&scene->part[i], a[i], b[i])) {
             return i;
         }
     }
@@ -197,7 +190,7 @@ static enum cr_err settle(struct cr_result *r, const struct cr_context *ctx, str
     enum cr_err rc = CR_ERR_OK;
     for (int i = 0; i < scene->n; i++) {
         pdof[i] = scene->part[i].kind == CR_KIND_VEHICLE ? guess_pdof(scene, i) : 0;
-        any = any || is_auto(scene, &scene->part[i]);
+        any = any || is_auto(&scene->part[i]);
     }
     if (any) {
         rc = trial(scene, ctx, pdof, err);

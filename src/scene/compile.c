@@ -136,13 +136,13 @@ struct range {
     double lo, hi; /* m above the road */
 };
 
-bool cr_scene_by_normal(const struct cr_scene *scene, const struct cr_participant *p) {
+bool cr_scene_by_push(const struct cr_participant *p) {
     return p->kind == CR_KIND_VEHICLE && p->model.kind != CR_MODEL_FILE &&
-           p->model.pdof_kind == CR_PDOF_AUTO && scene->set.method == CR_METHOD_EXTENDED;
+           p->model.pdof_kind == CR_PDOF_AUTO && p->model.blend;
 }
 
 /* The strengths of vehicle i by the way it is pushed, of the layers in a range of heights: those of
- * the models of 12, 6 and 3 o'clock, which the solver mixes by the normal at each voxel. */
+ * the models of 12, 6 and 3 o'clock, which the solver mixes by the direction of the force. */
 static enum cr_err make_strength(struct making *m, int i, struct range z, struct cr_strength *out) {
     static const double pdof[CR_PUSHES] = {
         [CR_PUSH_REARWARD] = 0, [CR_PUSH_FORWARD] = CR_PI, [CR_PUSH_SIDEWAYS] = CR_PI / 2};
@@ -172,7 +172,7 @@ static enum cr_err make_vehicle(struct making *m, int i, struct cr_body *body) {
     make_wheels(p, body);
     struct cr_model_query query = query_of(m, i, 0, INFINITY);
     enum cr_err code = make_grid(m, i, &query, &body->grid);
-    if (code == CR_ERR_OK && cr_scene_by_normal(m->scene, p)) {
+    if (code == CR_ERR_OK && cr_scene_by_push(p)) {
         code = make_strength(m, i, (struct range){0, INFINITY}, &body->strength);
     }
     if (code == CR_ERR_OK) {
@@ -379,7 +379,7 @@ static enum cr_err make_partial(struct making *m, int i, struct range meet,
         *out = (struct cr_strength){{none, none, none}};
         return none != NULL ? CR_ERR_OK : no_memory(m);
     }
-    if (cr_scene_by_normal(m->scene, &m->scene->part[i])) {
+    if (cr_scene_by_push(&m->scene->part[i])) {
         return make_strength(m, i, meet, out);
     }
     struct cr_model_query query = query_of(m, i, meet.lo, meet.hi);
@@ -412,14 +412,14 @@ static const double *weaker(struct making *m, const struct cr_grid *g, const dou
 /* The flank of vehicle i against another vehicle; its ends as before. */
 static enum cr_err make_flank(struct making *m, int i, struct cr_strength *out) {
     const struct cr_body *b = &m->out->cs.body[i];
-    bool by_normal = cr_scene_by_normal(m->scene, &m->scene->part[i]);
-    const double *side = by_normal ? b->strength.energy[CR_PUSH_SIDEWAYS] : b->grid.energy;
+    bool by_push = cr_scene_by_push(&m->scene->part[i]);
+    const double *side = by_push ? b->strength.energy[CR_PUSH_SIDEWAYS] : b->grid.energy;
     const double *part = weaker(m, &b->grid, side);
     if (part == NULL) {
         return no_memory(m);
     }
     out->energy[CR_PUSH_SIDEWAYS] = part;
-    if (!by_normal) {
+    if (!by_push) {
         out->energy[CR_PUSH_REARWARD] = out->energy[CR_PUSH_FORWARD] = part;
     }
     return CR_ERR_OK;
@@ -457,12 +457,12 @@ static enum cr_err make_layers(struct making *m, int i, int k) {
 static enum cr_err make_against(struct making *m, int i, int k) {
     bool flank = !cr_face_is_end(struck_face(m, i, k));
     bool vehicle = m->scene->part[k].kind == CR_KIND_VEHICLE;
-    bool by_normal = cr_scene_by_normal(m->scene, &m->scene->part[i]);
-    if (vehicle && !by_normal && flank && cr_face_is_end(struck_face(m, k, i))) {
+    bool by_push = cr_scene_by_push(&m->scene->part[i]);
+    if (vehicle && !by_push && flank && cr_face_is_end(struck_face(m, k, i))) {
         return make_flank(m, i, &m->out->cs.body[i].against[k]);
     }
     enum cr_err code = make_layers(m, i, k);
-    if (code == CR_ERR_OK && vehicle && by_normal) {
+    if (code == CR_ERR_OK && vehicle && by_push) {
         code = make_flank(m, i, &m->out->cs.body[i].against[k]);
     }
     return code;

@@ -121,7 +121,7 @@ static const struct cr_key participant_keys[] = {
     OTHER("model.pdof", PDOF, V, 0, "deg", ANGLE, -360, 720, model,
           "direction of force of its model: auto, o'clock 1 to 12, or degrees"),
     {ROW("model.blend", CR_KEY_BOOL, V, 0, IN(cr_participant, model.blend),
-         "mix the models of the two nearest directions (method=paper: the nearest alone)"),
+         "mix the strengths of front, rear and side by the force (method=paper: one sector)"),
      RANGED("", NUMBER, 0, 1), .def = {1, 0}},
     NUMBER("model.energy_factor", V, 0, "", NUMBER, 0.1, 10, 1, model.energy_factor,
            "energy of all its voxels against that of its model"),

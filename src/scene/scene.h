@@ -229,9 +229,9 @@ struct cr_compiled {
     char hash[CR_BODY_MAX][CR_HASH_SIZE]; /* of the model's source */
 };
 
-/* Is the strength of a vehicle mixed by the normal at each voxel, so that no sector of the PDOF has
- * to be known before the solve? */
-bool cr_scene_by_normal(const struct cr_scene *scene, const struct cr_participant *p);
+/* Does a vehicle resist with strengths that are mixed by the direction in which it is pushed
+ * (model.blend), so that no sector of the PDOF has to be known before the solve? */
+bool cr_scene_by_push(const struct cr_participant *p);
 
 /* Resolved scene -> case. pdof[i] is the PDOF (rad) for vehicle i's model, used where the model
  * choice is auto. Own model files are read here. Errors: those of the model functions. */

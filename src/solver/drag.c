@@ -53,19 +53,22 @@ static void hold(struct face *f, struct cr_vec2 place, struct cr_hold *hold) {
     struct cr_vec2 r = cr_vec2_sub(place, f->lines.corner);
     double at = cr_vec2_dot(r, f->lines.along) / h - 0.5, deep = cr_vec2_dot(r, f->lines.in);
     struct cr_hold here = {.in = faces};
-    int line = (int)cr_clamp(floor(at), 0, f->lines.n - 2);
+    int near = (int)cr_clamp(floor(at + 0.5), 0, f->lines.n - 1);
+    int from = near > 0 ? near - 1 : 0, to = near + 1 < f->lines.n ? near + 1 : near;
     /* a line that the opponent covers in part is never emptied, but one beside it is */
-    const int *first = s->first[f->face];
-    int open = first[line] > first[line + 1] ? first[line] : first[line + 1];
+    int open = 0;
+    for (int i = from; i <= to; i++) {
+        open = s->first[f->face][i] > open ? s->first[f->face][i] : open;
+    }
     double hidden = fmax(deep - (open + 2.5) * h, 0);
-    for (int i = line; i <= line + 1; i++) {
-        double slope = (i > at ? f->up : f->down) + slope_at(f, line) / here.in;
+    for (int i = from; i <= to; i++) {
+        double slope = i > at ? f->up + slope_at(f, i - 1) / here.in : f->down + slope_at(f, i) / here.in;
         here.depth = deep - 2 * hidden - slope * fabs(i - at) * h;
         here.dragged = fabs(i - at) > 0.499; /* the contact itself is not on that line */
         hold[i] = here.depth > hold[i].depth ? here : hold[i];
     }
-    f->lo = line < f->lo ? line : f->lo;
-    f->hi = line + 1 > f->hi ? line + 1 : f->hi;
+    f->lo = from < f->lo ? from : f->lo;
+    f->hi = to > f->hi ? to : f->hi;
 }
 
 /* The edge of the opponent's surface if one lies within a voxel of a place on it: a voxel's depth

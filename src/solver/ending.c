@@ -59,8 +59,9 @@ static void fly(struct cr_solver *s, double time) {
     }
 }
 
-/* Whether two bodies as they stand press on each other in earnest, and elsewhere than where they
- * last did: there they rub while they turn away, and flying on freely sinks them into each other. */
+/* Whether two bodies as they stand press on each other in earnest: where they last did more than
+ * elsewhere, because there they rub while they turn away, and flying on freely sinks them into each
+ * other. */
 static bool strikes(struct cr_duo *d) {
     struct cr_force f;
     bool met;
@@ -70,8 +71,12 @@ static bool strikes(struct cr_duo *d) {
     cr_yield_share(d);
     bool found = cr_crush_contact(d) && cr_force_find(d, &f);
     cr_crush_settle(d, 0);
-    double way = d->touch->spent > 0 ? cr_vec2_len(cr_vec2_sub(f.coe, d->touch->coe)) : (double)INFINITY;
-    return found && way > cr_elsewhere && cr_touch_weight(d, &f) > cr_strike_share;
+    if (!found) {
+        return false;
+    }
+    bool here = d->touch->spent > 0 &&
+                cr_vec2_len(cr_vec2_sub(f.coe, d->touch->coe)) < cr_elsewhere;
+    return cr_touch_weight(d, &f) > (here ? cr_rubbing_here : cr_strike_share);
 }
 
 /* Time until any two bodies strike again if they fly on freely, infinite beyond the cr_horizon. */

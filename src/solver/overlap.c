@@ -295,7 +295,8 @@ double cr_overlap_area(struct cr_duo *d) {
         for (int i = 0; i < k->cells; i++) {
             const struct cr_cell *c = &k->cell[i];
             double there = cr_clamp(0.5 - c->other / h, 0, 1);
-            area += c->voxel >= 0 && c->strength > 0 ? fmin(k->m->surface.left[c->voxel], there) * h * h : 0;
+            double both = c->voxel >= 0 ? k->m->surface.left[c->voxel] + there - 1 : 0;
+            area += c->strength > 0 ? fmax(both, 0) * h * h : 0;
         }
         most = fmax(most, area);
     }

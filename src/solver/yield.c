@@ -8,15 +8,19 @@
  * and the right falls while no structure gets weaker as it is crushed, so there is one share. */
 #include "solver/crush.h"
 #include "solver/tuning.h"
-#include <stdio.h>
-#include <stdlib.h>
+
+/* force of a structure that gives way by a share of the overlap, N; one that gets weaker within the
+ * slice counts with its mean, or rounding would choose between two shares */
+static double force_of(const struct cr_side *k, double share) {
+    double rise = fmax(k->end - k->begin, 0);
+    return 0.5 * (k->begin + k->end) + (share - 0.5) * rise;
+}
 
 /* logarithm of the ratio of the two forces for the share of a whose odds' logarithm is t */
 static double imbalance(const struct cr_duo *d, double t) {
     const struct cr_side *a = &d->s->side[0], *b = &d->s->side[1];
     double share = 1 / (1 + exp(-t));
-    double fa = d->touch->taut[0] + a->begin + share * (a->end - a->begin);
-    double fb = d->touch->taut[1] + b->begin + (1 - share) * (b->end - b->begin);
+    double fa = d->touch->taut[0] + force_of(a, share), fb = d->touch->taut[1] + force_of(b, 1 - share);
     return cr_rate_exponent * t + log(fmax(fa, 1e-9) / fmax(fb, 1e-9));
 }
 

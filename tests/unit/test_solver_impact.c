@@ -44,7 +44,7 @@ static void check_series(const struct pair *p, double h, double shift) {
     check_near(a->energy, e1, h / sqrt(2 * e1 / k1) * e1);
     check_near(b->energy, e2, h / sqrt(2 * e2 / k2) * e2);
     double x = (a->rest.crushed + b->rest.crushed) / width;
-    check_near(x, v / w * sqrt(1 - p->e * p->e), 2e-3 * x);
+    check_near(x, v / w * sqrt(1 - p->e * p->e), 3e-3 * x);
     check_near(a->delta_v.x, -(1 + p->e) * m * v / p->m1, 1e-4 * v);
     check_near(b->delta_v.x, (1 + p->e) * m * v / p->m2, 1e-4 * v);
     const struct cr_contact *c = &o->contact[0];
@@ -157,7 +157,7 @@ static void planar_impulse_without_restitution(void **state) {
     (void)state;
     static const struct planar want = {2.3308594, 3.9712938, -2.1777700, 3.0469737,
                                        1.1297097, 1.5747873, 296577.293};
-    check_planar(0, &want, 2e-5, 2e-3, 1e-4);
+    check_planar(0, &want, 3e-5, 2e-3, 1e-4);
 }
 
 /* The elastic phases act along the last force direction, while Poisson's full impulse keeps T/N:
@@ -231,7 +231,8 @@ static void part_of_the_width_in_series(void **state) {
         struct cr_solver *s = solved(&cs);
         const struct cr_outcome *o = cr_solver_solution(s)->body;
         double r = depth_ratio(1, ratio), share = r * r / (r * r + ratio);
-        check_near(o[0].energy / (o[0].energy + o[1].energy), share, 0.008);
+        /* the edges of the overlap are as round as a voxel is wide: 4 % of a share */
+        check_near(o[0].energy / (o[0].energy + o[1].energy), share, 0.016);
         cr_solver_free(s);
         cr_arena_free(&arena);
     }

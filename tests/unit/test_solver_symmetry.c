@@ -42,11 +42,20 @@ static void same(const struct numbers *a, const struct numbers *b, bool swapped,
     assert_int_equal(a->stop, b->stop);
 }
 
+/* A typical case with the second body moved off the first one's grid: where the lines of both lie on
+ * each other to the last bit, rounding decides which of two voxels a distance is just beyond, and the
+ * numbers differ by up to 0.6 %. */
+static struct cr_case off_grid(struct cr_arena *arena, enum typical which) {
+    struct cr_case cs = typical_case(arena, which, voxel, cr_vec2(0, 0));
+    cs.body[1].pos = cr_vec2_add(cs.body[1].pos, cr_vec2(0.0007, 0.0053));
+    return cs;
+}
+
 static void mirror_image(void **state) {
     (void)state;
     for (int k = 0; k < TYPICAL_COUNT; k++) {
         struct cr_arena arena = {0};
-        struct cr_case cs = typical_case(&arena, k, voxel, cr_vec2(0, 0));
+        struct cr_case cs = off_grid(&arena, k);
         struct numbers seen = numbers_of(&cs);
         for (int i = 0; i < cs.n; i++) { /* the grids are mirror images of themselves */
             cs.body[i].pos.y *= -1;
@@ -65,7 +74,7 @@ static void rotation(void **state) {
     (void)state;
     for (int k = 0; k < TYPICAL_COUNT; k++) {
         struct cr_arena arena = {0};
-        struct cr_case cs = typical_case(&arena, k, voxel, cr_vec2(0, 0));
+        struct cr_case cs = off_grid(&arena, k);
         struct numbers seen = numbers_of(&cs);
         for (double deg = 15; deg < 360; deg += 55) {
             struct cr_case moved = case_moved(cs, cr_rad(deg), 0, 0);
@@ -83,7 +92,7 @@ static void shift(void **state) {
     (void)state;
     for (int k = 0; k < TYPICAL_COUNT; k++) {
         struct cr_arena arena = {0};
-        struct cr_case cs = typical_case(&arena, k, voxel, cr_vec2(0, 0));
+        struct cr_case cs = off_grid(&arena, k);
         struct numbers seen = numbers_of(&cs);
         struct cr_case near = case_moved(cs, 0, 3.77, -1.3), far = case_moved(cs, 0, 1000, -700);
         struct numbers n = numbers_of(&near), f = numbers_of(&far);
@@ -97,7 +106,7 @@ static void swapped_participants(void **state) {
     (void)state;
     for (int k = 0; k < TYPICAL_COUNT; k++) {
         struct cr_arena arena = {0};
-        struct cr_case cs = typical_case(&arena, k, voxel, cr_vec2(0, 0)), other = cs;
+        struct cr_case cs = off_grid(&arena, k), other = cs;
         other.body[0] = cs.body[1];
         other.body[1] = cs.body[0];
         struct numbers seen = numbers_of(&cs), swapped = numbers_of(&other);
@@ -134,7 +143,7 @@ static void moving_frame(void **state) {
     (void)state;
     for (int k = 0; k < TYPICAL_COUNT; k++) {
         struct cr_arena arena = {0};
-        struct cr_case cs = typical_case(&arena, k, voxel, cr_vec2(0, 0));
+        struct cr_case cs = off_grid(&arena, k);
         cs.body[0].wheels = cs.body[1].wheels = 0;
         if (cs.body[1].mass > 0) {
             struct numbers seen = numbers_of(&cs);
@@ -165,7 +174,7 @@ static void same_bits_twice_and_stepwise(void **state) {
     (void)state;
     for (int k = 0; k < TYPICAL_COUNT; k++) {
         struct cr_arena arena = {0};
-        struct cr_case cs = typical_case(&arena, k, voxel, cr_vec2(0, 0));
+        struct cr_case cs = off_grid(&arena, k);
         struct cr_solver *a = solved(&cs), *b = solved(&cs), *c = NULL;
         same_trace(a, b);
         struct cr_error err;
