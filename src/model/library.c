@@ -295,6 +295,7 @@ static void stiffness_face(const struct cr_stiffness *s, double width, double ma
                            struct cr_model_face *f) {
     const double far = 3; /* m, deeper than any half of a car */
     f->own_metres = true;
+    f->beyond = 0;
     if (s->b <= 0) { /* steady force A, no energy without residual depth */
         f->energy_linear = true;
         f->springback = 0;

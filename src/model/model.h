@@ -66,9 +66,11 @@ struct cr_model_face {
     struct cr_model_knots ees; /* depth m -> EES m/s, dynamic */
     bool energy_linear;        /* between the knots EES^2 is linear (steady force), not EES */
     bool own_metres;           /* depth in m of the vehicle itself, not of the reference vehicle */
+    double compartment;        /* force beyond the last knot on the reference vehicle, N, and at */
+    double beyond;             /* least this per kg; 0: the last slope of the curve goes on */
     double springback;         /* dynamic minus residual depth, m */
     double spread;             /* of the residual curve: it takes here what springs back, m */
-    double tension_per_kg;     /* string of the induced deformation, N/kg */
+    double drag_slope;         /* by which the depth falls beside a contact at most */
 };
 
 struct cr_model_lib;
@@ -175,9 +177,9 @@ struct cr_voxels {
     double mass_kg;    /* of the vehicle whose energies these are */
     double pdof;       /* rad, as in the query */
     struct cr_dims dims;
-    double tension[CR_FACES], springback[CR_FACES]; /* as in struct cr_grid */
-    const double *fill;                             /* 0..1 */
-    const double *energy;                           /* J */
+    double drag_slope[CR_FACES], springback[CR_FACES]; /* as in struct cr_grid */
+    const double *fill;                                /* 0..1 */
+    const double *energy;                              /* J */
 };
 enum { CR_VOXELS_MAX = 50000000 };
 

@@ -78,7 +78,7 @@ static void read_shape(struct cr_model_json *j, const cJSON *root, struct cr_mod
     cr_model_json_leave(j);
 }
 
-static void read_face(struct cr_model_json *j, const cJSON *faces, const char *key,
+static void read_face(struct cr_model_json *j, const cJSON *faces, const char *key, double mass,
                       struct cr_model_face *f) {
     const cJSON *o = cr_model_json_object(j, faces, key);
     cr_model_json_knots(j, o, "depth_m_ees_kmh", &f->ees);
@@ -94,9 +94,14 @@ static void read_face(struct cr_model_json *j, const cJSON *faces, const char *k
     }
     static const char *const between[] = {"ees", "energy"};
     f->energy_linear = cr_model_json_word(j, o, "between", between, 2) == 1;
+    f->compartment = 0;
+    if (cJSON_HasObjectItem(o, "compartment_N")) {
+        f->compartment = cr_model_json_number(j, o, "compartment_N", 0, 1e7);
+    }
+    f->beyond = f->compartment / mass;
     f->springback = cr_model_json_number(j, o, "springback_m", 0, 0.6);
     f->spread = cr_model_json_number(j, o, "residual_spread_m", 0.01, 0.6);
-    f->tension_per_kg = cr_model_json_number(j, o, "tension_N_per_kg", 0, 1000);
+    f->drag_slope = cr_model_json_number(j, o, "drag_slope", 0, 100);
     cr_model_json_leave(j);
 }
 
@@ -148,9 +153,9 @@ enum cr_err cr_model_recipe_read(const char *text, size_t len, const char *src,
     read_rules(&j, root, &r->rules);
     read_shape(&j, root, r);
     const cJSON *faces = cr_model_json_object(&j, root, "faces");
-    read_face(&j, faces, "front", &r->face[CR_MODEL_FRONT]);
-    read_face(&j, faces, "side", &r->face[CR_MODEL_SIDE]);
-    read_face(&j, faces, "rear", &r->face[CR_MODEL_REAR]);
+    read_face(&j, faces, "front", r->mass, &r->face[CR_MODEL_FRONT]);
+    read_face(&j, faces, "side", r->mass, &r->face[CR_MODEL_SIDE]);
+    read_face(&j, faces, "rear", r->mass, &r->face[CR_MODEL_REAR]);
     cr_model_json_leave(&j);
     read_structures(&j, root, r);
     cJSON_Delete(root);

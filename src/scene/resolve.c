@@ -142,10 +142,25 @@ static enum cr_err resolve_object(struct cr_participant *p, struct cr_assumed *a
     return assume(assumed, p->id, "height_m", err);
 }
 
+/* what the method decides of a vehicle's model where the scene does not */
+static void resolve_model(struct cr_participant *p, int method) {
+    int n;
+    const struct cr_key *row = cr_scene_keys(CR_KEYS_PARTICIPANT, &n);
+    const struct cr_key *blend =
+        cr_scene_key_find(CR_KEYS_PARTICIPANT, "model.blend", CR_FOR_VEHICLE);
+    if ((p->given >> (blend - row) & 1) == 0) {
+        cr_scene_value_reset(blend, p, method);
+    }
+}
+
 static enum cr_err resolve_part(struct cr_reader *r, struct cr_participant *p,
-                                const struct cr_model_lib *lib, struct cr_assumed *assumed) {
+                                const struct cr_model_lib *lib, int method,
+                                struct cr_assumed *assumed) {
     enum cr_err code = cr_scene_part_complete(r, p);
     cr_scene_model_kind(p);
+    if (p->kind == CR_KIND_VEHICLE) {
+        resolve_model(p, method);
+    }
     if (code == CR_ERR_OK) {
         code = cr_scene_part_check(r, p);
     }
@@ -190,7 +205,7 @@ enum cr_err cr_scene_resolve(struct cr_scene *scene, const struct cr_model_lib *
         char token[12];
         snprintf(token, sizeof token, "%d", i);
         size_t up = cr_scene_enter(&r, token);
-        code = resolve_part(&r, &scene->part[i], lib, assumed);
+        code = resolve_part(&r, &scene->part[i], lib, (int)scene->set.method, assumed);
         cr_scene_leave(&r, up);
     }
     return code;
