@@ -28,13 +28,30 @@ static const struct {
     [CR_TYPE_SUV] = {0.511, 8.05e-5, 1.330, 1.39e-4},
 };
 
-/* Length: in proportion to a wheelbase that is given, else with the cube root of mass, the trend of
- * the class medians (exponents 0.36 to 0.38) [CLASS-SIZES], by no more than a fifth. */
+/* Length: the type's, in proportion to a wheelbase that is given. Load makes no car longer. */
 static double rule_length(const struct basis *b) {
-    double size = !isnan(b->part->wheelbase)
-                      ? b->part->wheelbase / b->ref->wheelbase
-                      : cr_clamp(cbrt(b->part->mass / b->ref_mass), 0.8, 1.2);
+    double size = !isnan(b->part->wheelbase) ? b->part->wheelbase / b->ref->wheelbase : 1;
     return b->ref->length * size;
+}
+
+/* Kerb mass: what a load leaves of the mass; else the type's (its recipe has the mass as tested),
+ * with the power of length that is the inverse of the trend of the class medians, whose lengths go
+ * with mass to the 0.36 to 0.38 [CLASS-SIZES]. */
+static double rule_kerb_mass(const struct basis *b) {
+    const struct cr_participant *p = b->part;
+    if (!isnan(p->mass) && !isnan(p->load)) {
+        return p->mass - p->load;
+    }
+    return (b->ref_mass - CR_TEST_LOAD) * pow(p->length / b->ref->length, 2.7);
+}
+
+static double rule_load(const struct basis *b) {
+    const struct cr_participant *p = b->part;
+    return isnan(p->mass) ? 0 : fmax(0, p->mass - p->kerb_mass);
+}
+
+static double rule_mass(const struct basis *b) {
+    return b->part->kerb_mass + b->part->load;
 }
 
 /* Width goes with the square root of length [CLASS-SIZES]. */
@@ -53,7 +70,8 @@ static double rule_wheelbase(const struct basis *b) {
 }
 
 static double rule_track(const struct basis *b) {
-    double t = body[b->part->type].track + body[b->part->type].track_per_kg * b->part->mass;
+    double tested = b->part->kerb_mass + CR_TEST_LOAD;
+    double t = body[b->part->type].track + body[b->part->type].track_per_kg * tested;
     return cr_clamp(t, 0.7 * b->part->width, 0.9 * b->part->width);
 }
 
@@ -91,6 +109,9 @@ static const struct {
     {"width_m", rule_width},
     {"height_m", rule_height},
     {"wheelbase_m", rule_wheelbase},
+    {"kerb_mass_kg", rule_kerb_mass},
+    {"load_kg", rule_load},
+    {"mass_kg", rule_mass},
     {"track_m", rule_track},
     {"front_overhang_m", rule_overhang},
     {"cg.behind_front_axle_m", rule_cg},
@@ -125,6 +146,7 @@ static enum cr_err resolve_vehicle(struct cr_participant *p, const struct cr_mod
         return code;
     }
     b.ref = cr_model_dims(lib, p->type, &b.ref_mass);
+    bool weighed = !isnan(p->mass), loaded = !isnan(p->load);
     for (size_t i = 0; i < sizeof rules / sizeof rules[0]; i++) {
         const struct cr_key *key =
             cr_scene_key_find(CR_KEYS_PARTICIPANT, rules[i].key, CR_FOR_VEHICLE);
@@ -133,7 +155,11 @@ static enum cr_err resolve_vehicle(struct cr_participant *p, const struct cr_mod
             continue;
         }
         *x = cr_round12(rules[i].rule(&b)); /* is read in the result, with all its digits */
-        code = assume(assumed, p->id, rules[i].key, err);
+        /* what follows from two given ones is no assumption */
+        bool follows = (strcmp(rules[i].key, "load_kg") == 0 && weighed) ||
+                       (strcmp(rules[i].key, "mass_kg") == 0) ||
+                       (strcmp(rules[i].key, "kerb_mass_kg") == 0 && weighed && loaded);
+        code = follows ? CR_ERR_OK : assume(assumed, p->id, rules[i].key, err);
         if (code != CR_ERR_OK) {
             return code;
         }
