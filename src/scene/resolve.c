@@ -16,21 +16,28 @@ struct basis {
     double ref_mass; /* kg */
 };
 
-/* Length: the type's, in proportion to a wheelbase that is given. Load makes no car longer. */
-static double rule_length(const struct basis *b) {
-    double size = !isnan(b->part->wheelbase) ? b->part->wheelbase / b->ref->wheelbase : 1;
-    return b->ref->length * size;
+/* what is given of the kerb mass, also as what a load leaves of the mass; NaN: nothing */
+static double given_kerb_mass(const struct cr_participant *p) {
+    return isnan(p->kerb_mass) ? p->mass - p->load : p->kerb_mass;
 }
 
-/* Kerb mass: what a load leaves of the mass; else the type's (its recipe has the mass as tested),
- * with the power of length that is the inverse of the trend of the class medians, whose lengths go
- * with mass to the 0.36 to 0.38 [CLASS-SIZES]. */
-static double rule_kerb_mass(const struct basis *b) {
-    const struct cr_participant *p = b->part;
-    if (!isnan(p->mass) && !isnan(p->load)) {
-        return p->mass - p->load;
+/* Length: the type's, in proportion to a wheelbase that is given, else with the cube root of a kerb
+ * mass that is given, the trend of the class medians (exponents 0.36 to 0.38) [CLASS-SIZES], by no
+ * more than a fifth. Load makes no car longer. */
+static double rule_length(const struct basis *b) {
+    double kerb = given_kerb_mass(b->part);
+    if (!isnan(b->part->wheelbase)) {
+        return b->ref->length * b->part->wheelbase / b->ref->wheelbase;
     }
-    return (b->ref_mass - CR_TEST_LOAD) * pow(p->length / b->ref->length, 2.7);
+    double size = isnan(kerb) ? 1 : cbrt((kerb + CR_TEST_LOAD) / b->ref_mass);
+    return b->ref->length * cr_clamp(size, 0.8, 1.2);
+}
+
+/* Kerb mass: what is given of it; else the type's (its recipe has the mass as tested), with the
+ * power of length that is the inverse of that trend. */
+static double rule_kerb_mass(const struct basis *b) {
+    double kerb = given_kerb_mass(b->part), size = b->part->length / b->ref->length;
+    return isnan(kerb) ? (b->ref_mass - CR_TEST_LOAD) * pow(size, 2.7) : kerb;
 }
 
 static double rule_load(const struct basis *b) {

@@ -102,6 +102,15 @@ static void test_sizes_from_type(void **state) {
     }
     check_near(b->yaw_inertia, 1.4 * a->yaw_inertia, 1e-6);
     cr_scene_fini(&s);
+    /* a car that was built heavier is longer, by no more than a fifth */
+    scene_of(CAR_A, CAR_B, &s);
+    s.part[0].kerb_mass = m * 1.331 - CR_TEST_LOAD;
+    s.part[1].kerb_mass = 9000;
+    resolve(&s, NULL);
+    check_near(s.part[0].length, 1.1 * ref->length, 1e-9);
+    check_near(s.part[0].width, sqrt(1.1) * ref->width, 1e-9);
+    check_near(s.part[1].length, 1.2 * ref->length, 1e-9);
+    cr_scene_fini(&s);
     /* a wheelbase that is known decides the length, and that the kerb mass */
     scene_of(CAR_A ", \"wheelbase_m\": 2.5", CAR_B, &s);
     resolve(&s, NULL);
