@@ -295,7 +295,7 @@ enum cr_err cr_file_write(const char *path, const char *text, size_t n, struct c
 
 /* ---- writing piece by piece ---- */
 
-enum cr_err cr_file_out_open(const char *path, struct cr_file_out *out, struct cr_error *err) {
+enum cr_err cr_file_out_name(const char *path, struct cr_file_out *out, struct cr_error *err) {
     struct stat st;
     *out = (struct cr_file_out){.fd = -1};
     char *real = lstat(path, &st) == 0 && S_ISLNK(st.st_mode) ? realpath(path, NULL) : NULL;
@@ -303,34 +303,40 @@ enum cr_err cr_file_out_open(const char *path, struct cr_file_out *out, struct c
     size_t size = strlen(target) + sizeof ".part";
     out->target = malloc(size);
     out->part = malloc(size);
+    if (out->target != NULL && out->part != NULL) {
+        snprintf(out->target, size, "%s", target);
+        snprintf(out->part, size, "%s.part", target);
+    }
+    free(real);
     if (out->target == NULL || out->part == NULL) {
-        free(real);
         cr_file_out_close(out);
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for a name");
     }
-    snprintf(out->target, size, "%s", target);
-    snprintf(out->part, size, "%s.part", target);
-    free(real);
     if (stat(out->target, &st) == 0 && S_ISDIR(st.st_mode)) {
-        errno = EISDIR;
-        enum cr_err code = io_error(err, path, "write");
         cr_file_out_close(out);
-        return code;
+        errno = EISDIR;
+        return io_error(err, path, "write");
     }
+    return CR_ERR_OK;
+}
+
+enum cr_err cr_file_out_open(struct cr_file_out *out, struct cr_error *err) {
+    struct stat st;
     /* a link or pipe that somebody else has put there is not written through */
     out->fd =
         open(out->part, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
-    if (out->fd >= 0 && fstat(out->fd, &st) == 0 && S_ISREG(st.st_mode)) {
-        keep_mode(out->fd, out->target);
-        return CR_ERR_OK;
+    if (out->fd < 0) {
+        enum cr_err code = io_error(err, out->part, "write");
+        if (lstat(out->part, &st) == 0 && S_ISLNK(st.st_mode)) {
+            cr_err_hint(err, "it is a link: take it away, or give -o another name");
+        }
+        return code;
     }
-    enum cr_err code =
-        out->fd >= 0 ? irregular(&st, out->part, err) : io_error(err, out->part, "write");
-    if (out->fd < 0 && lstat(out->part, &st) == 0 && S_ISLNK(st.st_mode)) {
-        cr_err_hint(err, "it is a link: take it away, or give -o another name");
+    if (fstat(out->fd, &st) != 0 || !S_ISREG(st.st_mode)) {
+        return irregular(&st, out->part, err);
     }
-    cr_file_out_close(out);
-    return code;
+    keep_mode(out->fd, out->target);
+    return CR_ERR_OK;
 }
 
 enum cr_err cr_file_out_done(struct cr_file_out *p, struct cr_error *err) {

@@ -40,8 +40,9 @@ struct cr_file_out {
     char *target, *part; /* paths, owned; target is where a link leads to */
     int fd;              /* of part, -1: not open */
 };
-CR_MUST_CHECK enum cr_err cr_file_out_open(const char *path, struct cr_file_out *out,
+CR_MUST_CHECK enum cr_err cr_file_out_name(const char *path, struct cr_file_out *out,
                                            struct cr_error *err);
+CR_MUST_CHECK enum cr_err cr_file_out_open(struct cr_file_out *out, struct cr_error *err);
 /* fsync, rename, fsync of the folder. Errors: IO; part is then still there. */
 CR_MUST_CHECK enum cr_err cr_file_out_done(struct cr_file_out *p, struct cr_error *err);
 void cr_file_out_close(struct cr_file_out *p); /* leaves the file as it is */

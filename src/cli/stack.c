@@ -6,10 +6,12 @@
 #include "cli/word.h"
 
 #include "base/file.h"
+#include "base/json.h"
 #include "base/pool.h"
 
 #include <cjson/cJSON.h>
 #include <errno.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -30,6 +32,7 @@ struct options {
     bool trace, resolved, progress;
     int version; /* of the results */
     struct cr_option_values set, resume;
+    struct cr_cli_budget budget;
 };
 
 struct item {
@@ -62,7 +65,7 @@ static struct cr_result_opts form_of(const struct options *opt) {
 /* name of the pair in a scene's text, without checking the rest */
 static void peek_pair(const struct cr_feed_item *in, char pair[CR_NAME_MAX]) {
     pair[0] = '\0';
-    if (!in->text || !strstr(in->text, "\"pair\"")) {
+    if (!in->text || !strstr(in->text, "\"pair\"") || cr_json_large(in->text, in->len)) {
         return;
     }
     cJSON *json = cJSON_ParseWithLength(in->text, in->len);
@@ -117,7 +120,8 @@ static void *take(void *user) {
 
 /* name of a scene that did not get so far as to be read */
 static void peek_name(const struct cr_feed_item *in, char name[CR_NAME_MAX]) {
-    cJSON *json = in->text ? cJSON_ParseWithLength(in->text, in->len) : NULL;
+    bool fits = in->text && !cr_json_large(in->text, in->len);
+    cJSON *json = fits ? cJSON_ParseWithLength(in->text, in->len) : NULL;
     const char *s = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(json, "name"));
     snprintf(name, CR_NAME_MAX, "%s", s ? s : "");
     cJSON_Delete(json);
@@ -155,7 +159,9 @@ static enum cr_err solve(const struct stack *s, const struct cr_scene *scene, st
             return rc;
         }
     }
-    rc = cr_result_run(scene, &s->shared.ctx, &result, err);
+    struct cr_cli_work work;
+    const struct cr_context ctx = cr_cli_context(&s->shared, &s->opt->budget, &work);
+    rc = cr_result_run(scene, &ctx, &result, err);
     struct cr_result_opts form = form_of(s->opt);
     rc = rc ? rc : cr_result_json(result, &form, line, err);
     cr_result_free(result);
@@ -306,55 +312,70 @@ static enum cr_err cannot(const char *what, const char *name, struct cr_error *e
     return CR_ERR_IO;
 }
 
-/* write the stack into a file that is there when it is through */
-static enum cr_err fill_file(struct stack *s, const char *path, struct cr_error *err) {
+/* write the stack to a descriptor, which stays open */
+static enum cr_err fill(struct stack *s, int fd, const char *path, struct cr_error *err) {
+    int own = dup(fd);
     s->name = path;
-    s->out = fopen(path, "w");
-    if (!s->out) {
+    s->out = own >= 0 ? fdopen(own, "w") : NULL;
+    if (s->out == NULL) {
+        enum cr_err code = cannot("write", path, err);
+        if (own >= 0) {
+            close(own);
+        }
+        return code;
+    }
+    enum cr_err code = run_stack(s, err);
+    bool bad = fflush(s->out) != 0;
+    bad = fclose(s->out) != 0 || bad;
+    return bad && code == CR_ERR_OK ? cannot("write", path, err) : code;
+}
+
+static enum cr_err to_device(struct stack *s, const char *path, struct cr_error *err) {
+    int fd = open(path, O_WRONLY | O_CLOEXEC);
+    if (fd < 0) {
         return cannot("write", path, err);
     }
-    enum cr_err rc = run_stack(s, err);
-    bool device = cr_file_in_place(path);
-    bool bad = fflush(s->out) != 0 || (!device && fsync(fileno(s->out)) != 0);
-    bad = fclose(s->out) != 0 || bad;
-    return bad && !rc ? cannot("write", path, err) : rc;
+    enum cr_err code = fill(s, fd, path, err);
+    close(fd);
+    return code;
+}
+
+/* the results of the first attempt are kept open, but must not be lost in a second */
+static enum cr_err keep_earlier(const struct stack *s, const char *part, struct cr_error *err) {
+    struct stat one, other;
+    for (int i = 0; i < s->opt->resume.n; i++) {
+        const char *earlier = s->opt->resume.value[i];
+        bool same = stat(earlier, &one) == 0 && stat(part, &other) == 0 &&
+                    one.st_dev == other.st_dev && one.st_ino == other.st_ino;
+        if (same || strcmp(earlier, part) == 0) {
+            cr_err_set(err, CR_ERR_USAGE, "--resume and the unfinished output are one file");
+            cr_err_place(err, part, 0, 0);
+            cr_err_hint(err, "rename it first, or give -o another name");
+            return CR_ERR_USAGE;
+        }
+    }
+    return CR_ERR_OK;
 }
 
 /* write into FILE.part, which becomes FILE only when the stack is complete */
 static enum cr_err to_file(struct stack *s, struct cr_error *err) {
-    struct cr_str part = {0};
-    struct stat st;
-    if (stat(s->opt->out, &st) == 0 && S_ISDIR(st.st_mode)) {
-        errno = EISDIR;
-        return cannot("write", s->opt->out, err);
+    struct cr_file_out out;
+    const char *path = s->opt->out;
+    if (cr_file_in_place(path)) {
+        return to_device(s, path, err);
     }
-    if (cr_file_in_place(s->opt->out)) {
-        return fill_file(s, s->opt->out, err);
-    }
-    cr_str_addf(&part, "%s.part", s->opt->out);
-    enum cr_err rc =
-        part.failed ? cr_err_set(err, CR_ERR_MEMORY, "no memory for a name") : CR_ERR_OK;
-    const char *name = cr_str_get(&part);
-    for (int i = 0; i < s->opt->resume.n && !rc; i++) {
-        // the results of the first attempt are kept open, but must not be lost in a second
-        if (!strcmp(s->opt->resume.value[i], name)) {
-            rc = cr_err_set(err, CR_ERR_USAGE, "--resume and the unfinished output are one file");
-            cr_err_place(err, name, 0, 0);
-            cr_err_hint(err, "rename it first, or give -o another name");
-        }
-    }
-    rc = rc ? rc : fill_file(s, name, err);
-    if (!rc && rename(name, s->opt->out) != 0) {
-        char what[300];
-        snprintf(what, sizeof what, "rename to %.250s", s->opt->out);
-        rc = cannot(what, name, err);
-    }
-    if (rc && s->out) {
-        cr_err_place(err, name, 0, 0);
+    enum cr_err code = cr_file_out_name(path, &out, err);
+    code = code != CR_ERR_OK ? code : keep_earlier(s, out.part, err);
+    code = code != CR_ERR_OK ? code : cr_file_out_open(&out, err);
+    bool begun = code == CR_ERR_OK;
+    code = begun ? fill(s, out.fd, out.part, err) : code;
+    code = code == CR_ERR_OK ? cr_file_out_done(&out, err) : code;
+    if (begun && code != CR_ERR_OK) {
+        cr_err_place(err, out.part, 0, 0);
         cr_err_hint(err, "rename it and go on with --resume and the new name");
     }
-    cr_str_fini(&part);
-    return rc;
+    cr_file_out_close(&out);
+    return code;
 }
 
 static enum cr_err stack(char **input, int inputs, const struct options *opt, long *failed,
@@ -411,6 +432,7 @@ static int read_options(int argc, char **argv, struct options *opt, int *operand
          .values = &opt->set,
          .help = "override a setting or value in every scene"},
         {.name = "trace", .letter = 't', .flag = &opt->trace, .help = "with the time series"},
+        CR_CLI_BUDGET_OPTIONS(&opt->budget),
         {.name = "resolved", .flag = &opt->resolved, .help = "with the resolved scenes"},
         CR_CLI_VERSION_OPTION(&opt->version),
     };
@@ -425,7 +447,7 @@ static int read_options(int argc, char **argv, struct options *opt, int *operand
 }
 
 int cr_cli_stack(int argc, char **argv) {
-    struct options opt = {.version = CR_RESULT_VERSION};
+    struct options opt = {.version = CR_RESULT_VERSION, .budget = CR_CLI_BUDGET};
     struct cr_error err = {0};
     int operands;
     long failed;
