@@ -3,6 +3,7 @@
 
 #include "base/json.h"
 #include "base/number.h"
+#include "base/tree.h"
 #include "result/result.h"
 
 #include <cjson/cJSON.h>
@@ -71,24 +72,26 @@ long cr_pair_home(struct cr_pair_set *set, const char *name, long number) {
     return p->home;
 }
 
-/* keep of a result what the comparison needs; NULL for the error object of an unsolved scene */
-static cJSON *reduce(const char *line) {
+/* keep of a result what the comparison needs; NULL for the error object of an unsolved scene, and
+ * where memory is out */
+static cJSON *reduce(const char *line, bool *no_memory) {
     static const char *const KEEP[] = {"id", "ees_kmh", "delta_v_kmh", "injury"};
     cJSON *json = cJSON_Parse(line), *list, *p;
-    cJSON *small = cJSON_CreateObject(), *parts = cJSON_AddArrayToObject(small, "participants");
+    cJSON *small = cJSON_CreateObject(), *parts = cr_tree_array(small, "participants");
     list = cJSON_GetObjectItemCaseSensitive(json, "participants");
-    cJSON_AddItemToObject(small, "scene", cJSON_DetachItemFromObjectCaseSensitive(json, "scene"));
+    cr_tree_put(small, "scene", cJSON_DetachItemFromObjectCaseSensitive(json, "scene"));
     cJSON_ArrayForEach(p, list) {
         cJSON *one = cJSON_CreateObject();
         for (size_t i = 0; i < sizeof KEEP / sizeof *KEEP; i++) {
             cJSON *item = cJSON_DetachItemFromObjectCaseSensitive(p, KEEP[i]);
             if (item) {
-                cJSON_AddItemToObject(one, KEEP[i], item);
+                cr_tree_put(one, KEEP[i], item);
             }
         }
-        cJSON_AddItemToArray(parts, one);
+        cr_tree_push(parts, one);
     }
-    if (!list) {
+    *no_memory = json == NULL || small == NULL || parts == NULL || !cr_tree_whole(small);
+    if (list == NULL || *no_memory) {
         cJSON_Delete(small);
         small = NULL;
     }
@@ -103,7 +106,11 @@ enum cr_err cr_pair_note(struct cr_pair_set *set, const char *name, const char *
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for pairs of scenes");
     }
     if (p->scenes < 2) {
-        p->part[p->scenes] = reduce(result);
+        bool no_memory;
+        p->part[p->scenes] = reduce(result, &no_memory);
+        if (no_memory) {
+            return cr_err_set(err, CR_ERR_MEMORY, "no memory for pairs of scenes");
+        }
     }
     p->scenes++;
     return CR_ERR_OK;
@@ -129,7 +136,7 @@ static void put_difference(cJSON *to, const char *key, const cJSON *a, const cJS
     const cJSON *y = cJSON_GetObjectItemCaseSensitive(b, key);
     bool both = cJSON_IsNumber(x) && cJSON_IsNumber(y);
     double d = both ? y->valuedouble - x->valuedouble : (double)NAN;
-    cJSON_AddItemToObject(to, key, both ? cJSON_CreateNumber(cr_round12(d)) : cJSON_CreateNull());
+    cr_tree_put(to, key, both ? cJSON_CreateNumber(cr_round12(d)) : cJSON_CreateNull());
 }
 
 static cJSON *difference(const struct pair *p) {
@@ -143,19 +150,19 @@ static cJSON *difference(const struct pair *p) {
             continue;
         }
         cJSON *one = cJSON_CreateObject(), *risk;
-        cJSON_AddItemToArray(list, one);
-        cJSON_AddStringToObject(one, "id", name_of(a, "id"));
+        cr_tree_push(list, one);
+        cr_tree_text(one, "id", name_of(a, "id"));
         put_difference(one, "ees_kmh", a, b);
         put_difference(one, "delta_v_kmh", a, b);
-        cJSON *injury = cJSON_AddArrayToObject(one, "injury");
+        cJSON *injury = cr_tree_array(one, "injury");
         cJSON_ArrayForEach(risk, cJSON_GetObjectItemCaseSensitive(a, "injury")) {
             const char *name = name_of(risk, "function");
             const cJSON *other =
                 named(cJSON_GetObjectItemCaseSensitive(b, "injury"), "function", name);
             if (other) {
                 cJSON *r = cJSON_CreateObject();
-                cJSON_AddItemToArray(injury, r);
-                cJSON_AddStringToObject(r, "function", name);
+                cr_tree_push(injury, r);
+                cr_tree_text(r, "function", name);
                 put_difference(r, "probability", risk, other);
             }
         }
@@ -174,14 +181,13 @@ static enum cr_err write_pair(const struct pair *p, const struct cr_result_opts 
         return cr_result_error_json(p->name, &what, form, out, err);
     }
     cJSON *json = cJSON_CreateObject();
-    cJSON_AddNumberToObject(json, "crumple_result",
-                            form->version ? form->version : CR_RESULT_VERSION);
-    cJSON_AddStringToObject(json, "pair", p->name);
-    cJSON *scenes = cJSON_AddArrayToObject(json, "scenes");
+    cr_tree_number(json, "crumple_result", form->version ? form->version : CR_RESULT_VERSION);
+    cr_tree_text(json, "pair", p->name);
+    cJSON *scenes = cr_tree_array(json, "scenes");
     for (int i = 0; i < 2; i++) {
-        cJSON_AddItemToArray(scenes, cJSON_CreateString(name_of(p->part[i], "scene")));
+        cr_tree_push(scenes, cJSON_CreateString(name_of(p->part[i], "scene")));
     }
-    cJSON_AddItemToObject(json, "difference", difference(p));
+    cr_tree_put(json, "difference", difference(p));
     if (!cr_json_add(json, false, out)) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for pairs of scenes");
     }

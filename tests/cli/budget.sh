@@ -14,7 +14,7 @@ bomb() {
     shift 5
     (
         ulimit -t "$bomb_seconds"
-        "$crumple" --version | grep -q 'sanitizers: none' && ulimit -v $((bomb_mb * 1024))
+        "$crumple" --version | grep -q 'sanitizers: no' && ulimit -v $((bomb_mb * 1024))
         exec "$crumple" "$@"
     ) >bomb.out 2>&1 </dev/null
     same "$bomb_name: status" "$?" "$bomb_want"
