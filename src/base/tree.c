@@ -1,6 +1,8 @@
 /* Building JSON trees of which nothing is missing, or which are refused as a whole. */
 #include "base/tree.h"
 
+#include "base/str.h"
+
 #include <cjson/cJSON.h>
 #include <stddef.h>
 
@@ -27,6 +29,10 @@ void cr_tree_push(cJSON *list, cJSON *item) {
 
 void cr_tree_text(cJSON *to, const char *key, const char *text) {
     cr_tree_put(to, key, cJSON_CreateString(text));
+}
+
+void cr_tree_str(cJSON *to, const char *key, const struct cr_str *text) {
+    cr_tree_put(to, key, text->failed ? NULL : cJSON_CreateString(cr_str_get(text)));
 }
 
 void cr_tree_number(cJSON *to, const char *key, double x) {

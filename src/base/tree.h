@@ -14,6 +14,8 @@ void cr_tree_push(struct cJSON *list, struct cJSON *item);
 void cr_tree_text(struct cJSON *to, const char *key, const char *text);
 void cr_tree_number(struct cJSON *to, const char *key, double x);
 void cr_tree_bool(struct cJSON *to, const char *key, bool on);
+struct cr_str;
+void cr_tree_str(struct cJSON *to, const char *key, const struct cr_str *text);
 /* Whether nothing is missing, for a tree that is not written. */
 bool cr_tree_whole(const struct cJSON *tree);
 /* A new member to be filled; NULL where memory is out, which all of the above take. */

@@ -1,4 +1,4 @@
-/* Result -> JSON (formats.md, result version 2, version 1 on request). Every number passes
+/* Result -> JSON (share/schema, version 2, version 1 on request). Every number passes
  * cr_round12, so that the text is the same wherever the last bits differ; what is not a number
  * becomes null. */
 #include "config.h"
@@ -53,7 +53,7 @@ static bool put_input(const struct cr_result *r, const struct cr_result_opts *op
         }
         struct cr_str s = {0};
         cr_str_addf(&s, "%s sha256 %s", r->compiled.model[i], r->compiled.hash[i]);
-        cr_tree_text(models, r->resolved.part[i].id, cr_str_get(&s));
+        cr_tree_str(models, r->resolved.part[i].id, &s);
         cr_str_fini(&s);
     }
     if (opts->resolved) {
@@ -102,7 +102,7 @@ static void put_participants(const struct cr_result *r, int version, cJSON *json
         if (!vehicle) {
             cr_tree_text(p, "kind", "object");
         }
-        // a fixed object has no motion to report
+        /* a fixed object has no motion to report */
         if (r->compiled.cs.body[i].mass > 0) {
             cr_json_motion(&r->of[i], version, p);
         }
@@ -133,7 +133,7 @@ static void put_contacts(const struct cr_result *r, cJSON *json) {
         cr_tree_text(one, "a", r->resolved.part[c->a].id);
         cr_tree_text(one, "b", r->resolved.part[c->b].id);
         cr_json_put(one, "begin_s", c->t_begin);
-        // what still rubs when all has come to rest has parted
+        /* what still rubs when all has come to rest has parted */
         bool open = c->stop == CR_STOP_NONE && !r->solution->interrupted;
         double end = r->solution->t[r->solution->samples - 1];
         cr_json_put(one, "plastic_end_s", open ? end : c->t_plastic_end);
@@ -223,6 +223,10 @@ enum cr_err cr_result_tree(const struct cr_result *r, const struct cr_result_opt
     if (opts->trace) {
         put_trace(r, json);
     }
+    if (json == NULL || !cr_tree_whole(json)) {
+        cJSON_Delete(json);
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for the JSON of a result");
+    }
     *out = json;
     return CR_ERR_OK;
 }
@@ -234,9 +238,8 @@ enum cr_err cr_result_json(const struct cr_result *r, const struct cr_result_opt
     return code == CR_ERR_OK ? print(json, opts->pretty, out, err) : code;
 }
 
-enum cr_err cr_result_error_json(const char *scene, const struct cr_error *what,
-                                 const struct cr_result_opts *opts, struct cr_str *out,
-                                 struct cr_error *err) {
+cJSON *cr_result_error_tree(const char *scene, const struct cr_error *what,
+                            const struct cr_result_opts *opts) {
     cJSON *json = cJSON_CreateObject();
     cr_json_put(json, "crumple_result", opts->version ? opts->version : CR_RESULT_VERSION);
     cr_tree_text(json, "scene", scene ? scene : "");
@@ -247,7 +250,7 @@ enum cr_err cr_result_error_json(const char *scene, const struct cr_error *what,
     if (what->hint[0]) {
         cr_str_addf(&s, "; %s", what->hint);
     }
-    cr_tree_text(e, "message", cr_str_get(&s));
+    cr_tree_str(e, "message", &s);
     cr_str_clear(&s);
     if (what->src[0]) {
         cr_str_addf(&s, "%s:", what->src);
@@ -256,7 +259,13 @@ enum cr_err cr_result_error_json(const char *scene, const struct cr_error *what,
         cr_str_addf(&s, "%d:%d:", what->line, what->col);
     }
     cr_str_add(&s, what->where);
-    cr_tree_text(e, "where", cr_str_get(&s));
+    cr_tree_str(e, "where", &s);
     cr_str_fini(&s);
-    return print(json, opts->pretty, out, err);
+    return json;
+}
+
+enum cr_err cr_result_error_json(const char *scene, const struct cr_error *what,
+                                 const struct cr_result_opts *opts, struct cr_str *out,
+                                 struct cr_error *err) {
+    return print(cr_result_error_tree(scene, what, opts), opts->pretty, out, err);
 }
