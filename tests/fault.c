@@ -32,7 +32,7 @@ __attribute__((destructor)) static void end(void) {
     const char *fd = getenv("FAULT_COUNT");
     if (fd != NULL) {
         at = -1;
-        dprintf(atoi(fd), "%ld\n", (long)calls);
+        dprintf((int)atol(fd), "%ld\n", (long)calls);
     }
 }
 
