@@ -33,8 +33,8 @@ CR_MUST_CHECK enum cr_err cr_file_write(const char *path, const char *text, size
  * put a file where it was. */
 bool cr_file_in_place(const char *path);
 
-/* For what is written piece by piece: give the open file the mode of the one it is going to replace,
- * or what the umask leaves where there is none. */
+/* For what is written piece by piece: give the open file the mode of the one that it is going to
+ * replace, or what the umask leaves where there is none. */
 void cr_file_keep_mode(int fd, const char *path);
 /* Make the folder of a path lasting: a name is no more so than that. Errors: IO. */
 CR_MUST_CHECK enum cr_err cr_file_sync_folder(const char *path, struct cr_error *err);

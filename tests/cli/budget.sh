@@ -49,7 +49,10 @@ done
 echo list >s15.crumple
 bomb "fifteen files that source the next eight times" 9 300 4 'leads to more than 1000 files' \
     s0.crumple
-python3 -c 'print("load pole.json"); print("move A dx=0.001\nmove A dx=-0.001\n" * 10000)' >undo.crumple
+{
+    echo "load pole.json"
+    python3 -c 'print("move A dx=0.001\nmove A dx=-0.001\n" * 10000)'
+} >undo.crumple
 bomb "20,000 moves to undo" 40 300 0 'A: ' undo.crumple
 for option in --max-seconds=0 --max-memory=x --max-hours=1 --max-seconds; do
     bomb "commands with $option" 5 300 2 '--max-seconds=N' $option -e list
