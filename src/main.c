@@ -26,11 +26,13 @@ static const char help[] =
     "       crumple merge PART ...           put the parts of a stack in order\n"
     "       crumple validate [CLASS ...]     compare with crash tests\n"
     "       crumple damage FILE.json         EES and delta-v out of a measured deformation\n"
+    "       crumple fit SCENE.json ... to ... search inputs that explain what was measured\n"
     "       crumple mc SCENE.json            solve many draws of its uncertain inputs\n"
     "       crumple models [NAME]            list, show or export the models\n"
     "       crumple calibrate                fit the models to the crash tests again\n"
     "       crumple --help | --version\n"
     "\n"
+    "Commands take --ascii, --color=, --max-seconds=N and --max-memory=MB too, as run does.\n"
     "crumple run --help explains run, and likewise for the other words.\n"
     "Exit status: 0 done; 1 an assert or compare missed its tolerance, or a scene of a stack\n"
     "failed; 2 usage or file system; 3 a script or JSON file is invalid; 4 the solver failed;\n"
@@ -56,6 +58,7 @@ static const struct word words[] = {
     {"calibrate", cr_trial_calibrate},
     {"calibrate-damage", cr_trial_calibrate_damage},
     {"damage", cr_cli_damage},
+    {"fit", cr_cli_fit},
 };
 enum { WORDS = sizeof words / sizeof *words };
 
