@@ -1,5 +1,5 @@
-/* Doubts about a result, each with a code: bodies that went through each other, spikes, crush beyond
- * what a structure can tell, contacts that ended while bodies still came on. */
+/* Doubts about a result, each with a code: bodies that went through each other, spikes, crush
+ * beyond what a structure can tell, contacts that ended while bodies still came on. */
 #include "result/result_priv.h"
 
 #include <math.h>
