@@ -117,6 +117,7 @@ def _load() -> ctypes.CDLL:
         "result_free": (None, [pointer]),
         "json": (pointer, [pointer, ctypes.c_uint, ctypes.POINTER(size)]),
         "free": (None, [pointer]),
+        "svg": (pointer, [pointer, ctypes.c_double, ctypes.POINTER(size)]),
         "name": (text, [pointer, size]),
         "value": (ctypes.c_int, [pointer, text, ctypes.POINTER(ctypes.c_double)]),
         "word": (text, [pointer, text]),
@@ -414,6 +415,14 @@ class Result:
             return ctypes.string_at(pointer).decode()
         finally:
             _lib.crumple_free(pointer)
+
+    def svg(self, time: float | None = None) -> str:
+        """The scene from above as SVG, at a time (s) or after the crash."""
+        at = float("nan") if time is None else time
+        return self._take(_lib.crumple_svg(self._pointer, at, None))
+
+    def _repr_html_(self) -> str:
+        return self.svg() + f"<p>{html.escape(repr(self)[1:-1])}</p>"
 
     def _vehicles(self) -> list[str]:
         return [name[:-8] for name in self.names() if name.endswith(".ees_kmh")]

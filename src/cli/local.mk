@@ -19,6 +19,7 @@ libcli_a_SOURCES = \
 	src/cli/sink.c src/cli/sink.h \
 	src/cli/stack.c \
 	src/cli/study.c src/cli/study.h src/cli/study_priv.h \
+	src/cli/study_picture.c \
 	src/cli/study_plot.c \
 	src/cli/word.h
 # where the data are: of a build in its source tree, and once installed (data.c)

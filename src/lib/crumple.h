@@ -160,6 +160,11 @@ CRUMPLE_API const char *crumple_word(const crumple_result *result, const char *n
 CRUMPLE_API size_t crumple_series(const crumple_result *result, const char *name, double *out,
                                   size_t size);
 
+/* The scene from above as an SVG element with the EES of the voxels, speeds and forces, at a time in
+ * s of the scene; NaN: after the crash. Its length into *length unless that is NULL. NULL when
+ * memory is out. Free with crumple_free. */
+CRUMPLE_API char *crumple_svg(const crumple_result *result, double time, size_t *length);
+
 /* What crumple_field gives for each voxel. */
 enum crumple_field_kind {
     CRUMPLE_FIELD_MATERIAL = 0, /* share of the voxel that was material, 0..1 */

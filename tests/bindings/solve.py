@@ -7,6 +7,7 @@ import signal
 import sys
 import threading
 import unittest
+import xml.etree.ElementTree
 
 ROOT = pathlib.Path(sys.argv.pop())
 sys.path.insert(0, str(ROOT / "bindings"))
@@ -83,6 +84,13 @@ class Solve(unittest.TestCase):
             result.series("A.colour")
         with self.assertRaises(KeyError):
             result.field("A", "colour")
+
+    def test_picture(self):
+        result = crumple.solve(wall(50))
+        svg = xml.etree.ElementTree.fromstring(result.svg())
+        self.assertTrue(svg.tag.endswith("svg"))
+        self.assertNotEqual(result.svg(0.1), result.svg())
+        self.assertIn("<svg", result._repr_html_())
 
     def test_interrupt(self):
         slow = wall(50)
