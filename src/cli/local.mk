@@ -31,3 +31,5 @@ EXTRA_crumple_DEPENDENCIES = source-folder
 source-folder: Makefile
 	$(AM_V_GEN)echo '$(CR_SRCDIR)' >$@
 libcli_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)
+clusterdir = $(pkgdatadir)/cluster
+dist_cluster_SCRIPTS = share/cluster/parallel.sh share/cluster/slurm-array.sbatch
