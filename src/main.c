@@ -27,6 +27,7 @@ static const char help[] =
     "       crumple validate [CLASS ...]     compare with crash tests\n"
     "       crumple mc SCENE.json            solve many draws of its uncertain inputs\n"
     "       crumple models [NAME]            list, show or export the models\n"
+    "       crumple schema [NAME]            print a JSON Schema, of scenes for example\n"
     "       crumple calibrate                fit the models to the crash tests again\n"
     "       crumple --help | --version\n"
     "\n"
@@ -46,13 +47,9 @@ struct word {
     int (*run)(int argc, char **argv);
 };
 static const struct word words[] = {
-    {"run", cr_cli_run},
-    {"stack", cr_cli_stack},
-    {"merge", cr_cli_merge},
-    {"mc", cr_cli_mc},
-    {"validate", cr_trial_validate},
-    {"models", cr_cli_models},
-    {"calibrate", cr_trial_calibrate},
+    {"run", cr_cli_run},       {"stack", cr_cli_stack},           {"merge", cr_cli_merge},
+    {"mc", cr_cli_mc},         {"validate", cr_trial_validate},   {"models", cr_cli_models},
+    {"schema", cr_cli_schema}, {"calibrate", cr_trial_calibrate},
 };
 enum { WORDS = sizeof words / sizeof *words };
 
@@ -90,6 +87,39 @@ static void keep_descriptors(void) {
     }
 }
 
+/* "crumple --completions WORD ...": what may stand for the last one; for the shells' completion */
+static int complete(int argc, char **argv) {
+    static char complete_word[] = "--complete";
+    static const char *const options[] = {"--help", "--version", "--repl",  "-e",
+                                          "-i",     "--ascii",   "--color="};
+    struct cr_str out = {0};
+    if (argc > 3) {
+        char *word = argv[2];
+        argv[1] = word;
+        argv[2] = complete_word;
+        for (int i = 0; i < WORDS; i++) {
+            if (strcmp(word, words[i].name) == 0) {
+                return words[i].run(argc - 1, argv + 1);
+            }
+        }
+        return 0;
+    }
+    const char *begun = argc > 2 ? argv[2] : "";
+    for (int i = 0; i < WORDS; i++) {
+        if (strncmp(words[i].name, begun, strlen(begun)) == 0) {
+            cr_str_addf(&out, "%s\n", words[i].name);
+        }
+    }
+    for (size_t i = 0; i < sizeof options / sizeof options[0]; i++) {
+        if (begun[0] == '-' && strncmp(options[i], begun, strlen(begun)) == 0) {
+            cr_str_addf(&out, "%s\n", options[i]);
+        }
+    }
+    int status = print(cr_str_get(&out));
+    cr_str_fini(&out);
+    return status;
+}
+
 static int interactive(int argc, char **argv, const char *data_dir) {
     const char *why = cr_tui_refusal();
     char state[1024];
@@ -114,6 +144,9 @@ int main(int argc, char **argv) {
     }
     if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0) {
         return print(help);
+    }
+    if (strcmp(word, "--completions") == 0) {
+        return complete(argc, argv);
     }
     for (int i = 0; i < WORDS; i++) {
         if (strcmp(word, words[i].name) == 0) {

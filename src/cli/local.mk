@@ -1,6 +1,7 @@
 noinst_LIBRARIES += libcli.a
 libcli_a_SOURCES = \
 	src/cli/cli.h \
+	src/cli/complete.c \
 	src/cli/data.c \
 	src/cli/feed.c src/cli/feed.h \
 	src/cli/mc.c \
@@ -15,6 +16,7 @@ libcli_a_SOURCES = \
 	src/cli/resume.c src/cli/resume.h \
 	src/cli/rows.c src/cli/rows.h \
 	src/cli/run.c \
+	src/cli/schema.c \
 	src/cli/shared.c \
 	src/cli/sink.c src/cli/sink.h \
 	src/cli/stack.c \
