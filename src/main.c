@@ -25,6 +25,7 @@ static const char help[] =
     "       crumple stack INPUT ...          solve many, one result per line\n"
     "       crumple merge PART ...           put the parts of a stack in order\n"
     "       crumple validate [CLASS ...]     compare with crash tests\n"
+    "       crumple damage FILE.json         EES and delta-v out of a measured deformation\n"
     "       crumple mc SCENE.json            solve many draws of its uncertain inputs\n"
     "       crumple models [NAME]            list, show or export the models\n"
     "       crumple schema [NAME]            print a JSON Schema, of scenes for example\n"
@@ -47,9 +48,16 @@ struct word {
     int (*run)(int argc, char **argv);
 };
 static const struct word words[] = {
-    {"run", cr_cli_run},       {"stack", cr_cli_stack},           {"merge", cr_cli_merge},
-    {"mc", cr_cli_mc},         {"validate", cr_trial_validate},   {"models", cr_cli_models},
-    {"schema", cr_cli_schema}, {"calibrate", cr_trial_calibrate},
+    {"run", cr_cli_run},
+    {"stack", cr_cli_stack},
+    {"merge", cr_cli_merge},
+    {"mc", cr_cli_mc},
+    {"validate", cr_trial_validate},
+    {"models", cr_cli_models},
+    {"schema", cr_cli_schema},
+    {"damage", cr_cli_damage},
+    {"calibrate", cr_trial_calibrate},
+    {"calibrate-damage", cr_trial_calibrate_damage},
 };
 enum { WORDS = sizeof words / sizeof *words };
 
@@ -106,7 +114,9 @@ static int complete(int argc, char **argv) {
     }
     const char *begun = argc > 2 ? argv[2] : "";
     for (int i = 0; i < WORDS; i++) {
-        if (strncmp(words[i].name, begun, strlen(begun)) == 0) {
+        char shown[64];
+        snprintf(shown, sizeof shown, "crumple %s ", words[i].name);
+        if (strncmp(words[i].name, begun, strlen(begun)) == 0 && strstr(help, shown) != NULL) {
             cr_str_addf(&out, "%s\n", words[i].name);
         }
     }

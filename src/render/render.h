@@ -170,6 +170,11 @@ CR_MUST_CHECK enum cr_err cr_render_table(struct cr_cells *cells, struct cr_rect
 /* Rows the table needs for this result, for sizing. */
 int cr_render_table_rows(const struct cr_result *result);
 
+/* A table of all impacts with what each did to either participant; times after the first contact.
+ * Columns that have no room are left out from the right. */
+void cr_render_impacts(struct cr_cells *cells, struct cr_rect at, const struct cr_result *result);
+int cr_render_impacts_rows(const struct cr_result *result);
+
 /* Measured values of participants, to stand beside a result; NaN: not measured. */
 struct cr_reference {
     int n;

@@ -13,13 +13,15 @@ static const double NOTHING = 1e-9;
 
 /* share of a shallow crush that springs back: walls at 23 to 40 km/h of share/validation/data */
 static const double SHALLOW = 0.4;
+/* crush that leaves nothing, m: walls at 8 km/h and rear ends of cars struck below 13 km/h */
+static const double ELASTIC = 0.11;
 
 double cr_deform_residual(double dynamic, double springback) {
     if (!(dynamic > 0)) {
         return 0;
     }
     double back = springback > 0 ? springback : 0;
-    return dynamic - fmin(back, SHALLOW * dynamic);
+    return dynamic - fmin(back, fmax(SHALLOW * dynamic, fmin(dynamic, ELASTIC)));
 }
 
 double cr_deform_dynamic(double residual, double springback) {
@@ -27,7 +29,7 @@ double cr_deform_dynamic(double residual, double springback) {
         return 0;
     }
     double back = springback > 0 ? springback : 0;
-    return fmin(residual + back, residual / (1 - SHALLOW));
+    return fmin(residual + back, fmax(residual + ELASTIC, residual / (1 - SHALLOW)));
 }
 
 /* one step along a line or column; true when the line is over */
@@ -145,7 +147,7 @@ double cr_deform_max(const struct cr_deform *d, struct cr_vec2 inward) {
     struct cr_vec2 side = cr_vec2_perp(inward);
     struct cr_vec2 mid = {(lo[0] + hi[0] + 1) / 2.0, (lo[1] + hi[1] + 1) / 2.0};
     double half = (fabs(side.x) * (hi[0] + 1 - lo[0]) + fabs(side.y) * (hi[1] + 1 - lo[1])) / 2;
-    // lines one voxel apart, through voxel centres when the direction is along the grid
+    /* lines one voxel apart, through voxel centres when the direction is along the grid */
     int n = (int)ceil(2 * half - 1e-9);
     double pitch = 2 * half / n;
     /* lines beside the damage too, as a narrow one is measured with what stands beside it */
@@ -162,7 +164,7 @@ double cr_deform_max(const struct cr_deform *d, struct cr_vec2 inward) {
 static int place(const struct cr_grid *g, enum cr_face face, int k, int i) {
     bool along = cr_face_is_end(face);
     int j = cr_face_from_high(face) ? cr_face_line_length(g, face) - 1 - i : i;
-    // left to right means falling y
+    /* left to right means falling y */
     return along ? (g->ny - 1 - k) * g->nx + j : j * g->nx + k;
 }
 
@@ -212,7 +214,7 @@ void cr_deform_relax(const struct cr_deform *d, enum cr_face face, double *left)
         double lost = cr_deform_column(d, face, k, false), sum = 0;
         double back = (lost - cr_deform_residual(lost, g->springback[face])) / g->h;
         int deep = 0;
-        // the place in which the last of the column's loss lies
+        /* the place in which the last of the column's loss lies */
         for (int i = 0; sum * g->h < lost - NOTHING && i < cr_face_line_length(g, face); i++) {
             int at = place(g, face, k, i);
             sum += fmax(0, g->fill[at] - left[at]);

@@ -101,7 +101,7 @@ static void put_participants(const struct cr_result *r, int version, cJSON *json
         if (!vehicle) {
             cJSON_AddStringToObject(p, "kind", "object");
         }
-        // a fixed object has no motion to report
+        /* a fixed object has no motion to report */
         if (r->compiled.cs.body[i].mass > 0) {
             cr_json_motion(&r->of[i], version, p);
         }
@@ -132,7 +132,7 @@ static void put_contacts(const struct cr_result *r, cJSON *json) {
         cJSON_AddStringToObject(one, "a", r->resolved.part[c->a].id);
         cJSON_AddStringToObject(one, "b", r->resolved.part[c->b].id);
         cr_json_put(one, "begin_s", c->t_begin);
-        // what still rubs when all has come to rest has parted
+        /* what still rubs when all has come to rest has parted */
         bool open = c->stop == CR_STOP_NONE && !r->solution->interrupted;
         double end = r->solution->t[r->solution->samples - 1];
         cr_json_put(one, "plastic_end_s", open ? end : c->t_plastic_end);

@@ -9,8 +9,8 @@
 #include <string.h>
 
 /* the trial's voxels and time slices, never finer than the scene's own */
-static const double TRIAL_VOXEL = 0.05; /* m */
-static const double TRIAL_DT = 1e-3;    /* s */
+static const double TRIAL_VOXEL = 0.1; /* m */
+static const double TRIAL_DT = 2e-3;   /* s */
 /* a blended model is solved anew when the direction moved by more than half a sector */
 static const double BLEND_MOVED = CR_PI / 12;
 
@@ -48,7 +48,7 @@ static double guess_pdof(const struct cr_scene *scene, int i) {
         struct cr_vec2 rel = cr_vec2_sub(approach(&scene->part[k], &from, &unused), vel);
         struct cr_vec2 way = cr_vec2_sub(pos, from);
         double speed2 = cr_vec2_dot(rel, rel);
-        // time of the nearest approach of the reference points
+        /* time of the nearest approach of the reference points */
         double t = speed2 > 0 ? cr_vec2_dot(way, rel) / speed2 : (double)INFINITY;
         t = t < 0 && speed2 > 0 ? 1e3 - t : t;
         if (t < soonest) {

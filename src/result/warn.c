@@ -78,7 +78,7 @@ static void check_face(struct cr_result *r, const struct cr_contact *c, int car,
                        "given",
                        p->id, q->id);
     }
-    // a narrow object in the middle of the front is no small overlap
+    /* a narrow object in the middle of the front is no small overlap */
     bool edge = s->cdc[0] && (s->cdc[3] == 'L' || s->cdc[3] == 'R');
     if (s->face == CR_FACE_FRONT && edge && q->kind == CR_KIND_OBJECT &&
         c->energy[0] + c->energy[1] > 0 && s->contact_width < SMALL_OVERLAP * p->width) {
@@ -164,7 +164,7 @@ void cr_result_check(struct cr_result *r) {
     const struct cr_solution *sol = r->solution;
     for (int k = 0; k < sol->contacts; k++) {
         const struct cr_contact *c = &sol->contact[k];
-        // only the main contact of a body is worth a word; the others belong to the same crash
+        /* only the main contact of a body is worth a word; the others belong to the same crash */
         if (cr_result_main_contact(sol, c->a) == k || cr_result_main_contact(sol, c->b) == k) {
             check_contact(r, c);
         }
