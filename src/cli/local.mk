@@ -1,11 +1,8 @@
 noinst_LIBRARIES += libcli.a
 libcli_a_SOURCES = \
 	src/cli/cli.h \
-<<<<<<< HEAD
 	src/cli/complete.c \
-=======
 	src/cli/damage.c \
->>>>>>> main
 	src/cli/data.c \
 	src/cli/feed.c src/cli/feed.h \
 	src/cli/mc.c \
