@@ -28,7 +28,7 @@ try:
 except ImportError:
     numpy = None
 
-__all__ = ["Crumple", "Error", "Result", "Table", "solve", "solve_many", "version"]
+__all__ = ["Crumple", "Error", "Result", "Table", "damage", "solve", "solve_many", "version"]
 
 Scene = Union[str, bytes, Mapping, os.PathLike]
 
@@ -113,6 +113,10 @@ def _load() -> ctypes.CDLL:
         "stack": (
             ctypes.c_int,
             [pointer, ctypes.c_int, ctypes.POINTER(_Options), _Next, _Done, pointer, error],
+        ),
+        "damage": (
+            ctypes.c_int,
+            [pointer, text, size, ctypes.POINTER(_Options), ctypes.POINTER(pointer), error],
         ),
         "result_free": (None, [pointer]),
         "json": (pointer, [pointer, ctypes.c_uint, ctypes.POINTER(size)]),
@@ -234,6 +238,22 @@ class Crumple:
             )
         _check(code, error)
         return Result(pointer)
+
+    def damage(self, measured: Scene) -> dict[str, Any]:
+        """EES and delta-v, with intervals, out of a measured deformation: a dict, JSON text or the
+        path of a file as crumple damage reads it."""
+        text, name, folder = _text(measured)
+        call, error, pointer = _Call(name, folder, {}), _Error(), ctypes.c_void_p()
+        code = _lib.crumple_damage(
+            self._pointer,
+            text,
+            len(text),
+            ctypes.byref(call.options),
+            ctypes.byref(pointer),
+            ctypes.byref(error),
+        )
+        _check(code, error)
+        return json.loads(Result._take(pointer.value))
 
     def solve_many(
         self,
@@ -449,6 +469,11 @@ def _handle() -> Crumple:
 def solve(scene: Scene, set: Mapping[str, Any] = {}) -> Result:
     """Crumple.solve with the models of the installation."""
     return _handle().solve(scene, set)
+
+
+def damage(measured: Scene) -> dict[str, Any]:
+    """Crumple.damage with the models of the installation."""
+    return _handle().damage(measured)
 
 
 def solve_many(

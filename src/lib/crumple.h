@@ -127,6 +127,11 @@ CRUMPLE_API int crumple_stack(const crumple *lib, int threads, const crumple_opt
                               crumple_next next, crumple_done done, void *user,
                               crumple_error *error);
 
+/* EES and delta-v out of a measured deformation: the text of a damage file ("crumple_damage": 1, see
+ * crumple(1)) into *json, what crumple damage --format=json prints. Free it with crumple_free. Of the options the name counts. Errors: those of scenes. */
+CRUMPLE_API int crumple_damage(const crumple *lib, const char *text, size_t length,
+                               const crumple_options *options, char **json, crumple_error *error);
+
 /* Parts of the JSON of a result. */
 enum crumple_json_flag {
     CRUMPLE_TRACE = 1,    /* with the time series */
