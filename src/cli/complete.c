@@ -1,4 +1,5 @@
-/* Completion for shells: what may stand for the last word of a line, from the tables that parse it. */
+/* Completion for shells: what may stand for the last word of a line, from the tables that parse
+ * it. */
 #include "cli/word.h"
 
 #include "scene/keys.h"

@@ -127,8 +127,9 @@ CRUMPLE_API int crumple_stack(const crumple *lib, int threads, const crumple_opt
                               crumple_next next, crumple_done done, void *user,
                               crumple_error *error);
 
-/* EES and delta-v out of a measured deformation: the text of a damage file ("crumple_damage": 1, see
- * crumple(1)) into *json, what crumple damage --format=json prints. Free it with crumple_free. Of the options the name counts. Errors: those of scenes. */
+/* EES and delta-v out of a measured deformation: the text of a damage file (crumple(1)) into *json,
+ * what crumple damage --format=json prints. Free it with crumple_free. Of the options the name
+ * counts. Errors: those of scenes. */
 CRUMPLE_API int crumple_damage(const crumple *lib, const char *text, size_t length,
                                const crumple_options *options, char **json, crumple_error *error);
 
@@ -165,8 +166,8 @@ CRUMPLE_API const char *crumple_word(const crumple_result *result, const char *n
 CRUMPLE_API size_t crumple_series(const crumple_result *result, const char *name, double *out,
                                   size_t size);
 
-/* The scene from above as an SVG element with the EES of the voxels, speeds and forces, at a time in
- * s of the scene; NaN: after the crash. Its length into *length unless that is NULL. NULL when
+/* The scene from above as an SVG element with the EES of the voxels, speeds and forces, at a time
+ * in s of the scene; NaN: after the crash. Its length into *length unless that is NULL. NULL when
  * memory is out. Free with crumple_free. */
 CRUMPLE_API char *crumple_svg(const crumple_result *result, double time, size_t *length);
 

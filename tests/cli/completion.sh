@@ -36,7 +36,8 @@ if command -v zsh >/dev/null 2>&1; then
         zsh -f -c 'compadd() { while [ $# -gt 0 ]; do case $1 in
                 -a) print -r -- ${(P)2}; shift ;; -S) shift ;; esac; shift; done }
             _files() { print files }
-            words=("${@:2}"); CURRENT=$#words; source "$1"' zsh "$SRC/share/completions/_crumple" "$@"
+            words=("${@:2}"); CURRENT=$#words; source "$1"' \
+            zsh "$SRC/share/completions/_crumple" "$@"
     }
     same "zsh: words" "$(shown "$crumple" ru | head -n 1)" run
     same "zsh: a value" "$(shown "$crumple" run --format=te)" --format=text
@@ -47,7 +48,8 @@ fi
 if command -v fish >/dev/null 2>&1; then
     shown() {
         HOME=$tmp fish -N -c "source '$SRC/share/completions/crumple.fish'
-            complete -c '$crumple' -a '(__crumple_complete)'; complete -C '$*'" 2>/dev/null | cut -f 1
+            complete -c '$crumple' -a '(__crumple_complete)'; complete -C '$*'" 2>/dev/null |
+            cut -f 1
     }
     same "fish: words" "$(shown "$crumple ru" | head -n 1)" run
     has "fish: a value" "$(shown "$crumple run --format=te")" 'text$'
