@@ -42,6 +42,8 @@ static const struct cr_arg vehicle_args[] = {
     POSITION("NAME", CR_VALUE_NEW, .help = "its name, new or known"),
     KEY_OF("type", "type", V),
     KEY_OF("mass", "mass_kg", V),
+    KEY_OF("kerb", "kerb_mass_kg", V),
+    KEY_OF("load", "load_kg", V),
     KEY_OF("length", "length_m", V),
     KEY_OF("width", "width_m", V),
     KEY_OF("height", "height_m", V),
@@ -176,7 +178,7 @@ static const struct cr_arg solve_args[] = {
 };
 
 static const struct cr_arg show_args[] = {
-    KEY("field", CR_VALUE_WORD, .words = "ees|energy|crush|depth|none", .def = "ees",
+    KEY("field", CR_VALUE_WORD, .words = CR_FIELD_WORDS, .def = "ees",
         .help = "what the voxels show"),
     KEY("time", CR_VALUE_TIME, .dim = CR_DIM_TIME, .unit = "ms", .lo = 0, .hi = 60000,
         .words = "start|compression|end", .def = "end", .help = "ms after the first contact"),
@@ -193,7 +195,7 @@ static const struct cr_arg show_args[] = {
     KEY("select", CR_VALUE_NAME, .words = "none", .help = "participant to mark"),
     KEY("view", CR_VALUE_WORD, .words = "plan|side|top|front|slice", .def = "plan",
         .help = "plan: the scene; else the selected vehicle's 3D model, with its damage"),
-    KEY("colormap", CR_VALUE_WORD, .words = "viridis|magma|gray", .def = "viridis",
+    KEY("colormap", CR_VALUE_WORD, .words = CR_COLORMAP_WORDS, .def = "viridis",
         .help = "colours of the field"),
     END,
 };
@@ -287,6 +289,22 @@ static const struct cr_arg mc_args[] = {
         .help = "solves at a time; the result does not depend on it"),
     KEY("out", CR_VALUE_FILE, .words = ".json|.csv",
         .help = "file for the statistics (.json) or all draws (.csv)"),
+    END,
+};
+
+static const struct cr_arg fit_args[] = {
+    REST("KEY ... to EVIDENCE ...", CR_VALUE_SWEEP,
+         .help =
+             "inputs to search for (A.speed, B.overlap=20%:60%), then what was measured: "
+             "dv.A=43km/h, ees.B, crush.A=12,14,20,22,18,10cm, rest.A=12,3m, other results; with "
+             "+- or a usual tolerance"),
+    KEY("starts", CR_VALUE_COUNT, .lo = 1, .hi = 20, .def = "3",
+        .help = "local searches, from the best of a coarse look"),
+    KEY("solves", CR_VALUE_COUNT, .lo = 20, .hi = 100000, .def = "400", .help = "most in all"),
+    KEY("seed", CR_VALUE_COUNT, .lo = 1, .hi = 2147483647, .def = "1",
+        .help = "of the coarse look"),
+    KEY("out", CR_VALUE_FILE, .words = ".json", .help = "file for the findings"),
+    FLAG("take", .help = "put the best values into the scene"),
     END,
 };
 
@@ -410,6 +428,11 @@ static const struct cr_command commands[] = {
      .example = {"mc A.speed=56+-3km/h B.overlap=40+-5% draws=50",
                  "mc B.mass=1060+-50kg:uniform draws=50 sampling=sobol"},
      .setup = PAIR_SETUP, .see = "sweep solve"},
+    {ROW(fit, SOLVE, fit_args, "search inputs that explain measured damage, recorders, rest"),
+     .example = {"fit A.speed to dv.A=30km/h starts=1 solves=30",
+                 "fit A.speed=40:70km/h B.overlap=30%:60% to ees.B=60km/h dv.A=30+-3km/h starts=1 "
+                 "solves=40"},
+     .setup = PAIR_SETUP, .see = "sweep mc compare"},
     {ROW(compare, SOLVE, compare_args, "errors of the result against measured values"),
      .example = {"compare share/tutorial/reference.json",
                  "compare share/validation/data/taurus_7292_veh1_pulse.csv of=A"},

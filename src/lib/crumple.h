@@ -36,21 +36,22 @@ typedef struct crumple_result crumple_result;
 /* Codes of errors; their numbers stay. crumple_error_word gives the word of the result JSON. */
 enum crumple_code {
     CRUMPLE_OK = 0,
-    CRUMPLE_USAGE = 2,       /* an argument that cannot be */
-    CRUMPLE_IO = 3,          /* a file or folder cannot be read */
-    CRUMPLE_SYNTAX = 4,      /* the text is no JSON */
-    CRUMPLE_TYPE = 5,        /* a value of the wrong kind */
-    CRUMPLE_RANGE = 6,       /* a number beyond what is possible */
-    CRUMPLE_KEY = 7,         /* a key that is not known */
-    CRUMPLE_MISSING = 8,     /* a key that must be there */
-    CRUMPLE_DUPLICATE = 9,   /* a key or id twice */
-    CRUMPLE_NAME = 10,       /* no participant, type, model or value of this name */
-    CRUMPLE_MODEL = 11,      /* a voxel model that cannot be used */
-    CRUMPLE_OVERLAP = 12,    /* participants overlap at the start */
-    CRUMPLE_NO_CONTACT = 13, /* participants never meet */
-    CRUMPLE_SOLVER = 14,     /* the solver failed */
-    CRUMPLE_MEMORY = 15,     /* out of memory */
-    CRUMPLE_INTERRUPTED = 16 /* cancelled by the caller */
+    CRUMPLE_USAGE = 2,        /* an argument that cannot be */
+    CRUMPLE_IO = 3,           /* a file or folder cannot be read */
+    CRUMPLE_SYNTAX = 4,       /* the text is no JSON */
+    CRUMPLE_TYPE = 5,         /* a value of the wrong kind */
+    CRUMPLE_RANGE = 6,        /* a number beyond what is possible */
+    CRUMPLE_KEY = 7,          /* a key that is not known */
+    CRUMPLE_MISSING = 8,      /* a key that must be there */
+    CRUMPLE_DUPLICATE = 9,    /* a key or id twice */
+    CRUMPLE_NAME = 10,        /* no participant, type, model or value of this name */
+    CRUMPLE_MODEL = 11,       /* a voxel model that cannot be used */
+    CRUMPLE_OVERLAP = 12,     /* participants overlap at the start */
+    CRUMPLE_NO_CONTACT = 13,  /* participants never meet */
+    CRUMPLE_SOLVER = 14,      /* the solver failed */
+    CRUMPLE_MEMORY = 15,      /* out of memory */
+    CRUMPLE_INTERRUPTED = 16, /* cancelled by the caller */
+    CRUMPLE_EXPENSIVE = 17    /* the scene takes more memory than one may */
 };
 
 /* What went wrong, where, and the way out. Begin with CRUMPLE_ERROR_INIT: the size tells the
@@ -127,6 +128,12 @@ CRUMPLE_API int crumple_stack(const crumple *lib, int threads, const crumple_opt
                               crumple_next next, crumple_done done, void *user,
                               crumple_error *error);
 
+/* EES and delta-v out of a measured deformation: the text of a damage file (crumple(1)) into *json,
+ * what crumple damage --format=json prints. Free it with crumple_free. Of the options the name
+ * counts. Errors: those of scenes. */
+CRUMPLE_API int crumple_damage(const crumple *lib, const char *text, size_t length,
+                               const crumple_options *options, char **json, crumple_error *error);
+
 /* Parts of the JSON of a result. */
 enum crumple_json_flag {
     CRUMPLE_TRACE = 1,    /* with the time series */
@@ -159,6 +166,11 @@ CRUMPLE_API const char *crumple_word(const crumple_result *result, const char *n
  * and returns how many there are, 0 for a name that is not there. */
 CRUMPLE_API size_t crumple_series(const crumple_result *result, const char *name, double *out,
                                   size_t size);
+
+/* The scene from above as an SVG element with the EES of the voxels, speeds and forces, at a time
+ * in s of the scene; NaN: after the crash. Its length into *length unless that is NULL. NULL when
+ * memory is out. Free with crumple_free. */
+CRUMPLE_API char *crumple_svg(const crumple_result *result, double time, size_t *length);
 
 /* What crumple_field gives for each voxel. */
 enum crumple_field_kind {
