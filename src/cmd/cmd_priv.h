@@ -123,7 +123,7 @@ struct cr_session {
     struct cr_view view;
     struct cr_sweep *sweep;
     struct cr_damage_notes *damage; /* measured, NULL: none */
-    struct cr_pulse_shown *pulse; /* what the pane of the pulse shows, NULL: |a| of all */
+    struct cr_pulse_shown *pulse;   /* what the pane of the pulse shows, NULL: |a| of all */
     void (*pulse_free)(struct cr_pulse_shown *pulse); /* of its owner */
     struct cr_log_line *log;
     int logs, log_size;
