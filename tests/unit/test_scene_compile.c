@@ -4,6 +4,7 @@
 #include "solver/solver.h"
 
 #include <stdlib.h>
+#include <stdio.h>
 #include <string.h>
 
 static struct cr_model_lib *lib;
@@ -49,12 +50,12 @@ static void test_regressions(void **state) {
     resolve(&s, &assumed);
     const struct cr_participant *a = &s.part[0];
     const struct cr_dims *ref = cr_model_dims(lib, CR_TYPE_SUV, &(double){0});
-    /* stiffness.md 7.3: 1.330 + 1.39e-4 m; (0.308 + 7.7e-5 m) WB; 0.511 + 8.05e-5 m; 7.4: 0.137 m L
-     * WB */
-    check_near(a->track, 1.68445, 1e-9);
+    /* 0.849 of the width; (0.308 + 7.7e-5 m) WB, stiffness.md 7.3; 0.383 of the height */
+    check_near(a->track, 0.849 * 1.983, 1e-9);
     check_near(a->cg_behind_front_axle, 3.002 * 0.50435, 1e-9);
-    check_near(a->cg_height, 0.716275, 1e-9);
-    check_near(a->yaw_inertia, 5333.93589, 1e-4);
+    check_near(a->cg_height, 0.383 * 1.737, 1e-9);
+    /* 0.137 m L WB = 5334 is more than 589 below the line of light trucks */
+    check_near(a->yaw_inertia, 3.168 * 2550 - 2021 - 589, 1e-4);
     check_near(a->front_overhang,
                (5.086 - 3.002) * ref->front_overhang / (ref->length - ref->wheelbase), 1e-12);
     check_near(a->course, 0, 0);
@@ -98,7 +99,7 @@ static void test_sizes_from_type_and_mass(void **state) {
     resolve(&s, NULL);
     check_near(s.part[0].length, ref->length * 2.5 / ref->wheelbase, 1e-11);
     check_near(s.part[1].length, 1.2 * ref->length, 1e-11);
-    check_near(s.part[1].track, 0.9 * s.part[1].width, 1e-11);
+    check_near(s.part[1].track, 0.854 * s.part[1].width, 1e-11);
     cr_scene_fini(&s);
 }
 
@@ -169,7 +170,50 @@ static void test_contradictions_show_once_all_is_known(void **state) {
     assert_int_equal(cr_scene_add(&s, "B", CR_KIND_OBJECT, NULL, &err), CR_ERR_OK);
     assert_int_equal(cr_scene_resolve(&s, lib, NULL, &err), CR_ERR_MISSING);
     assert_string_equal(err.where, "/participants/0");
-    assert_string_equal(err.text, "vehicle \"A\" has no \"type\"");
+    assert_string_equal(err.text, "vehicle \"A\" has neither type, car, mass nor size");
+    cr_scene_fini(&s);
+}
+
+/* what is not said comes from the catalogue, else from size or mass, and is told */
+static void test_kind_and_mass_are_assumed(void **state) {
+    (void)state;
+    static const struct {
+        const char *keys;
+        enum cr_type type;
+        double lo, hi, spread; /* mass */
+    } row[] = {
+        {"\"length_m\": 4.857, \"width_m\": 1.833, \"height_m\": 1.454", CR_TYPE_SEDAN, 1660, 1670,
+         0.11},
+        {"\"length_m\": 3.5", CR_TYPE_SUPER_COMPACT, 1100, 1140, 0.11},
+        {"\"length_m\": 4.1, \"height_m\": 1.8", CR_TYPE_SUV, 1500, 1900, 0.11},
+        {"\"mass_kg\": 1400", CR_TYPE_COMPACT, 1400, 1400, 0},
+        {"\"type\": \"auto\"", CR_TYPE_SEDAN, 1660, 1670, 0.15},
+        {"\"car\": \"volkswagen golf 2015\"", CR_TYPE_COMPACT, 1390, 1480, 0.06},
+        {"\"car\": \"2015 GOLF vw\", \"mass_kg\": 1500", CR_TYPE_COMPACT, 1500, 1500, 0},
+        {"\"car\": \"vw golf 2015\", \"type\": \"suv\"", CR_TYPE_SUV, 1390, 1480, 0.06},
+    };
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+        char a[300];
+        struct cr_scene s;
+        struct cr_assumed assumed = {0};
+        snprintf(a, sizeof a, "\"id\": \"A\", \"kind\": \"vehicle\", %s, \"position_m\": [0, 0]",
+                 row[i].keys);
+        scene_of(a, WALL, &s);
+        resolve(&s, &assumed);
+        assert_int_equal(s.part[0].type, row[i].type);
+        assert_true(s.part[0].mass >= row[i].lo && s.part[0].mass <= row[i].hi);
+        check_near(assumed.mass_spread[0], row[i].spread, 1e-12);
+        cr_assumed_fini(&assumed);
+        cr_scene_fini(&s);
+    }
+    struct cr_scene s;
+    struct cr_error err;
+    scene_of(
+        "\"id\": \"A\", \"kind\": \"vehicle\", \"car\": \"toyota corola\", \"position_m\": [0, 0]",
+        WALL, &s);
+    assert_int_equal(cr_scene_resolve(&s, lib, NULL, &err), CR_ERR_NAME);
+    assert_string_equal(err.where, "/participants/0/car");
+    assert_non_null(strstr(err.hint, "corolla"));
     cr_scene_fini(&s);
 }
 
@@ -399,6 +443,7 @@ static void test_placed_without_gap_is_no_overlap(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_regressions),
+        cmocka_unit_test(test_kind_and_mass_are_assumed),
         cmocka_unit_test(test_sizes_from_type_and_mass),
         cmocka_unit_test(test_methods_decide_what_is_not_given),
         cmocka_unit_test(test_elastic_phases_of_the_methods),
