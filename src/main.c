@@ -21,6 +21,7 @@ static const char help[] =
     "       crumple run SCENE.json           solve one scene\n"
     "       crumple stack INPUT ...          solve many, one result per line\n"
     "       crumple validate [CLASS ...]     compare with crash tests\n"
+    "       crumple mc SCENE.json            solve many draws of its uncertain inputs\n"
     "       crumple models [NAME]            list, show or export the models\n"
     "       crumple calibrate                fit the models to the crash tests again\n"
     "       crumple --help | --version\n"
@@ -41,8 +42,8 @@ struct word {
     int (*run)(int argc, char **argv);
 };
 static const struct word words[] = {
-    {"run", cr_cli_run},       {"stack", cr_cli_stack},           {"validate", cr_trial_validate},
-    {"models", cr_cli_models}, {"calibrate", cr_trial_calibrate},
+    {"run", cr_cli_run}, {"stack", cr_cli_stack},   {"validate", cr_trial_validate},
+    {"mc", cr_cli_mc},   {"models", cr_cli_models}, {"calibrate", cr_trial_calibrate},
 };
 enum { WORDS = sizeof words / sizeof *words };
 

@@ -4,7 +4,7 @@
 . "$SRC/tests/tap.sh"
 cd "$BUILD" || exit 99
 NM=${NM:-nm}
-core="base model solver scene result render"
+core="base model solver scene result render figure"
 
 if ! command -v "$NM" >/dev/null 2>&1 || ! command -v objdump >/dev/null 2>&1; then
     echo "1..0 # SKIP no nm or objdump here"

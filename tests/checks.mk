@@ -34,8 +34,8 @@ EXTRA_DIST += tests/bindings/bindings.sh tests/bindings/solve.py
 check_PROGRAMS += crumple-manual
 crumple_manual_SOURCES = tests/manual.c
 crumple_manual_CFLAGS = $(CR_CFLAGS)
-crumple_manual_LDADD = libcmd.a librender.a libresult.a libscene.a libsolver.a libmodel.a \
-	libbase.a $(CJSON_LIBS) $(NETTLE_LIBS)
+crumple_manual_LDADD = libcmd.a libfigure.a libstudy.a librender.a libresult.a libscene.a libsolver.a \
+	libmodel.a libbase.a $(GSL_LIBS) $(NLOPT_LIBS) $(CJSON_LIBS) $(NETTLE_LIBS) $(CAIRO_LIBS)
 update-manual: crumple-manual$(EXEEXT)
 	./crumple-manual$(EXEEXT) >$(srcdir)/man/crumple-commands.7
 	$(SHELL) $(srcdir)/tests/lib_manual.sh $(srcdir)/src/lib/crumple.h >$(srcdir)/man/libcrumple.3
@@ -84,6 +84,7 @@ EXTRA_DIST += $(golden_checks) \
 	tests/golden/cmd/scene.test \
 	tests/golden/cmd/language.test \
 	tests/golden/cmd/solve.test \
+	tests/golden/cmd/study.test \
 	tests/golden/cmd/pulse.csv \
 	tests/golden/cmd/measured.json \
 	tests/golden/cmd/bad.json \

@@ -7,8 +7,10 @@ include $(srcdir)/tests/unit/model.mk
 include $(srcdir)/tests/unit/solver.mk
 include $(srcdir)/tests/unit/scene.mk
 include $(srcdir)/tests/unit/result.mk
+include $(srcdir)/tests/unit/study.mk
 include $(srcdir)/tests/unit/lib.mk
 include $(srcdir)/tests/unit/render.mk
+include $(srcdir)/tests/unit/figure.mk
 include $(srcdir)/tests/unit/cmd.mk
 include $(srcdir)/tests/unit/repl.mk
 include $(srcdir)/tests/unit/tui.mk

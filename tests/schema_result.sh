@@ -43,7 +43,7 @@ def put(value, new, *path):
     at[path[-1]] = new
     return value
 
-error = {"crumple_result": 1, "scene": "x",
+error = {"crumple_result": 2, "scene": "x",
          "error": {"code": "no-contact", "message": "m", "where": ""}}
 accept("an error object", "error", error)
 refuse("an error without a code", "error", drop(error, "error", "code"))
@@ -67,6 +67,17 @@ for path in sys.argv[3:]:
         refuse("clock 13", "solved", put(got, 13, "participants", i, "pdof_clock"))
         refuse("CDC of nowhere", "solved", put(got, "12XDEW2", "participants", i, "cdc"))
         refuse("an unknown key", "solved", put(got, 1, "participants", i, "ess_kmh"))
+    for i, impact in enumerate(got["impacts"][:1]):
+        for key in impact:
+            refuse("%s without %s of an impact" % (path, key), "solved",
+                   drop(got, "impacts", i, key))
+        for key in impact["vehicles"][0]:
+            refuse("%s without %s of a car in an impact" % (path, key), "solved",
+                   drop(got, "impacts", i, "vehicles", 0, key))
+        refuse("an outline of an impact", "solved",
+               put(got, [], "impacts", i, "vehicles", 0, "deformation_outline_m"))
+        if not impact["vehicles"]:
+            faults.append("%s: an impact of nobody" % path)
     refuse("an unknown stop", "solved", put(got, "tired", "time", "stop"))
     refuse("a short hash", "solved", put(got, "abc", "input", "scene_sha256"))
 print("\n".join(faults))

@@ -6,10 +6,11 @@
  * Returns "" and leaves buf empty if none has what is needed. */
 const char *cr_data_dir(char *buf, int size);
 
-/* `crumple run ...`, `crumple stack ...`, `crumple models ...`: argv[0] is the word itself. Return
- * the exit status of the program (crumple(1)). */
+/* `crumple run ...` and so on: argv[0] is the word itself. Return the exit status of the program
+ * (crumple(1)). */
 int cr_cli_run(int argc, char **argv);
 int cr_cli_stack(int argc, char **argv);
 int cr_cli_models(int argc, char **argv);
+int cr_cli_mc(int argc, char **argv);
 
 #endif

@@ -3,10 +3,12 @@ libcli_a_SOURCES = \
 	src/cli/cli.h \
 	src/cli/data.c \
 	src/cli/feed.c src/cli/feed.h \
+	src/cli/mc.c \
 	src/cli/models.c src/cli/models.h src/cli/models_list.c \
 	src/cli/options.c src/cli/options.h \
 	src/cli/output.c \
 	src/cli/pair.c src/cli/pair.h \
+	src/cli/pictures.c src/cli/pictures.h \
 	src/cli/resume.c src/cli/resume.h \
 	src/cli/run.c \
 	src/cli/shared.c \

@@ -163,18 +163,19 @@ static cJSON *difference(const struct pair *p) {
     return list;
 }
 
-static enum cr_err write_pair(const struct pair *p, struct cr_str *out, int *failed,
-                              struct cr_error *err) {
+static enum cr_err write_pair(const struct pair *p, const struct cr_result_opts *form,
+                              struct cr_str *out, int *failed, struct cr_error *err) {
     if (p->scenes != 2 || !p->part[0] || !p->part[1]) {
         struct cr_error what;
         cr_err_set(&what, CR_ERR_MISSING, "pair '%s' has %d scenes%s", p->name, p->scenes,
                    p->scenes == 2 ? ", of which not both were solved" : "");
         cr_err_hint(&what, "a pair is two scenes with one \"pair\" name");
         ++*failed;
-        return cr_result_error_json(p->name, &what, false, out, err);
+        return cr_result_error_json(p->name, &what, form, out, err);
     }
     cJSON *json = cJSON_CreateObject();
-    cJSON_AddNumberToObject(json, "crumple_result", 1);
+    cJSON_AddNumberToObject(json, "crumple_result",
+                            form->version ? form->version : CR_RESULT_VERSION);
     cJSON_AddStringToObject(json, "pair", p->name);
     cJSON *scenes = cJSON_AddArrayToObject(json, "scenes");
     for (int i = 0; i < 2; i++) {
@@ -188,13 +189,14 @@ static enum cr_err write_pair(const struct pair *p, struct cr_str *out, int *fai
     return CR_ERR_OK;
 }
 
-enum cr_err cr_pair_write(const struct cr_pair_set *set, struct cr_str *out, int *failed,
-                          struct cr_error *err) {
+enum cr_err cr_pair_write(const struct cr_pair_set *set, const struct cr_result_opts *form,
+                          struct cr_str *out, int *failed, struct cr_error *err) {
     enum cr_err rc = CR_ERR_OK;
     *failed = 0;
     for (int i = 0; i < set->n && !rc; i++) {
         // pairs that lie in another shard have no scenes here
-        rc = set->pair[i].scenes > 0 ? write_pair(&set->pair[i], out, failed, err) : CR_ERR_OK;
+        rc =
+            set->pair[i].scenes > 0 ? write_pair(&set->pair[i], form, out, failed, err) : CR_ERR_OK;
     }
     return rc;
 }

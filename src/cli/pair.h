@@ -4,6 +4,7 @@
 
 #include "base/err.h"
 #include "base/str.h"
+#include "result/result.h"
 
 struct cr_pair_set;
 
@@ -20,8 +21,9 @@ CR_MUST_CHECK enum cr_err cr_pair_note(struct cr_pair_set *set, const char *pair
 
 /* A line per pair, in the order in which they began: EES, delta-v and injury probabilities of the
  * second scene minus those of the first, by participant. Pairs without two solved scenes get an
- * error object; *failed counts them. */
-CR_MUST_CHECK enum cr_err cr_pair_write(const struct cr_pair_set *set, struct cr_str *out,
+ * error object; *failed counts them. form: of the lines. */
+CR_MUST_CHECK enum cr_err cr_pair_write(const struct cr_pair_set *set,
+                                        const struct cr_result_opts *form, struct cr_str *out,
                                         int *failed, struct cr_error *err);
 
 #endif

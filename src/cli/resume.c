@@ -49,13 +49,14 @@ static bool is_current(const struct cr_model_lib *lib, const char *model) {
            !strcmp(hash + 8, cr_model_hash(lib, (enum cr_type)type));
 }
 
-static bool is_usable(const cJSON *json, const struct cr_model_lib *lib, bool trace,
-                      bool resolved) {
+static bool is_usable(const cJSON *json, const struct cr_model_lib *lib,
+                      const struct cr_result_opts *form) {
     const cJSON *input = cJSON_GetObjectItemCaseSensitive(json, "input"), *model;
+    const cJSON *version = cJSON_GetObjectItemCaseSensitive(json, "crumple_result");
     if (strcmp(text_of(json, "version"), PACKAGE_VERSION) != 0 ||
-        strlen(text_of(input, "scene_sha256")) != CR_HASH_SIZE - 1 ||
-        trace != cJSON_HasObjectItem(json, "trace") ||
-        resolved != cJSON_HasObjectItem(input, "resolved")) {
+        strlen(text_of(input, "scene_sha256")) != CR_HASH_SIZE - 1 || !cJSON_IsNumber(version) ||
+        version->valueint != form->version || form->trace != cJSON_HasObjectItem(json, "trace") ||
+        form->resolved != cJSON_HasObjectItem(input, "resolved")) {
         return false;
     }
     cJSON_ArrayForEach(model, cJSON_GetObjectItemCaseSensitive(input, "models")) {
@@ -82,7 +83,7 @@ static enum cr_err add(struct cr_resume *r, const struct entry *e, struct cr_err
 }
 
 static enum cr_err index_file(struct cr_resume *r, const char *path, const struct cr_model_lib *lib,
-                              bool trace, bool resolved, struct cr_error *err) {
+                              const struct cr_result_opts *form, struct cr_error *err) {
     FILE *f = fopen(path, "r");
     r->fd[r->files] = open(path, O_RDONLY | O_CLOEXEC);
     if (!f || r->fd[r->files] < 0) {
@@ -111,7 +112,7 @@ static enum cr_err index_file(struct cr_resume *r, const char *path, const struc
             rc = cr_err_set(err, CR_ERR_SYNTAX, "this is no result");
             cr_err_hint(err, "--resume takes what crumple stack has written");
             cr_err_place(err, path, number, 1);
-        } else if (json && is_usable(json, lib, trace, resolved)) {
+        } else if (json && is_usable(json, lib, form)) {
             const cJSON *input = cJSON_GetObjectItemCaseSensitive(json, "input");
             memcpy(e.hash, text_of(input, "scene_sha256"), CR_HASH_SIZE);
             e.len = (size_t)n;
@@ -133,7 +134,7 @@ static int by_hash(const void *a, const void *b) {
 }
 
 enum cr_err cr_resume_open(const char *const *path, int n, const struct cr_model_lib *lib,
-                           bool trace, bool resolved, struct cr_resume **out,
+                           const struct cr_result_opts *form, struct cr_resume **out,
                            struct cr_error *err) {
     *out = NULL;
     if (n > FILES_MAX) {
@@ -145,7 +146,7 @@ enum cr_err cr_resume_open(const char *const *path, int n, const struct cr_model
     }
     enum cr_err rc = CR_ERR_OK;
     for (int i = 0; i < n && !rc; i++) {
-        rc = index_file(r, path[i], lib, trace, resolved, err);
+        rc = index_file(r, path[i], lib, form, err);
     }
     if (rc) {
         cr_resume_free(r);

@@ -1,18 +1,22 @@
 /* `crumple run` solves one scene and writes its result. */
 #include "cli/cli.h"
+#include "cli/pictures.h"
 #include "cli/word.h"
 
 #include <stdio.h>
 #include <string.h>
 
 #define FORMATS "json|text|csv"
-enum format { FORMAT_JSON, FORMAT_TEXT, FORMAT_CSV };
+#define PER     "participant|impact"
+enum per { PER_PARTICIPANT, PER_IMPACT };
+enum format { FORMAT_JSON, FORMAT_TEXT, FORMAT_CSV, FORMAT_OPEN = -1 };
 
 struct run_options {
     int format;
     bool trace;
+    int version, per; /* of the JSON; rows of the CSV */
     const char *out;
-    struct cr_option_values set;
+    struct cr_option_values set, pictures;
     struct cr_cli_look look;
 };
 
@@ -32,8 +36,12 @@ enum cr_err cr_cli_override(struct cr_scene *scene, const struct cr_option_value
 
 static enum cr_err write_result(const struct cr_result *result, const struct run_options *opt,
                                 struct cr_str *text, struct cr_error *err) {
-    struct cr_result_opts form = {.trace = opt->trace, .resolved = true, .pretty = true};
-    if (opt->format == FORMAT_JSON) {
+    struct cr_result_opts form = {.trace = opt->trace,
+                                  .resolved = true,
+                                  .pretty = true,
+                                  .version = opt->version,
+                                  .impacts = opt->per == PER_IMPACT};
+    if (opt->format == FORMAT_JSON || opt->format == FORMAT_OPEN) {
         return cr_result_json(result, &form, text, err);
     }
     if (opt->format == FORMAT_CSV) {
@@ -44,11 +52,27 @@ static enum cr_err write_result(const struct cr_result *result, const struct run
     return cr_render_report(result, &look, width, text, err);
 }
 
+/* With pictures alone nobody asked for the result. */
+static bool wants_result(const struct run_options *opt) {
+    return opt->pictures.n == 0 || opt->out != NULL || opt->trace || opt->format != FORMAT_OPEN;
+}
+
+static enum cr_err write_all(const struct cr_result *result, const struct run_options *opt,
+                             const struct cr_context *ctx, struct cr_error *err) {
+    struct cr_str text = {0};
+    enum cr_err code = cr_cli_pictures(&opt->pictures, result, ctx, err);
+    if (code == CR_ERR_OK && wants_result(opt)) {
+        code = write_result(result, opt, &text, err);
+        code = code == CR_ERR_OK ? cr_cli_emit(opt->out, &text, err) : code;
+    }
+    cr_str_fini(&text);
+    return code;
+}
+
 static enum cr_err run(const char *path, const struct run_options *opt, struct cr_error *err) {
     struct cr_cli_shared shared = {0};
     struct cr_scene scene;
     struct cr_result *result = NULL;
-    struct cr_str text = {0};
     cr_scene_init(&scene);
     const char *name = strcmp(path, "-") == 0 ? "standard input" : path;
     enum cr_err code = cr_scene_load(path, &scene, err);
@@ -71,12 +95,8 @@ static enum cr_err run(const char *path, const struct run_options *opt, struct c
         }
     }
     if (code == CR_ERR_OK) {
-        code = write_result(result, opt, &text, err);
+        code = write_all(result, opt, &shared.ctx, err);
     }
-    if (code == CR_ERR_OK) {
-        code = cr_cli_emit(opt->out, &text, err);
-    }
-    cr_str_fini(&text);
     cr_result_free(result);
     cr_scene_fini(&scene);
     cr_cli_close(&shared);
@@ -84,7 +104,7 @@ static enum cr_err run(const char *path, const struct run_options *opt, struct c
 }
 
 int cr_cli_run(int argc, char **argv) {
-    struct run_options opt = {.format = FORMAT_JSON};
+    struct run_options opt = {.format = FORMAT_OPEN, .version = CR_RESULT_VERSION};
     const struct cr_option table[] = {
         {.name = "format",
          .letter = 'f',
@@ -92,6 +112,11 @@ int cr_cli_run(int argc, char **argv) {
          .number = &opt.format,
          .help = "form of the result (json)"},
         {.name = "trace", .letter = 't', .flag = &opt.trace, .help = "with the time series"},
+        {.name = "per",
+         .arg = PER,
+         .number = &opt.per,
+         .help = "rows of the CSV: one per participant (default), or per impact and participant"},
+        CR_CLI_VERSION_OPTION(&opt.version),
         {.name = "output",
          .letter = 'o',
          .arg = "FILE",
@@ -102,6 +127,11 @@ int cr_cli_run(int argc, char **argv) {
          .arg = "KEY=VALUE",
          .values = &opt.set,
          .help = "override a setting (dt_ms=0.25) or a value (A.speed_kmh=60)"},
+        {.name = "picture",
+         .letter = 'p',
+         .arg = "[WHAT=]FILE",
+         .values = &opt.pictures,
+         .help = "draw FILE.svg, .pdf or .png; WHAT is before, after, 40ms, pulse ... (overview)"},
         CR_CLI_LOOK_OPTIONS(&opt.look),
     };
     const struct cr_usage usage = {.word = "run",
@@ -115,6 +145,9 @@ int cr_cli_run(int argc, char **argv) {
     int operands, status = cr_cli_options(&usage, argc, argv, &operands);
     if (status >= 0) {
         return status;
+    }
+    if (cr_cli_check_pictures(&opt.pictures, &err) != CR_ERR_OK) {
+        return cr_cli_fail(&err);
     }
     return run(argv[1], &opt, &err) == CR_ERR_OK ? 0 : cr_cli_fail(&err);
 }

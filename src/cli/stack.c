@@ -28,6 +28,7 @@ struct options {
     int jobs;
     const char *shard, *out;
     bool trace, resolved, progress;
+    int version; /* of the results */
     struct cr_option_values set, resume;
 };
 
@@ -52,6 +53,11 @@ struct stack {
     struct timespec began, told;
     struct cr_error fatal;
 };
+
+static struct cr_result_opts form_of(const struct options *opt) {
+    return (struct cr_result_opts){
+        .trace = opt->trace, .resolved = opt->resolved, .version = opt->version};
+}
 
 /* name of the pair in a scene's text, without checking the rest */
 static void peek_pair(const struct cr_feed_item *in, char pair[CR_NAME_MAX]) {
@@ -150,7 +156,7 @@ static enum cr_err solve(const struct stack *s, const struct cr_scene *scene, st
         }
     }
     rc = cr_result_run(scene, &s->shared.ctx, &result, err);
-    struct cr_result_opts form = {.trace = s->opt->trace, .resolved = s->opt->resolved};
+    struct cr_result_opts form = form_of(s->opt);
     rc = rc ? rc : cr_result_json(result, &form, line, err);
     cr_result_free(result);
     return rc;
@@ -175,7 +181,8 @@ static void work(void *user, void *of) {
         item->failed = true;
         item->interrupted = rc == CR_ERR_INTERRUPTED;
         cr_str_clear(&item->line);
-        item->line.failed |= cr_result_error_json(name, &err, false, &item->line, NULL) != 0;
+        struct cr_result_opts form = form_of(s->opt);
+        item->line.failed |= cr_result_error_json(name, &err, &form, &item->line, NULL) != 0;
     }
     cr_scene_fini(&scene);
 }
@@ -256,8 +263,9 @@ static enum cr_err open_stack(struct stack *s, char **input, int inputs, struct 
     rc = rc ? rc : cr_pair_new(&s->homes, err);
     rc = rc ? rc : cr_pair_new(&s->pairs, err);
     if (!rc && s->opt->resume.n > 0) {
-        rc = cr_resume_open(s->opt->resume.value, s->opt->resume.n, s->shared.models, s->opt->trace,
-                            s->opt->resolved, &s->resume, err);
+        struct cr_result_opts form = form_of(s->opt);
+        rc = cr_resume_open(s->opt->resume.value, s->opt->resume.n, s->shared.models, &form,
+                            &s->resume, err);
     }
     return rc;
 }
@@ -280,7 +288,8 @@ static enum cr_err run_stack(struct stack *s, struct cr_error *err) {
     }
     struct cr_str lines = {0};
     int failed;
-    rc = cr_pair_write(s->pairs, &lines, &failed, err);
+    struct cr_result_opts form = form_of(s->opt);
+    rc = cr_pair_write(s->pairs, &form, &lines, &failed, err);
     if (!rc && put(s, &lines)) {
         *err = s->fatal;
         rc = err->code;
@@ -403,6 +412,7 @@ static int read_options(int argc, char **argv, struct options *opt, int *operand
          .help = "override a setting or value in every scene"},
         {.name = "trace", .letter = 't', .flag = &opt->trace, .help = "with the time series"},
         {.name = "resolved", .flag = &opt->resolved, .help = "with the resolved scenes"},
+        CR_CLI_VERSION_OPTION(&opt->version),
     };
     const struct cr_usage usage = {.word = "stack",
                                    .operands = "INPUT ...",
@@ -415,7 +425,7 @@ static int read_options(int argc, char **argv, struct options *opt, int *operand
 }
 
 int cr_cli_stack(int argc, char **argv) {
-    struct options opt = {0};
+    struct options opt = {.version = CR_RESULT_VERSION};
     struct cr_error err = {0};
     int operands;
     long failed;

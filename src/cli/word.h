@@ -48,6 +48,13 @@ void cr_cli_catch(void);
 /* Non-zero once interrupted; has the shape of cr_context.cancel. */
 int cr_cli_cancelled(void *unused);
 
+/* --result-version: a row for an option table */
+#define CR_CLI_VERSION_OPTION(v)                                                                   \
+    {                                                                                              \
+        .name = "result-version", .arg = "N", .number = (v), .lo = 1, .hi = CR_RESULT_VERSION,     \
+        .help = "form of the JSON: 2 (default), or 1 as before impacts were told singly"           \
+    }
+
 /* --color, --ascii, --width: rows for an option table (CR_CLI_LOOK_OPTIONS(&x)), and what they
  * come to for output to a file or (to_file false) standard output. */
 struct cr_cli_look {

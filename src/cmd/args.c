@@ -46,6 +46,19 @@ static enum cr_err parse_word(const struct cr_call *call, const struct cr_arg *a
     return CR_ERR_NAME;
 }
 
+/* "scene.svg": the word is what stands before the suffix */
+static enum cr_err parse_stem(const struct cr_call *call, const struct cr_arg *arg,
+                              struct cr_value *v, struct cr_error *err) {
+    char stem[64];
+    const char *whole = v->text, *slash = strrchr(whole, '/');
+    const char *name = slash != NULL ? slash + 1 : whole;
+    snprintf(stem, sizeof stem, "%.*s", (int)strcspn(name, "."), name);
+    v->text = stem;
+    enum cr_err code = parse_word(call, arg, v, err);
+    v->text = whole;
+    return code;
+}
+
 static const char *bound(double x, const char *unit, char *buf, int size) {
     snprintf(buf, (size_t)size, "%.10g%s%s", x, unit != NULL && strcmp(unit, "%") != 0 ? " " : "",
              unit != NULL ? unit : "");
@@ -165,6 +178,8 @@ static enum cr_err parse_value(struct cr_call *call, const struct cr_arg *arg, s
     case CR_VALUE_WORD:
     case CR_VALUE_SWITCH:
         return parse_word(call, arg, v, err);
+    case CR_VALUE_STEM:
+        return parse_stem(call, arg, v, err);
     case CR_VALUE_POINT:
         return parse_point(arg, v, err);
     case CR_VALUE_NAME:

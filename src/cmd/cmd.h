@@ -81,6 +81,7 @@ enum cr_arg_type {
     CR_VALUE_NUMBER,  /* number with unit; unit is the default one, lo..hi in that unit */
     CR_VALUE_COUNT,   /* whole number lo..hi; a sign makes it relative where def is "relative" */
     CR_VALUE_WORD,    /* one of words, separated by '|' */
+    CR_VALUE_STEM,    /* likewise, also as the stem of a file: "scene", "scene.svg" */
     CR_VALUE_TEXT,    /* anything */
     CR_VALUE_NAME,    /* a participant that exists */
     CR_VALUE_VEHICLE, /* a vehicle that exists */

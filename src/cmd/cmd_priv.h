@@ -262,6 +262,7 @@ enum cr_err cr_cmd_project(struct cr_session *s, int view, struct cr_error *err)
     X(explain)                                                                                     \
     X(compare)                                                                                     \
     X(assert)                                                                                      \
+    X(mc)                                                                                          \
     X(sweep)                                                                                       \
     X(load)                                                                                        \
     X(save)                                                                                        \
@@ -277,6 +278,10 @@ enum cr_err cr_cmd_project(struct cr_session *s, int view, struct cr_error *err)
     X(help)                                                                                        \
     X(apropos)                                                                                     \
     X(quit)
+/* May a command write to a path? A file that is there and is not the session's own is kept unless
+ * "!" was typed. */
+enum cr_err cr_cmd_may_write(struct cr_call *call, const char *path, struct cr_error *err);
+
 /* compare with a file of a pulse (compare.c); path is where the file was found. */
 enum cr_err cr_cmd_compare_pulse(struct cr_call *call, const char *path, struct cr_error *err);
 

@@ -202,6 +202,7 @@ static void add_values(struct cursor *c, const struct cr_arg *arg) {
         add_units(c, arg->dim);
         break;
     case CR_VALUE_WORD:
+    case CR_VALUE_STEM:
     case CR_VALUE_SWITCH:
         add_words(c, arg->words);
         break;

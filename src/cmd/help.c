@@ -8,11 +8,12 @@
 #include <strings.h>
 
 static const char *const type_words[] = {
-    [CR_VALUE_KEY] = "VALUE",       [CR_VALUE_NUMBER] = "NUMBER",   [CR_VALUE_COUNT] = "N",
-    [CR_VALUE_WORD] = "WORD",       [CR_VALUE_TEXT] = "TEXT",       [CR_VALUE_NAME] = "NAME",
-    [CR_VALUE_VEHICLE] = "NAME",    [CR_VALUE_NEW] = "NAME",        [CR_VALUE_FILE] = "FILE",
-    [CR_VALUE_MODEL] = "MODEL",     [CR_VALUE_COMMAND] = "COMMAND", [CR_VALUE_TIME] = "TIME",
-    [CR_VALUE_SWEEP] = "KEY RANGE", [CR_VALUE_POINT] = "X,Y",       [CR_VALUE_SWITCH] = "on|off",
+    [CR_VALUE_KEY] = "VALUE",     [CR_VALUE_NUMBER] = "NUMBER",   [CR_VALUE_COUNT] = "N",
+    [CR_VALUE_WORD] = "WORD",     [CR_VALUE_STEM] = "WORD",       [CR_VALUE_TEXT] = "TEXT",
+    [CR_VALUE_NAME] = "NAME",     [CR_VALUE_VEHICLE] = "NAME",    [CR_VALUE_NEW] = "NAME",
+    [CR_VALUE_FILE] = "FILE",     [CR_VALUE_MODEL] = "MODEL",     [CR_VALUE_COMMAND] = "COMMAND",
+    [CR_VALUE_TIME] = "TIME",     [CR_VALUE_SWEEP] = "KEY RANGE", [CR_VALUE_POINT] = "X,Y",
+    [CR_VALUE_SWITCH] = "on|off",
 };
 
 static void value_word(const struct cr_arg *arg, struct cr_str *out) {
@@ -25,7 +26,8 @@ static void value_word(const struct cr_arg *arg, struct cr_str *out) {
         cr_str_add(out, "on|off");
     } else if (key != NULL && key->unit != NULL && key->unit[0] != '\0') {
         cr_str_add(out, key->unit);
-    } else if (arg->type == CR_VALUE_WORD || arg->type == CR_VALUE_SWITCH) {
+    } else if (arg->type == CR_VALUE_WORD || arg->type == CR_VALUE_STEM ||
+               arg->type == CR_VALUE_SWITCH) {
         cr_str_add(out, arg->words);
     } else if (arg->unit != NULL) {
         cr_str_add(out, arg->unit);

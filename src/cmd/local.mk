@@ -8,10 +8,13 @@ libcmd_a_SOURCES = \
 	src/cmd/complete.c \
 	src/cmd/describe.c \
 	src/cmd/edit.c \
+	src/cmd/export.c src/cmd/export.h \
+	src/cmd/export_picture.c \
 	src/cmd/files.c \
 	src/cmd/help.c \
 	src/cmd/hints.c \
 	src/cmd/look.c \
+	src/cmd/mc.c \
 	src/cmd/measure.c src/cmd/measure.h \
 	src/cmd/model.c \
 	src/cmd/open.c \
@@ -30,6 +33,7 @@ libcmd_a_SOURCES = \
 	src/cmd/sweep_table.c \
 	src/cmd/table.c \
 	src/cmd/token.c \
+	src/cmd/vary.c src/cmd/vary.h \
 	src/cmd/words.c \
 	src/cmd/work.c
 libcmd_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)

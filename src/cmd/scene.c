@@ -49,7 +49,7 @@ static enum cr_err say_keys(struct cr_call *call, const char *id, struct cr_erro
             }
             const char *text = cr_str_get(assumes && known ? &value : &given);
             double x = strtod(text, NULL);
-            if (key->type == CR_KEY_NUMBER && strcmp(text, "auto") != 0) {
+            if (key->type == CR_KEY_NUMBER && strcmp(text, "auto") != 0 && !cr_tolerance_is(text)) {
                 cr_say(s, "%-10s %.5g %s%s", arg->name, x, key->unit, assumes ? "  (assumed)" : "");
             } else {
                 bool bare = assumes || key->unit == NULL || key->unit[0] == '\0';

@@ -2,6 +2,7 @@
 #include "cmd/sweep.h"
 
 #include "cmd/measure.h"
+#include "cmd/vary.h"
 
 #include "base/file.h"
 #include "base/pool.h"
@@ -14,87 +15,6 @@
 #include <time.h>
 
 enum { AXIS_MAX = 1000, RUNS_MAX = 10000 };
-
-const struct cr_sweep_key cr_sweep_keys[] = {
-    {"speed", "speed_kmh", 0, false, CR_DIM_SPEED, "km/h", "speed"},
-    {"v", "speed_kmh", 0, false, CR_DIM_SPEED, "km/h", "speed"},
-    {"overlap", NULL, 0, false, CR_DIM_NUMBER, "%", "lateral overlap as placed"},
-    {"angle", NULL, 0, false, CR_DIM_ANGLE, "deg", "angle as placed"},
-    {"at", NULL, 0, false, CR_DIM_LENGTH, "m", "place along the struck side, as placed"},
-    {"mass", "mass_kg", 0, false, CR_DIM_MASS, "kg", "mass"},
-    {"heading", "heading_deg", 0, false, CR_DIM_ANGLE, "deg", "heading"},
-    {"course", "course_deg", 0, false, CR_DIM_ANGLE, "deg", "direction of travel"},
-    {"yawrate", "yaw_rate_deg_s", 0, false, CR_DIM_YAW_RATE, "deg/s", "yaw rate before"},
-    {"inertia", "yaw_inertia_kgm2", CR_FOR_VEHICLE, false, CR_DIM_INERTIA, "kgm2", "yaw inertia"},
-    {"brake", "brake", CR_FOR_VEHICLE, false, CR_DIM_NUMBER, "%", "share of the braking friction"},
-    {"friction", "friction", 0, false, CR_DIM_NUMBER, "", "of its surface"},
-    {"restitution", "restitution", 0, true, CR_DIM_NUMBER, "", "restitution"},
-    {"friction", "friction", 0, true, CR_DIM_NUMBER, "", "friction between bodies"},
-    {"road", "road_friction", 0, true, CR_DIM_NUMBER, "", "friction of the tyres"},
-    {"dt", "dt_ms", 0, true, CR_DIM_TIME, "ms", "longest time slice"},
-    {"voxel", "voxel_mm", 0, true, CR_DIM_LENGTH, "mm", "edge of the voxels"},
-    {"elastic", "elastic_ms", 0, true, CR_DIM_TIME, "ms", "length of the elastic phases"},
-    {.name = NULL},
-};
-
-/* ---- what is varied ---- */
-
-struct variable {
-    const struct cr_sweep_key *key;
-    char id[CR_NAME_MAX]; /* "" for a setting */
-};
-
-static enum cr_err unknown_variable(const struct cr_scene *scene, const char *text,
-                                    struct cr_error *err) {
-    const char *list[32], *dot = strchr(text, '.');
-    int n = 0;
-    for (int i = 0; cr_sweep_keys[i].name != NULL && n < 32; i++) {
-        if (cr_sweep_keys[i].setting == (dot == NULL)) {
-            list[n++] = cr_sweep_keys[i].name;
-        }
-    }
-    const char *near = cr_str_nearest(dot != NULL ? dot + 1 : text, list, n);
-    cr_err_set(err, CR_ERR_NAME, "'%.60s' cannot be swept", text);
-    if (near != NULL) {
-        cr_err_hint(err, "did you mean '%.*s%s'?", dot != NULL ? (int)(dot + 1 - text) : 0, text,
-                    near);
-    } else {
-        cr_err_hint(err, "for example %s.speed or restitution; Tab lists all",
-                    scene->n > 0 ? scene->part[0].id : "A");
-    }
-    return CR_ERR_NAME;
-}
-
-static enum cr_err find_variable(const struct cr_session *s, const char *text, struct variable *out,
-                                 struct cr_error *err) {
-    const struct cr_scene *scene = cr_session_scene(s);
-    const char *dot = strchr(text, '.');
-    *out = (struct variable){.key = NULL};
-    if (dot != NULL) {
-        snprintf(out->id, sizeof out->id, "%.*s", (int)(dot - text), text);
-        if (cr_scene_find(&cr_session_now(s)->scene, out->id) == NULL) {
-            cr_err_set(err, CR_ERR_NAME, "there is no participant '%.60s'", out->id);
-            cr_err_hint(err, "list shows the participants");
-            return CR_ERR_NAME;
-        }
-    }
-    for (int i = 0; cr_sweep_keys[i].name != NULL; i++) {
-        if (cr_sweep_keys[i].setting == (dot == NULL) &&
-            strcmp(cr_sweep_keys[i].name, dot != NULL ? dot + 1 : text) == 0) {
-            out->key = &cr_sweep_keys[i];
-        }
-    }
-    if (out->key == NULL) {
-        return unknown_variable(scene, text, err);
-    }
-    if (out->key->key == NULL && cr_placed_find(cr_session_now(s), out->id) == NULL) {
-        cr_err_set(err, CR_ERR_MISSING, "%s was not placed against another", out->id);
-        cr_err_hint(err, "try: place %s facing %s overlap=50%%", out->id,
-                    scene->n > 1 ? scene->part[strcmp(scene->part[0].id, out->id) == 0].id : "B");
-        return CR_ERR_MISSING;
-    }
-    return CR_ERR_OK;
-}
 
 /* ---- ranges: from:to:step, or a,b,c ---- */
 
@@ -167,59 +87,13 @@ static enum cr_err read_range(const char *text, const struct cr_sweep_key *key,
     return CR_ERR_OK;
 }
 
-/* ---- one run ---- */
-
-static enum cr_err apply(struct cr_state *state, const struct variable *var, double si,
-                         const struct cr_model_lib *models, struct cr_error *err) {
-    if (var->key->key == NULL) {
-        struct cr_placed placed = *cr_placed_find(state, var->id);
-        if (strcmp(var->key->name, "overlap") == 0) {
-            placed.overlap = si;
-        } else if (strcmp(var->key->name, "angle") == 0) {
-            placed.angle = si;
-        } else {
-            placed.at = si;
-            placed.at_word = -1;
-        }
-        return cr_placed_apply(state, &placed, models, err);
-    }
-    char full[2 * CR_NAME_MAX + 2], value[40];
-    bool setting = var->key->setting;
-    unsigned mask = setting ? 0 : cr_scene_kind_mask(cr_scene_find(&state->scene, var->id));
-    const struct cr_key *key =
-        cr_scene_key_find(setting ? CR_KEYS_SETTINGS : CR_KEYS_PARTICIPANT, var->key->key, mask);
-    if (key == NULL) {
-        return cr_err_set(err, CR_ERR_KEY, "%s has no %s", var->id, var->key->name);
-    }
-    snprintf(full, sizeof full, "%s%s%s", var->id, setting ? "" : ".", key->name);
-    snprintf(value, sizeof value, "%.17g", cr_unit_from_si(cr_scene_key_unit(key), si));
-    struct cr_placed *placed = cr_placed_find(state, var->id);
-    if (placed != NULL && strcmp(var->key->name, "heading") == 0) {
-        placed->id[0] = '\0'; /* it no longer stands as it was placed */
-    }
-    return cr_scene_set(&state->scene, full, value, err);
-}
-
-/* who was placed still stands against the other, though a mass may have changed sizes */
-static enum cr_err place_all(struct cr_state *state, const struct cr_model_lib *models,
-                             struct cr_error *err) {
-    enum cr_err code = CR_ERR_OK;
-    for (int i = 0; i < CR_BODY_MAX && code == CR_ERR_OK; i++) {
-        if (state->placed[i].id[0] != '\0') {
-            struct cr_placed placed = state->placed[i];
-            code = cr_placed_apply(state, &placed, models, err);
-        }
-    }
-    return code;
-}
-
 /* shared by the threads of a sweep; the session itself is not touched by them */
 struct job {
     const struct cr_state *base;
     const struct cr_model_lib *models;
     const struct cr_irf_set *irf;
     struct cr_sweep *sweep;
-    const struct variable *var;
+    const struct cr_vary *var;
     struct cr_session *session; /* for the thread of the session alone */
     int next;
     atomic_int finished;
@@ -251,10 +125,10 @@ static void solve_run(struct job *job, struct cr_sweep_run *run) {
     struct cr_error err = {0};
     enum cr_err code = cr_state_dup(job->base, &state, &err);
     for (int a = 0; a < job->sweep->axes && code == CR_ERR_OK; a++) {
-        code = apply(state, &job->var[a], run->at[a], job->models, &err);
+        code = cr_vary_apply(state, &job->var[a], run->at[a], job->models, &err);
     }
     if (code == CR_ERR_OK) {
-        code = place_all(state, job->models, &err);
+        code = cr_vary_settle(state, job->models, &err);
     }
     if (code == CR_ERR_OK) {
         code = cr_result_run(&state->scene, &ctx, &result, &err);
@@ -357,7 +231,7 @@ out:
 /* ---- the command ---- */
 
 /* words of the rest, "KEY RANGE" or "KEY=RANGE", that are no arguments of their own */
-static enum cr_err read_axes(struct cr_call *call, struct cr_sweep *sweep, struct variable *var,
+static enum cr_err read_axes(struct cr_call *call, struct cr_sweep *sweep, struct cr_vary *var,
                              struct cr_error *err) {
     const struct cr_tokens *t = call->tokens;
     const char *name = NULL;
@@ -377,7 +251,7 @@ static enum cr_err read_axes(struct cr_call *call, struct cr_sweep *sweep, struc
         }
         if (name == NULL && tok->kind == CR_TOKEN_WORD) {
             name = tok->text;
-            enum cr_err code = find_variable(call->s, name, &var[sweep->axes], err);
+            enum cr_err code = cr_vary_find(call->s, name, &var[sweep->axes], err);
             if (code != CR_ERR_OK) {
                 return code;
             }
@@ -385,7 +259,7 @@ static enum cr_err read_axes(struct cr_call *call, struct cr_sweep *sweep, struc
         }
         name = tok->kind == CR_TOKEN_PAIR ? tok->key : name;
         struct cr_sweep_axis *axis = &sweep->axis[sweep->axes];
-        enum cr_err code = find_variable(call->s, name, &var[sweep->axes], err);
+        enum cr_err code = cr_vary_find(call->s, name, &var[sweep->axes], err);
         if (code == CR_ERR_OK) {
             code = read_range(tok->text, var[sweep->axes].key, axis, err);
         }
@@ -437,7 +311,7 @@ static enum cr_err take_row(struct cr_call *call, struct cr_error *err) {
     struct cr_session *s = call->s;
     const struct cr_sweep *sweep = s->sweep;
     int row = (int)cr_cmd_number(call, "row", 1);
-    struct variable var;
+    struct cr_vary var;
     struct cr_state *draft;
     if (sweep == NULL || row > sweep->n) {
         cr_err_set(err, CR_ERR_RANGE, "the last sweep has %d runs", sweep != NULL ? sweep->n : 0);
@@ -448,9 +322,9 @@ static enum cr_err take_row(struct cr_call *call, struct cr_error *err) {
         code = cr_cmd_edit(call, &draft, err);
     }
     for (int a = 0; a < sweep->axes && code == CR_ERR_OK; a++) {
-        code = find_variable(s, sweep->axis[a].key, &var, err);
+        code = cr_vary_find(s, sweep->axis[a].key, &var, err);
         if (code == CR_ERR_OK) {
-            code = apply(draft, &var, sweep->run[row - 1].at[a], s->models, err);
+            code = cr_vary_apply(draft, &var, sweep->run[row - 1].at[a], s->models, err);
         }
         if (code == CR_ERR_OK) {
             cr_say(s, "%s = %.6g %s", sweep->axis[a].key,
@@ -459,7 +333,7 @@ static enum cr_err take_row(struct cr_call *call, struct cr_error *err) {
         }
     }
     if (code == CR_ERR_OK) {
-        code = place_all(draft, s->models, err);
+        code = cr_vary_settle(draft, s->models, err);
     }
     return code == CR_ERR_OK ? code : cr_cmd_blame(call, "row", code);
 }
@@ -483,7 +357,7 @@ static enum cr_err write_csv(struct cr_call *call, struct cr_error *err) {
 
 enum cr_err cr_cmd_sweep(struct cr_call *call, struct cr_error *err) {
     struct cr_session *s = call->s;
-    struct variable var[2];
+    struct cr_vary var[2];
     if (cr_cmd_given(call, "row")) {
         return take_row(call, err);
     }

@@ -115,9 +115,8 @@ enum cr_err cr_sweep_csv(struct cr_session *s, struct cr_str *out, struct cr_err
 
 /* ---- pictures ---- */
 
-/* "A.ees" -> participant (-1: all) and result; the default is the EES of all */
-static enum cr_err what_to_plot(struct cr_call *call, const struct cr_sweep *sweep, int *part,
-                                const struct cr_measure **m, struct cr_error *err) {
+enum cr_err cr_sweep_what(struct cr_call *call, const struct cr_sweep *sweep, int *part,
+                          const struct cr_measure **m, struct cr_error *err) {
     const char *text = cr_cmd_text(call, "plot", "ees");
     const char *dot = strchr(text, '.');
     *part = -1;
@@ -140,7 +139,7 @@ enum cr_err cr_sweep_plots(struct cr_call *call, const struct cr_sweep *sweep,
                            struct cr_error *err) {
     int part;
     const struct cr_measure *m;
-    return what_to_plot(call, sweep, &part, &m, err);
+    return cr_sweep_what(call, sweep, &part, &m, err);
 }
 
 static enum cr_err draw_curves(struct cr_session *s, int only, const struct cr_measure *m,
@@ -236,7 +235,7 @@ enum cr_err cr_sweep_draw(struct cr_call *call, struct cr_error *err) {
     int part;
     const struct cr_measure *m;
     const struct cr_sweep *sweep = call->s->sweep;
-    enum cr_err code = what_to_plot(call, sweep, &part, &m, err);
+    enum cr_err code = cr_sweep_what(call, sweep, &part, &m, err);
     if (code != CR_ERR_OK || call->s->opts.out.cells == NULL) {
         return code;
     }

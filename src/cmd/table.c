@@ -269,6 +269,28 @@ static const struct cr_arg sweep_args[] = {
     END,
 };
 
+static const struct cr_arg mc_args[] = {
+    REST("KEY=VALUE+-TOLERANCE", CR_VALUE_SWEEP,
+         .help =
+             "A.speed=56+-3km/h, also :uniform or :triangular for normal, and @GROUP for inputs "
+             "that move together; beside those of the scene"),
+    KEY("draws", CR_VALUE_COUNT, .lo = 10, .hi = 1000000, .def = "2000",
+        .help = "how many scenes are drawn and solved"),
+    KEY("seed", CR_VALUE_COUNT, .lo = 1, .hi = 2147483647, .def = "1",
+        .help = "of the generator; the same seed gives the same numbers"),
+    KEY("sampling", CR_VALUE_WORD, .words = "latin|sobol", .def = "latin",
+        .help = "Latin hypercube, or Sobol sequence"),
+    KEY("scatter", CR_VALUE_SWITCH, .words = "on|off", .def = "on",
+        .help = "the stiffness of each vehicle varies too, as cars of its type differ"),
+    KEY("plot", CR_VALUE_TEXT, .def = "ees of all",
+        .help = "result of the histogram and the ranked inputs: A.ees, B.delta_v ..."),
+    KEY("jobs", CR_VALUE_COUNT, .lo = 1, .hi = 256, .def = "one per processor",
+        .help = "solves at a time; the result does not depend on it"),
+    KEY("out", CR_VALUE_FILE, .words = ".json|.csv",
+        .help = "file for the statistics (.json) or all draws (.csv)"),
+    END,
+};
+
 static const struct cr_arg load_args[] = {
     OPTION("FILE", CR_VALUE_FILE, .words = ".json", .help = "scene"),
     FLAG("recover", .help = "the scene of a session that ended by a crash"),
@@ -281,9 +303,18 @@ static const struct cr_arg save_args[] = {
 };
 
 static const struct cr_arg export_args[] = {
-    POSITION("WHAT", CR_VALUE_WORD, .words = "result|scene|field|pulse|steps|sweep|report",
-             .help = "what is written"),
-    POSITION("FILE", CR_VALUE_FILE, .words = ".csv|.json|.txt", .help = "its suffix says how"),
+    POSITION("WHAT", CR_VALUE_STEM,
+             .words = "result|scene|field|pulse|steps|sweep|report|before|contact|engagement|after|"
+                      "energy|damage|side|top|front|risk|overview",
+             .help = "what is written; with a suffix (after.svg) it is the file as well"),
+    OPTION("FILE", CR_VALUE_FILE, .words = ".csv|.json|.txt|.svg|.pdf|.png",
+           .help = "its suffix says how"),
+    KEY("of", CR_VALUE_VEHICLE, .help = "vehicle of damage, side, top, front and risk"),
+    KEY("time", CR_VALUE_TIME, .dim = CR_DIM_TIME, .unit = "ms", .lo = 0, .hi = 60000,
+        .words = "start|compression|end", .def = "as shown",
+        .help = "of the scene, ms after the first contact"),
+    KEY("plot", CR_VALUE_TEXT, .def = "ees of all",
+        .help = "result of a sweep to draw: A.ees, B.delta_v ..."),
     END,
 };
 
@@ -375,6 +406,11 @@ static const struct cr_command commands[] = {
     {ROW(sweep, SOLVE, sweep_args, "solve for a range of values of one or two inputs"),
      .example = {"sweep A.speed 40:60:20km/h", "sweep B.overlap 40%:100%:60% jobs=2 plot=B.ees"},
      .setup = PAIR_SETUP, .see = "table solve"},
+    {ROW(mc, SOLVE, mc_args,
+         "solve many draws of uncertain inputs: intervals, and what they depend on"),
+     .example = {"mc A.speed=56+-3km/h B.overlap=40+-5% draws=50",
+                 "mc B.mass=1060+-50kg:uniform draws=50 sampling=sobol"},
+     .setup = PAIR_SETUP, .see = "sweep solve"},
     {ROW(compare, SOLVE, compare_args, "errors of the result against measured values"),
      .example = {"compare share/tutorial/reference.json",
                  "compare share/validation/data/taurus_7292_veh1_pulse.csv of=A"},

@@ -15,43 +15,57 @@ static struct cr_model_query query_of(const struct cr_result *result, int body) 
     return q;
 }
 
-enum cr_err cr_render_body_view(struct cr_cells *cells, struct cr_rect at,
-                                const struct cr_look *look, const struct cr_model_lib *lib,
-                                const struct cr_result *result, int body, enum cr_project view,
-                                struct cr_error *err) {
+enum cr_err cr_project_body(const struct cr_model_lib *lib, const struct cr_result *result,
+                            int body, struct cr_body_voxels *out, struct cr_error *err) {
     const struct cr_participant *part = &result->resolved.part[body];
     const struct cr_outcome *o = &result->solution->body[body];
-    struct cr_arena arena = {0};
-    struct cr_voxels voxels;
+    *out = (struct cr_body_voxels){0};
     if (part->kind != CR_KIND_VEHICLE) {
         cr_err_set(err, CR_ERR_NAME, "%s is an object, it has no vehicle model", part->id);
         cr_err_hint(err, "name a vehicle");
         return CR_ERR_NAME;
     }
     struct cr_model_query query = query_of(result, body);
-    enum cr_err code = cr_model_voxels(lib, &query, &arena, &voxels, err);
+    struct cr_voxels *v = &out->voxels;
+    enum cr_err code = cr_model_voxels(lib, &query, &out->arena, v, err);
     if (code != CR_ERR_OK) {
         goto out;
     }
-    snprintf(voxels.name, sizeof voxels.name, "%.20s  %s", part->id, cr_type_word(part->type));
-    size_t n = (size_t)voxels.nx * (size_t)voxels.ny * (size_t)voxels.nz;
-    double *ees = cr_arena_take(&arena, n, sizeof *ees);
+    snprintf(v->name, sizeof v->name, "%.20s  %s", part->id, cr_type_word(part->type));
+    size_t n = (size_t)v->nx * (size_t)v->ny * (size_t)v->nz;
+    double *ees = cr_arena_take(&out->arena, n, sizeof *ees);
     if (ees == NULL) {
         code = cr_err_set(err, CR_ERR_MEMORY, "no memory for the model of %s", part->id);
         goto out;
     }
-    code = cr_voxels_ees(&voxels, ees, err);
-    if (code != CR_ERR_OK) {
-        goto out;
-    }
-    struct cr_projection p = {
-        .view = view, .voxels = &voxels, .ees = ees, .face = result->of[body].face};
+    code = cr_voxels_ees(v, ees, err);
+    out->projection =
+        (struct cr_projection){.voxels = v, .ees = ees, .face = result->of[body].face};
     if (o->left != NULL) {
-        p.grid = &result->compiled.cs.body[body].grid;
-        p.left = o->left;
+        out->projection.grid = &result->compiled.cs.body[body].grid;
+        out->projection.left = o->left;
     }
-    code = cr_render_projection(cells, at, look, &p, err);
 out:
-    cr_arena_free(&arena);
+    if (code != CR_ERR_OK) {
+        cr_body_voxels_fini(out);
+    }
+    return code;
+}
+
+void cr_body_voxels_fini(struct cr_body_voxels *body) {
+    cr_arena_free(&body->arena);
+}
+
+enum cr_err cr_render_body_view(struct cr_cells *cells, struct cr_rect at,
+                                const struct cr_look *look, const struct cr_model_lib *lib,
+                                const struct cr_result *result, int body, enum cr_project view,
+                                struct cr_error *err) {
+    struct cr_body_voxels model;
+    enum cr_err code = cr_project_body(lib, result, body, &model, err);
+    if (code == CR_ERR_OK) {
+        model.projection.view = view;
+        code = cr_render_projection(cells, at, look, &model.projection, err);
+        cr_body_voxels_fini(&model);
+    }
     return code;
 }

@@ -159,19 +159,19 @@ static bool draw_object_name(const struct ink *ink, const struct cr_pic_body *b)
     return true;
 }
 
-static void label_text(const struct ink *ink, const struct cr_pic_body *b, char *buf, int size) {
-    bool ascii = ink->look->ascii, wide = ink->pic->at.w >= 100;
+void cr_pic_label(const struct cr_pic *pic, const struct cr_pic_body *b, bool wide, bool ascii,
+                  char *buf, int size) {
     if (!b->moves) {
         snprintf(buf, (size_t)size, "%s", b->id);
         return;
     }
     int n = snprintf(buf, (size_t)size, "%.20s", b->id);
-    if ((wide || !ink->pic->moved) && b->type[0] != '\0') {
+    if ((wide || !pic->moved) && b->type[0] != '\0') {
         n += snprintf(buf + n, (size_t)(size - n), "  %s %.0f kg", b->type, b->mass);
     }
     double now = cr_kmh(b->speed_now);
     now = fabs(now) < 0.05 ? 0 : now;
-    if (!ink->pic->moved) {
+    if (!pic->moved) {
         snprintf(buf + n, (size_t)(size - n), "  %.1f km/h", now);
         return;
     }
@@ -201,7 +201,7 @@ static bool row_free(const struct ink *ink, int x, int y, int w) {
 static void draw_label(const struct ink *ink, int k) {
     const struct cr_pic_body *b = &ink->pic->body[k];
     char text[160];
-    label_text(ink, b, text, sizeof text);
+    cr_pic_label(ink->pic, b, ink->pic->at.w >= 100, ink->look->ascii, text, sizeof text);
     int w = cr_glyph_width(text);
     struct cr_rect box = cr_pic_cells_of(ink->pic, b);
     const struct cr_rect *at = &ink->pic->at;

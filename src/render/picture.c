@@ -62,7 +62,7 @@ static void init_body(struct cr_pic_body *b, int i, const struct cr_compiled *co
     b->small = b->grid->nx == 0 && b->hi.x - b->lo.x < POST && b->hi.y - b->lo.y < POST;
 }
 
-static double left_at(const struct cr_pic *pic, const struct cr_pic_body *b, int i) {
+double cr_pic_left(const struct cr_pic *pic, const struct cr_pic_body *b, int i) {
     double fill = b->grid->fill[i];
     bool whole = b->left == NULL || isnan(pic->time) || !pic->moved;
     if (whole || (!pic->done && b->t_crushed != NULL && (double)b->t_crushed[i] > pic->time)) {
@@ -103,7 +103,7 @@ bool cr_pic_look(const struct cr_pic *pic, const struct cr_pic_body *b, struct c
     if (fill < 0.5) {
         return false;
     }
-    hit->left = left_at(pic, b, i);
+    hit->left = cr_pic_left(pic, b, i);
     /* where equal materials meet, each loses half */
     hit->crushed = hit->left <= 0.501 * fill;
     hit->induced = hit->crushed && b->how != NULL && (b->how[i] & CR_CRUSH_CONTACT) == 0;
@@ -150,10 +150,7 @@ struct cr_rect cr_pic_cells_of(const struct cr_pic *pic, const struct cr_pic_bod
     return (struct cr_rect){x0, y0, x1 - x0, y1 - y0};
 }
 
-/* Box of all that must be seen: movable bodies as they stand now, at first contact and at the
- * end, so that a running picture does not jump; of fixed objects only what is near them. */
-static void world_box(const struct cr_pic *pic, const struct cr_result *result,
-                      struct cr_vec2 box[2]) {
+void cr_pic_box(const struct cr_pic *pic, const struct cr_result *result, struct cr_vec2 box[2]) {
     box[0] = cr_vec2(INFINITY, INFINITY);
     box[1] = cr_vec2(-INFINITY, -INFINITY);
     bool solved = result != NULL && result->solution->samples > 0;
@@ -210,7 +207,7 @@ static double fit_scale(const struct cr_vec2 box[2], int w, int h) {
 void cr_pic_fit(struct cr_pic *pic, const struct cr_result *result,
                 const struct cr_scene_view *view, struct cr_rect at) {
     struct cr_vec2 box[2];
-    world_box(pic, result, box);
+    cr_pic_box(pic, result, box);
     pic->at = at;
     pic->m_per_col = view->m_per_col > 0
                          ? view->m_per_col
@@ -229,7 +226,7 @@ enum cr_err cr_pic_frame(const struct cr_result *result, struct cr_scene_view *v
     if (code != CR_ERR_OK) {
         return code;
     }
-    world_box(&pic, result, box);
+    cr_pic_box(&pic, result, box);
     int room = most - ROWS_ABOVE - ROWS_BELOW;
     view->m_per_col = fit_scale(box, width - 2 * COLS_SIDE, room);
     view->centre = cr_vec2_scale(cr_vec2_add(box[0], box[1]), 0.5);

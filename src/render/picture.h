@@ -65,6 +65,16 @@ void cr_pic_fit(struct cr_pic *pic, const struct cr_result *result,
 CR_MUST_CHECK enum cr_err cr_pic_frame(const struct cr_result *result, struct cr_scene_view *view,
                                        int width, int most, int *rows, struct cr_error *err);
 
+/* Material left of voxel i of a body at the time of the picture, 0..fill. */
+double cr_pic_left(const struct cr_pic *pic, const struct cr_pic_body *body, int i);
+/* Box of all that must be seen: movable bodies as they stand now, at first contact and at the
+ * end, so that a running picture does not jump; of fixed objects only what is near them. */
+void cr_pic_box(const struct cr_pic *pic, const struct cr_result *result, struct cr_vec2 box[2]);
+/* What stands beside a body: its name, and on a wide picture or before the crash its type and mass;
+ * speed before and now, change of heading, yaw rate. */
+void cr_pic_label(const struct cr_pic *pic, const struct cr_pic_body *body, bool wide, bool ascii,
+                  char *buf, int size);
+
 bool cr_pic_look(const struct cr_pic *pic, const struct cr_pic_body *body, struct cr_vec2 world,
                  struct cr_pic_hit *hit);
 

@@ -21,43 +21,50 @@ static bool finite_point(const struct cr_curve_line *c, int i) {
     return isfinite(c->x[i]) && isfinite(c->y[i]);
 }
 
-static void data_range(const struct cr_plot *plot, struct frame *f) {
-    f->x_lo = f->y_lo = INFINITY;
-    f->x_hi = f->y_hi = -INFINITY;
+struct cr_plot_range cr_plot_range(const struct cr_plot *plot) {
+    struct cr_plot_range r = {INFINITY, -INFINITY, INFINITY, -INFINITY};
     for (int k = 0; k < plot->curves; k++) {
         const struct cr_curve_line *c = &plot->curve[k];
         for (int i = 0; i < c->n; i++) {
             if (finite_point(c, i)) {
-                f->x_lo = fmin(f->x_lo, c->x[i]);
-                f->x_hi = fmax(f->x_hi, c->x[i]);
-                f->y_lo = fmin(f->y_lo, c->y[i]);
-                f->y_hi = fmax(f->y_hi, c->y[i]);
+                r.x_lo = fmin(r.x_lo, c->x[i]);
+                r.x_hi = fmax(r.x_hi, c->x[i]);
+                r.y_lo = fmin(r.y_lo, c->y[i]);
+                r.y_hi = fmax(r.y_hi, c->y[i]);
             }
         }
     }
-    if (f->x_lo > f->x_hi) {
-        f->x_lo = f->y_lo = 0;
-        f->x_hi = f->y_hi = 1;
+    if (r.x_lo > r.x_hi) {
+        r = (struct cr_plot_range){0, 1, 0, 1};
     }
     /* the axis includes zero unless the curve is a small change of a large number */
-    double span = f->y_hi - f->y_lo;
-    if (f->y_lo > 0 && f->y_lo < 2 * span) {
-        f->y_lo = 0;
+    double span = r.y_hi - r.y_lo;
+    if (r.y_lo > 0 && r.y_lo < 2 * span) {
+        r.y_lo = 0;
     }
-    if (f->y_hi < 0 && -f->y_hi < 2 * span) {
-        f->y_hi = 0;
+    if (r.y_hi < 0 && -r.y_hi < 2 * span) {
+        r.y_hi = 0;
     }
     /* what a filter rings below zero is not worth an axis of its own */
-    if (f->y_lo < 0 && -f->y_lo < 0.04 * f->y_hi) {
-        f->y_lo = 0;
+    if (r.y_lo < 0 && -r.y_lo < 0.04 * r.y_hi) {
+        r.y_lo = 0;
     }
-    if (!(f->y_hi - f->y_lo > 1e-12 * fmax(fabs(f->y_hi), 1))) {
-        f->y_lo = fmin(f->y_lo, 0);
-        f->y_hi = f->y_lo < f->y_hi ? f->y_hi : f->y_lo + 1;
+    if (!(r.y_hi - r.y_lo > 1e-12 * fmax(fabs(r.y_hi), 1))) {
+        r.y_lo = fmin(r.y_lo, 0);
+        r.y_hi = r.y_lo < r.y_hi ? r.y_hi : r.y_lo + 1;
     }
-    if (!(f->x_hi > f->x_lo)) {
-        f->x_hi = f->x_lo + 1;
+    if (!(r.x_hi > r.x_lo)) {
+        r.x_hi = r.x_lo + 1;
     }
+    return r;
+}
+
+static void data_range(const struct cr_plot *plot, struct frame *f) {
+    struct cr_plot_range r = cr_plot_range(plot);
+    f->x_lo = r.x_lo;
+    f->x_hi = r.x_hi;
+    f->y_lo = r.y_lo;
+    f->y_hi = r.y_hi;
 }
 
 static int dot_x(const struct frame *f, double x) {

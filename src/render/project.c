@@ -32,14 +32,6 @@ int cr_project_find(const char *word) {
     return -1;
 }
 
-/* The picture plane: u to the right, v up, one point per voxel edge. */
-struct plane {
-    int nu, nv;
-    double u0, v0, edge;
-    double *ees;   /* km/h, mean along the line of sight, NaN: no material */
-    double *depth; /* m, of the deformed material on the line, 0: whole */
-};
-
 static bool is_side(enum cr_project view) {
     return view == CR_PROJECT_SIDE || view == CR_PROJECT_SLICE;
 }
@@ -89,7 +81,7 @@ static double depth_of(const struct cr_projection *p, int ix, int iy) {
 
 /* The line of sight through u, v. From before the front only what is nearest counts: further back
  * everything is as hard as the cabin. */
-static void look_along(const struct cr_projection *p, struct plane *pl, const int n[3], int u,
+static void look_along(const struct cr_projection *p, struct cr_plane *pl, const int n[3], int u,
                        int v) {
     const struct cr_voxels *m = p->voxels;
     double sum = 0, fill = 0, depth = 0;
@@ -115,12 +107,18 @@ static void look_along(const struct cr_projection *p, struct plane *pl, const in
     pl->depth[v * pl->nu + u] = depth;
 }
 
-static enum cr_err make_plane(const struct cr_projection *p, struct plane *pl,
-                              struct cr_error *err) {
+enum cr_err cr_project_plane(const struct cr_projection *p, struct cr_plane *pl,
+                             struct cr_error *err) {
     const struct cr_voxels *m = p->voxels;
     int n[3];
+    if (p->voxels->flat && p->view != CR_PROJECT_TOP) {
+        cr_err_set(err, CR_ERR_RANGE, "%s is a 2D model, it has no %s view", p->voxels->name,
+                   WORDS[p->view]);
+        cr_err_hint(err, "use the top view");
+        return CR_ERR_RANGE;
+    }
     axes(p->view, m, n);
-    *pl = (struct plane){.nu = n[0], .nv = n[1], .edge = m->edge};
+    *pl = (struct cr_plane){.nu = n[0], .nv = n[1], .edge = m->edge};
     pl->u0 = p->view == CR_PROJECT_FRONT ? m->y0 : m->x0;
     pl->v0 = p->view == CR_PROJECT_TOP ? m->y0 : m->z0;
     size_t size = (size_t)n[0] * (size_t)n[1];
@@ -135,6 +133,11 @@ static enum cr_err make_plane(const struct cr_projection *p, struct plane *pl,
         }
     }
     return CR_ERR_OK;
+}
+
+void cr_plane_fini(struct cr_plane *plane) {
+    free(plane->ees);
+    *plane = (struct cr_plane){0};
 }
 
 /* ---- to cells ---- */
@@ -172,7 +175,7 @@ struct sum {
 };
 
 /* samples of a part of a cell: from (col, row), one column wide and `high` rows high */
-static struct sum gather(const struct plane *pl, double m, double col, double row, double high,
+static struct sum gather(const struct cr_plane *pl, double m, double col, double row, double high,
                          double top) {
     struct sum s = {.n = SUB * SUB};
     for (int k = 0; k < SUB * SUB; k++) {
@@ -212,7 +215,7 @@ static void draw_blocks(struct cr_cell *cell, const struct sum half[2]) {
                              .bg = step[0] > 0 ? step[1] : 0};
 }
 
-static void draw_cell(struct cr_cell *cell, const struct plane *pl, double m, int col, int row,
+static void draw_cell(struct cr_cell *cell, const struct cr_plane *pl, double m, int col, int row,
                       double top, const struct cr_look *look) {
     struct sum s = gather(pl, m, col, row, 1, top);
     if (2 * s.hurt >= s.n) {
@@ -266,19 +269,14 @@ static void draw_frame(struct cr_cells *cells, struct cr_rect at, const struct c
 enum cr_err cr_render_projection(struct cr_cells *cells, struct cr_rect at,
                                  const struct cr_look *look, const struct cr_projection *p,
                                  struct cr_error *err) {
-    struct plane pl;
-    if (p->voxels->flat && p->view != CR_PROJECT_TOP) {
-        cr_err_set(err, CR_ERR_RANGE, "%s is a 2D model, it has no %s view", p->voxels->name,
-                   WORDS[p->view]);
-        cr_err_hint(err, "use the top view");
-        return CR_ERR_RANGE;
-    }
-    if (at.w < 20 || at.h < ROWS_MORE + 2) {
-        return CR_ERR_OK;
-    }
-    enum cr_err code = make_plane(p, &pl, err);
+    struct cr_plane pl;
+    enum cr_err code = cr_project_plane(p, &pl, err);
     if (code != CR_ERR_OK) {
         return code;
+    }
+    if (at.w < 20 || at.h < ROWS_MORE + 2) {
+        cr_plane_fini(&pl);
+        return CR_ERR_OK;
     }
     double m = scale(p, at.w - 2 * MARGIN, at.h - ROWS_MORE);
     int rows = at.h - ROWS_MORE;
@@ -299,6 +297,6 @@ enum cr_err cr_render_projection(struct cr_cells *cells, struct cr_rect at,
                      look->ascii ? '=' : 0x2550);
     }
     draw_frame(cells, at, look, p, m);
-    free(pl.ees);
+    cr_plane_fini(&pl);
     return CR_ERR_OK;
 }

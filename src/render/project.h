@@ -33,6 +33,18 @@ struct cr_projection {
     double m_per_col;   /* 0: the best that shows all */
 };
 
+/* The picture plane of a view: u to the right, v up, one point per voxel edge. */
+struct cr_plane {
+    int nu, nv;
+    double u0, v0, edge; /* m: corner of point (0, 0) in the vehicle's frame, edge of a point */
+    double *ees;         /* [nv * nu] km/h, mean along the line of sight, NaN: no material; owned */
+    double *depth;       /* [nv * nu] m, of the deformed material on the line, 0: whole */
+};
+/* Errors: RANGE for a flat model seen from the side, MEMORY. cr_plane_fini after success. */
+CR_MUST_CHECK enum cr_err cr_project_plane(const struct cr_projection *projection,
+                                           struct cr_plane *out, struct cr_error *err);
+void cr_plane_fini(struct cr_plane *plane);
+
 /* One view: mean EES of the material along the line of sight (from the front: of the first 0.5 m)
  * in shades or colours; deformed voxels as digits, their depth in dm. Errors: RANGE for a flat
  * model seen from the side, MEMORY.
@@ -43,6 +55,19 @@ CR_MUST_CHECK enum cr_err cr_render_projection(struct cr_cells *cells, struct cr
                                                struct cr_error *err);
 /* Rows that a view takes at this width, at most `most`. */
 int cr_render_projection_rows(const struct cr_projection *projection, int width, int most);
+
+/* A vehicle of a result in 3D with its deformation at the end, ready to be looked at: the caller
+ * sets the view. Not to be moved: the projection points into it. Errors: as of
+ * cr_render_body_view. */
+struct cr_body_voxels {
+    struct cr_arena arena;
+    struct cr_voxels voxels;
+    struct cr_projection projection;
+};
+CR_MUST_CHECK enum cr_err cr_project_body(const struct cr_model_lib *lib,
+                                          const struct cr_result *result, int body,
+                                          struct cr_body_voxels *out, struct cr_error *err);
+void cr_body_voxels_fini(struct cr_body_voxels *body);
 
 /* A vehicle of a result in 3D with its deformation at the end: the shape is that of its type, also
  * for own voxel models and A, B stiffness. Errors: NAME for an object, those of the model, MEMORY.

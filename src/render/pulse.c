@@ -115,53 +115,66 @@ static enum cr_err no_memory(struct cr_error *err) {
     return cr_err_set(err, CR_ERR_MEMORY, "no memory for the plot");
 }
 
-enum cr_err cr_render_pulse(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
-                            const struct cr_result *result, enum cr_quantity quantity,
-                            double cursor, struct cr_error *err) {
-    const struct cr_solution *sol = result->solution;
-    struct cr_curve_line curve[CR_BODY_MAX];
-    char name[CR_BODY_MAX][2];
-    struct cr_arena arena = {0};
-    enum cr_err code = CR_ERR_OK;
-    int n = cr_render_samples(sol), curves = 0;
-    double *t = cr_arena_take(&arena, (size_t)n + 1, sizeof *t);
-    if (t == NULL) {
-        code = no_memory(err);
-        goto out;
-    }
-    for (int i = 0; i < n; i++) {
+void cr_plot_made_fini(struct cr_plot_made *made) {
+    cr_arena_free(&made->arena);
+}
+
+/* times of the first n samples, ms after the first contact */
+static double *times(const struct cr_solution *sol, int n, struct cr_arena *arena) {
+    double *t = cr_arena_take(arena, (size_t)n + 1, sizeof *t);
+    for (int i = 0; t != NULL && i < n; i++) {
         t[i] = (sol->t[i] - sol->t_contact) * 1e3;
     }
-    for (int b = 0; b < sol->bodies; b++) {
+    return t;
+}
+
+enum cr_err cr_plot_pulse(const struct cr_result *result, enum cr_quantity quantity, double cursor,
+                          struct cr_plot_made *out, struct cr_error *err) {
+    const struct cr_solution *sol = result->solution;
+    int n = cr_render_samples(sol), curves = 0;
+    *out = (struct cr_plot_made){0};
+    double *t = times(sol, n, &out->arena);
+    for (int b = 0; t != NULL && b < sol->bodies; b++) {
         if (!cr_render_moves(result, b)) {
             continue;
         }
-        double *y = cr_arena_take(&arena, (size_t)n + 1, sizeof *y);
+        double *y = cr_arena_take(&out->arena, (size_t)n + 1, sizeof *y);
         if (y == NULL) {
-            code = no_memory(err);
-            goto out;
+            t = NULL;
+            break;
         }
         cr_render_series(result, b, quantity, n, y);
-        set_name(name[b], result, b);
-        curve[curves++] = (struct cr_curve_line){.x = t,
-                                                 .y = y,
-                                                 .n = n,
-                                                 .mark = name[b][0],
-                                                 .name = result->resolved.part[b].id,
-                                                 .role = cr_render_role_of(b)};
+        set_name(out->name[b], result, b);
+        out->curve[curves++] = (struct cr_curve_line){.x = t,
+                                                      .y = y,
+                                                      .n = n,
+                                                      .mark = out->name[b][0],
+                                                      .name = result->resolved.part[b].id,
+                                                      .role = cr_render_role_of(b)};
     }
-    struct cr_plot plot = {.title = SHOWN[quantity].title,
-                           .x_unit = "ms",
-                           .y_unit = SHOWN[quantity].unit,
-                           .curves = curves,
-                           .curve = curve,
-                           .cursor = (cursor - sol->t_contact) * 1e3};
-    if (plot.y_unit == NULL) {
-        plot.y_unit = UNITS[quantity];
+    if (t == NULL) {
+        cr_plot_made_fini(out);
+        return no_memory(err);
     }
-    code = cr_render_plot(cells, at, look, &plot, err);
-out:
-    cr_arena_free(&arena);
+    out->plot = (struct cr_plot){.title = SHOWN[quantity].title,
+                                 .x_unit = "ms",
+                                 .y_unit = SHOWN[quantity].unit != NULL ? SHOWN[quantity].unit
+                                                                        : UNITS[quantity],
+                                 .curves = curves,
+                                 .curve = out->curve,
+                                 .cursor = (cursor - sol->t_contact) * 1e3};
+    return CR_ERR_OK;
+}
+
+enum cr_err cr_render_pulse(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
+                            const struct cr_result *result, enum cr_quantity quantity,
+                            double cursor, struct cr_error *err) {
+    struct cr_plot_made made;
+    enum cr_err code = cr_plot_pulse(result, quantity, cursor, &made, err);
+    if (code == CR_ERR_OK) {
+        code = cr_render_plot(cells, at, look, &made.plot, err);
+        cr_plot_made_fini(&made);
+    }
     return code;
 }
 
@@ -179,25 +192,21 @@ static double kinetic(const struct cr_result *result, int sample) {
     return sum;
 }
 
-enum cr_err cr_render_energy(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
-                             const struct cr_result *result, double cursor, struct cr_error *err) {
+enum cr_err cr_plot_energy(const struct cr_result *result, double cursor, struct cr_plot_made *out,
+                           struct cr_error *err) {
     const struct cr_solution *sol = result->solution;
-    struct cr_curve_line curve[CR_BODY_MAX + 1];
-    char name[CR_BODY_MAX][2];
-    struct cr_arena arena = {0};
-    enum cr_err code = CR_ERR_OK;
     int n = cr_render_samples(sol), curves = 0;
-    double *t = cr_arena_take(&arena, (size_t)n + 1, sizeof *t);
-    double *y = cr_arena_take(&arena, ((size_t)n + 1) * (size_t)(sol->bodies + 1), sizeof *y);
+    *out = (struct cr_plot_made){0};
+    double *t = times(sol, n, &out->arena);
+    double *y = cr_arena_take(&out->arena, ((size_t)n + 1) * (size_t)(sol->bodies + 1), sizeof *y);
     if (t == NULL || y == NULL) {
-        code = no_memory(err);
-        goto out;
+        cr_plot_made_fini(out);
+        return no_memory(err);
     }
     for (int i = 0; i < n; i++) {
-        t[i] = (sol->t[i] - sol->t_contact) * 1e3;
         y[i] = kinetic(result, i) * 1e-3;
     }
-    curve[curves++] = (struct cr_curve_line){
+    out->curve[curves++] = (struct cr_curve_line){
         .x = t, .y = y, .n = n, .mark = 'k', .name = "kinetic", .role = CR_ROLE_REFERENCE};
     for (int b = 0; b < sol->bodies; b++) {
         double *e = y + (size_t)curves * (size_t)n;
@@ -207,22 +216,30 @@ enum cr_err cr_render_energy(struct cr_cells *cells, struct cr_rect at, const st
         for (int i = 0; i < n; i++) {
             e[i] = sol->trace[i * sol->bodies + b].energy * 1e-3;
         }
-        set_name(name[b], result, b);
-        curve[curves++] = (struct cr_curve_line){.x = t,
-                                                 .y = e,
-                                                 .n = n,
-                                                 .mark = name[b][0],
-                                                 .name = "deformation",
-                                                 .role = cr_render_role_of(b)};
+        set_name(out->name[b], result, b);
+        out->curve[curves++] = (struct cr_curve_line){.x = t,
+                                                      .y = e,
+                                                      .n = n,
+                                                      .mark = out->name[b][0],
+                                                      .name = "deformation",
+                                                      .role = cr_render_role_of(b)};
     }
-    struct cr_plot plot = {.title = "energy",
-                           .x_unit = "ms",
-                           .y_unit = "kJ",
-                           .curves = curves,
-                           .curve = curve,
-                           .cursor = (cursor - sol->t_contact) * 1e3};
-    code = cr_render_plot(cells, at, look, &plot, err);
-out:
-    cr_arena_free(&arena);
+    out->plot = (struct cr_plot){.title = "energy",
+                                 .x_unit = "ms",
+                                 .y_unit = "kJ",
+                                 .curves = curves,
+                                 .curve = out->curve,
+                                 .cursor = (cursor - sol->t_contact) * 1e3};
+    return CR_ERR_OK;
+}
+
+enum cr_err cr_render_energy(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
+                             const struct cr_result *result, double cursor, struct cr_error *err) {
+    struct cr_plot_made made;
+    enum cr_err code = cr_plot_energy(result, cursor, &made, err);
+    if (code == CR_ERR_OK) {
+        code = cr_render_plot(cells, at, look, &made.plot, err);
+        cr_plot_made_fini(&made);
+    }
     return code;
 }

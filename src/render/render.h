@@ -122,6 +122,32 @@ CR_MUST_CHECK enum cr_err cr_render_plot(struct cr_cells *cells, struct cr_rect 
                                          const struct cr_look *look, const struct cr_plot *plot,
                                          struct cr_error *err);
 
+/* Round tick step 1, 2 or 5 times a power of ten with at most `most` steps in span (> 0). */
+double cr_tick_step(double span, int most);
+/* A number with the digits that ticks of this step need. */
+void cr_tick_text(double value, double step, char *buf, int size);
+/* Least and greatest x and y that the axes of a plot show: zero is among the y unless the curves
+ * are a small change of a large number. */
+struct cr_plot_range {
+    double x_lo, x_hi, y_lo, y_hi;
+};
+struct cr_plot_range cr_plot_range(const struct cr_plot *plot);
+
+/* A plot of a result with the memory of its curves; what cr_render_pulse and cr_render_energy
+ * draw, for other back ends. cr_plot_made_fini after success. Errors: MEMORY. */
+struct cr_plot_made {
+    struct cr_plot plot; /* points into this struct and its arena */
+    struct cr_curve_line curve[CR_BODY_MAX + 1];
+    char name[CR_BODY_MAX][2];
+    struct cr_arena arena;
+};
+CR_MUST_CHECK enum cr_err cr_plot_pulse(const struct cr_result *result, enum cr_quantity quantity,
+                                        double cursor, struct cr_plot_made *out,
+                                        struct cr_error *err);
+CR_MUST_CHECK enum cr_err cr_plot_energy(const struct cr_result *result, double cursor,
+                                         struct cr_plot_made *out, struct cr_error *err);
+void cr_plot_made_fini(struct cr_plot_made *made);
+
 /* Pulse plot of participants' quantity from a result. magnitude: sqrt(ax2+ay2) in g when quantity
  * is CR_QUANTITIES. */
 CR_MUST_CHECK enum cr_err cr_render_pulse(struct cr_cells *cells, struct cr_rect at,

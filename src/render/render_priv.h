@@ -51,11 +51,6 @@ void cr_dots_line(struct cr_dots *dots, const int from[2], const int to[2], enum
 /* Dots over the cells at x, y: only blank cells are drawn on. */
 void cr_dots_draw(const struct cr_dots *dots, struct cr_cells *cells, int x, int y, bool ascii);
 
-/* Round tick step 1, 2 or 5 times a power of ten with at most `most` steps in span (> 0). */
-double cr_tick_step(double span, int most);
-/* A number with the digits that ticks of this step need. */
-void cr_tick_text(double value, double step, char *buf, int size);
-
 /* Arrow of eight directions for an angle (rad, counter-clockwise from right). */
 uint32_t cr_glyph_arrow(double angle, bool ascii);
 /* Head of an arrow: triangles, slanting arrows between them. */

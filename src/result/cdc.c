@@ -26,12 +26,10 @@ void cr_cdc_write(const struct cr_cdc_case *what, char cdc[12]) {
         double in = fmin(what->hi, (i + 1) / 3.0) - fmax(what->lo, i / 3.0);
         thirds |= (in > TOUCHED / 3) << i;
     }
-    bool end = cr_face_is_end(what->face);
-    // the classification counts a side hit to the roof, a front hit below the belt line
-    char vertical = !end && what->above_belt ? 'A' : 'E';
     char kind = what->sideswipe ? 'S' : what->width < NARROW ? 'N' : 'W';
     int extent = what->zone > 0 ? (int)ceil(9 * what->depth / what->zone - 1e-9) : 1;
     extent = extent < 1 ? 1 : extent > 9 ? 9 : extent;
     snprintf(cdc, 12, "%02d%c%c%c%c%d", cr_pdof_clock(what->pdof), FACE[what->face],
-             lateral(what->face, thirds), vertical, kind, extent);
+             lateral(what->face, thirds), what->vertical != '\0' ? what->vertical : 'E', kind,
+             extent);
 }

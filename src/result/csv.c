@@ -75,6 +75,61 @@ static void row(const struct cr_result *r, int i, struct cr_str *out) {
     cr_str_add(out, "\n");
 }
 
+static const char *face_word(enum cr_face face) {
+    static const char *const words[CR_FACES] = {"front", "left", "rear", "right"};
+    return face < CR_FACES ? words[face] : "";
+}
+
+static void impact_row(const struct cr_result *r, int impact, int side, struct cr_str *out) {
+    const struct cr_impact *one = &r->impact[impact];
+    const struct cr_severity *s = &one->of[side];
+    int i = one->body[side];
+    bool deforms = r->compiled.cs.body[i].grid.nx > 0;
+    const double *c = s->profile;
+    const double value[] = {one->t_begin,
+                            one->t_end,
+                            cr_kmh(s->ees),
+                            s->energy / 1e3,
+                            s->energy_induced / 1e3,
+                            cr_kmh(s->delta_v),
+                            cr_kmh(s->delta_v_body.x),
+                            cr_kmh(s->delta_v_body.y),
+                            cr_kmh(s->delta_v_world.x),
+                            cr_kmh(s->delta_v_world.y),
+                            cr_deg(s->pdof),
+                            s->pdof_clock,
+                            s->coe.x,
+                            s->coe.y,
+                            cr_kmh(one->closing),
+                            cr_deg(s->yaw_rate_change),
+                            s->face_depth,
+                            s->face_depth_dynamic,
+                            s->second.depth,
+                            s->damage_width,
+                            c[0],
+                            c[1],
+                            c[2],
+                            c[3],
+                            c[4],
+                            c[5],
+                            s->profile_width,
+                            s->profile_middle,
+                            s->acceleration_max / CR_G,
+                            s->acceleration_mean / CR_G,
+                            1e3 * s->pulse};
+    text(out, r->scene.name);
+    cr_str_addf(out, ",%d,", impact + 1);
+    text(out, r->resolved.part[i].id);
+    cr_str_add(out, ",");
+    text(out, r->resolved.part[one->body[!side]].id);
+    cr_str_addf(out, ",%s,%s,%s,%s", deforms ? face_word(s->face) : "",
+                deforms ? face_word(s->second.face) : "", cr_stop_word(one->stop), s->cdc);
+    for (size_t k = 0; k < sizeof value / sizeof *value; k++) {
+        number(out, value[k]);
+    }
+    cr_str_add(out, "\n");
+}
+
 static void table(const struct cr_result *r, struct cr_str *out) {
     cr_str_add(out, "scene,id,model,cdc,ees_kmh,energy_kJ,energy_induced_kJ,delta_v_kmh,"
                     "delta_v_forward_kmh,delta_v_left_kmh,delta_v_x_kmh,delta_v_y_kmh,pdof_deg,"
@@ -86,6 +141,22 @@ static void table(const struct cr_result *r, struct cr_str *out) {
     for (int i = 0; i < r->solution->bodies; i++) {
         if (r->compiled.cs.body[i].mass > 0) {
             row(r, i, out);
+        }
+    }
+}
+
+/* a row per impact and participant that moves */
+static void impacts(const struct cr_result *r, struct cr_str *out) {
+    cr_str_add(out, "scene,impact,id,partner,face,second_face,stop,cdc,t_s,end_s,ees_kmh,energy_kJ,"
+                    "energy_induced_kJ,delta_v_kmh,delta_v_forward_kmh,delta_v_left_kmh,"
+                    "delta_v_x_kmh,delta_v_y_kmh,pdof_deg,pdof_clock,coe_forward_m,coe_left_m,"
+                    "closing_kmh,yaw_rate_change_deg_s,face_depth_m,face_depth_dynamic_m,"
+                    "second_depth_m,damage_width_m,c1_m,c2_m,c3_m,c4_m,c5_m,c6_m,profile_width_m,"
+                    "profile_middle_m,acceleration_max_g,acceleration_mean_g,pulse_ms\n");
+    for (int k = 0; k < 2 * r->impacts; k++) {
+        const struct cr_impact *one = &r->impact[k / 2];
+        if (r->compiled.cs.body[one->body[k % 2]].mass > 0) {
+            impact_row(r, k / 2, k % 2, out);
         }
     }
 }
@@ -120,6 +191,8 @@ enum cr_err cr_result_csv(const struct cr_result *r, const struct cr_result_opts
                           struct cr_str *out, struct cr_error *err) {
     if (opts->trace) {
         trace(r, out);
+    } else if (opts->impacts) {
+        impacts(r, out);
     } else {
         table(r, out);
     }

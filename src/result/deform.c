@@ -59,6 +59,30 @@ static bool lost_box(const struct cr_deform *d, int lo[2], int hi[2]) {
     return hi[0] >= 0;
 }
 
+void cr_deepest_add(struct cr_deepest *d, double depth) {
+    enum { MOST = sizeof d->last / sizeof d->last[0] };
+    double lines = fmin(CR_DEFORM_WIDTH / d->step, MOST - 1);
+    int whole = (int)(lines + 1e-9);
+    double part = lines - whole, sum = 0;
+    d->last[d->n++ % MOST] = depth;
+    d->sum += depth;
+    if (d->n < whole + (part > 1e-9)) {
+        return;
+    }
+    for (int i = d->n - whole; i < d->n; i++) {
+        sum += d->last[i % MOST];
+    }
+    /* a window ends or begins between two strips where its mean is greatest */
+    double before = part > 1e-9 ? d->last[(d->n - whole - 1) % MOST] : 0;
+    double after = part > 1e-9 ? sum - d->last[(d->n - 1) % MOST] + before : sum;
+    d->top = fmax(d->top, (sum + part * before) / lines);
+    d->top = fmax(d->top, part > 1e-9 ? (after + part * depth) / lines : 0);
+}
+
+double cr_deepest_get(const struct cr_deepest *d) {
+    return d->n > 0 && d->n * d->step < CR_DEFORM_WIDTH - 1e-9 ? d->sum / d->n : d->top;
+}
+
 /* part [*t0, *t1] of the line at + t dir (in voxels) inside the box lo..hi+1 */
 static bool clip(struct cr_vec2 at, struct cr_vec2 dir, const int lo[2], const int hi[2],
                  double *t0, double *t1) {
@@ -123,12 +147,15 @@ double cr_deform_max(const struct cr_deform *d, struct cr_vec2 inward) {
     double half = (fabs(side.x) * (hi[0] + 1 - lo[0]) + fabs(side.y) * (hi[1] + 1 - lo[1])) / 2;
     // lines one voxel apart, through voxel centres when the direction is along the grid
     int n = (int)ceil(2 * half - 1e-9);
-    double top = 0;
-    for (int i = 0; i < n; i++) {
-        struct cr_vec2 at = cr_vec2_axpy(mid, (i + 0.5) * 2 * half / n - half, side);
-        top = fmax(top, line_loss(d, at, inward, lo, hi));
+    double pitch = 2 * half / n;
+    /* lines beside the damage too, as a narrow one is measured with what stands beside it */
+    int beside = (int)ceil(CR_DEFORM_WIDTH / (pitch * d->grid->h));
+    struct cr_deepest top = {.step = pitch * d->grid->h};
+    for (int i = -beside; i < n + beside; i++) {
+        struct cr_vec2 at = cr_vec2_axpy(mid, (i + 0.5) * pitch - half, side);
+        cr_deepest_add(&top, line_loss(d, at, inward, lo, hi));
     }
-    return top * d->grid->h;
+    return cr_deepest_get(&top) * d->grid->h;
 }
 
 /* index of place i, counted from the face, in column k */
@@ -149,11 +176,33 @@ double cr_deform_column(const struct cr_deform *d, enum cr_face face, int k, boo
         if (contact_only && d->how && !(d->how[at] & CR_CRUSH_CONTACT)) {
             lost = 0;
         }
-        if (walk(g->fill[at] * g->h, lost, 1, &sum, &intact) || (!(sum > 0) && intact > INTACT)) {
+        if (walk(g->fill[at] * g->h, lost, 1, &sum, &intact) ||
+            (!d->through && !(sum > 0) && intact > INTACT)) {
             break;
         }
     }
     return sum * g->h;
+}
+
+double cr_deform_setback(const struct cr_grid *g, enum cr_face face, int k) {
+    int n = cr_face_line_length(g, face);
+    for (int i = 0; i < n; i++) {
+        double fill = g->fill[place(g, face, k, i)];
+        if (fill > NOTHING) {
+            return (i + 1 - fill) * g->h;
+        }
+    }
+    return n * g->h;
+}
+
+enum cr_face cr_deform_face_at(const struct cr_grid *g, struct cr_vec2 at, struct cr_vec2 inward) {
+    enum cr_face end = inward.x < 0 ? CR_FACE_FRONT : CR_FACE_REAR;
+    enum cr_face flank = inward.y < 0 ? CR_FACE_LEFT : CR_FACE_RIGHT;
+    double x = at.x - g->x0, y = at.y - g->y0;
+    double to_end = fmax(0, end == CR_FACE_FRONT ? g->nx * g->h - x : x);
+    double to_flank = fmax(0, flank == CR_FACE_LEFT ? g->ny * g->h - y : y);
+    /* the nearer in time when going out against inward */
+    return to_end * fabs(inward.y) <= to_flank * fabs(inward.x) ? end : flank;
 }
 
 void cr_deform_relax(const struct cr_deform *d, enum cr_face face, double *left) {
@@ -196,21 +245,18 @@ double cr_deform_area(const struct cr_deform *d, double *induced) {
 enum cr_face cr_deform_face(const struct cr_deform *d, struct cr_vec2 inward) {
     const struct cr_grid *g = d->grid;
     double of[CR_FACES] = {0};
-    enum cr_face end = inward.x < 0 ? CR_FACE_FRONT : CR_FACE_REAR;
-    enum cr_face flank = inward.y < 0 ? CR_FACE_LEFT : CR_FACE_RIGHT;
     for (int i = 0; i < g->nx * g->ny; i++) {
         double lost = g->fill[i] - d->left[i];
-        if (!(lost > NOTHING)) {
-            continue;
+        if (lost > NOTHING) {
+            struct cr_vec2 at = {g->x0 + (i % g->nx + 0.5) * g->h,
+                                 g->y0 + ((int)(i / g->nx) + 0.5) * g->h};
+            of[cr_deform_face_at(g, at, inward)] += g->energy[i] * lost / g->fill[i];
         }
-        double x = i % g->nx + 0.5, y = (int)(i / g->nx) + 0.5;
-        double to_end = end == CR_FACE_FRONT ? g->nx - x : x;
-        double to_flank = flank == CR_FACE_LEFT ? g->ny - y : y;
-        // the nearer in time when going out against inward
-        bool by_end = to_end * fabs(inward.y) <= to_flank * fabs(inward.x);
-        of[by_end ? end : flank] += g->energy[i] * lost / g->fill[i];
     }
-    enum cr_face best = fabs(inward.x) >= fabs(inward.y) ? end : flank;
+    enum cr_face best = fabs(inward.x) >= fabs(inward.y)
+                            ? (inward.x < 0 ? CR_FACE_FRONT : CR_FACE_REAR)
+                        : inward.y < 0 ? CR_FACE_LEFT
+                                       : CR_FACE_RIGHT;
     for (int f = 0; f < CR_FACES; f++) {
         best = of[f] > of[best] ? (enum cr_face)f : best;
     }

@@ -15,7 +15,23 @@ struct cr_deform {
     const double *left;  /* material left, [ny * nx] */
     const uint8_t *how;  /* enum cr_crush flags, NULL if not known */
     bool residual_curve; /* left belongs to the residual depth, not to the dynamic one */
+    bool through;        /* all damage is that of the face, also behind intact material: what an
+                            underride leaves stands there */
 };
+
+/* Width over which depths are means, m: no scraped line sets the greatest one. */
+#define CR_DEFORM_WIDTH 0.1
+
+/* Greatest mean over CR_DEFORM_WIDTH of depths that come one by one along a face, each of a strip
+ * `step` wide; set to {.step = step} before the first. */
+struct cr_deepest {
+    double step, top, sum;
+    int n;
+    double last[64];
+};
+void cr_deepest_add(struct cr_deepest *deepest, double depth);
+/* Where all strips together are narrower, their mean. */
+double cr_deepest_get(const struct cr_deepest *deepest);
 
 /* Residual depth of a dynamic one and back: a deep crush springs back by `springback`, a shallow
  * one by 40 % of its depth. Walls at 23 to 40 km/h leave what that gives (share/validation). */
@@ -26,12 +42,20 @@ double cr_deform_dynamic(double residual, double springback);
  * material of 0.3 m after the loss ends the line, so that damage of the far side does not count. */
 double cr_deform_line(const struct cr_deform *d, struct cr_vec2 at, struct cr_vec2 inward);
 
-/* Greatest such length over all lines along inward. */
+/* Greatest such length, as a mean over CR_DEFORM_WIDTH of neighbouring lines along inward. */
 double cr_deform_max(const struct cr_deform *d, struct cr_vec2 inward);
 
 /* The material that column k lost as a length. Columns stand square to a face and run from left to
  * right on front and rear and from rear to front on the sides (literature.md 4.2). */
 double cr_deform_column(const struct cr_deform *d, enum cr_face face, int k, bool contact_only);
+
+/* How far the undeformed outline of column k lies behind the foremost point of the face, m; the
+ * depth of the grid where the column has no material. */
+double cr_deform_setback(const struct cr_grid *grid, enum cr_face face, int k);
+
+/* The face that is met first going out from `at` (own frame, m) against the unit vector inward. */
+enum cr_face cr_deform_face_at(const struct cr_grid *grid, struct cr_vec2 at,
+                               struct cr_vec2 inward);
 
 /* Material left after springback, [ny * nx]: each column of the face gets back, from its deepest
  * place outward, what its residual depth is less than the dynamic one. */
@@ -41,7 +65,8 @@ void cr_deform_relax(const struct cr_deform *d, enum cr_face face, double *left)
 double cr_deform_area(const struct cr_deform *d, double *induced);
 
 /* The face through which most of the energy went in: each voxel's energy counts for the side of
- * the vehicle that is met first going from it against `inward`. */
+ * the vehicle that is met first going from it against `inward`. For solutions that do not know
+ * where the contact began. */
 enum cr_face cr_deform_face(const struct cr_deform *d, struct cr_vec2 inward);
 
 /* Outline of the remaining material: the contour of half-full voxels that encloses the largest

@@ -1,8 +1,9 @@
-/* Result -> JSON (formats.md, result version 1). Every number passes cr_round12, so that the text
- * is the same wherever the last bits differ; what is not a number becomes null. */
+/* Result -> JSON (formats.md, result version 2, version 1 on request). Every number passes
+ * cr_round12, so that the text is the same wherever the last bits differ; what is not a number
+ * becomes null. */
 #include "config.h"
 
-#include "result/result_priv.h"
+#include "result/json_priv.h"
 
 #include "base/hash.h"
 #include "base/json.h"
@@ -13,37 +14,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void put(cJSON *to, const char *key, double x) {
-    cJSON_AddItemToObject(to, key,
-                          isfinite(x) ? cJSON_CreateNumber(cr_round12(x)) : cJSON_CreateNull());
-}
-
-static cJSON *point(struct cr_vec2 p) {
-    const double xy[2] = {cr_round12(p.x), cr_round12(p.y)};
-    return cJSON_CreateDoubleArray(xy, 2);
-}
-
-static cJSON *numbers(const double *x, int n) {
-    cJSON *list = cJSON_CreateArray();
-    for (int i = 0; list && i < n; i++) {
-        cJSON_AddItemToArray(list, isfinite(x[i]) ? cJSON_CreateNumber(cr_round12(x[i]))
-                                                  : cJSON_CreateNull());
-    }
-    return list;
-}
-
-static double course_deg(double rad) {
-    return cr_deg(cr_angle_wrap(rad));
-}
-
-static void put_assumed(const struct cr_result *r, cJSON *json) {
+static void put_assumed(const struct cr_result *r, int version, cJSON *json) {
     cJSON *list = cJSON_AddArrayToObject(json, "assumed");
     for (int i = 0; i < r->assumed.n; i++) {
         cJSON_AddItemToArray(list, cJSON_CreateString(r->assumed.key[i]));
     }
     list = cJSON_AddArrayToObject(json, "warnings");
     for (int i = 0; i < r->warnings; i++) {
-        cJSON_AddItemToArray(list, cJSON_CreateString(r->warning[i]));
+        cJSON_AddItemToArray(list, cr_json_warning(r, i, version));
     }
 }
 
@@ -117,93 +95,25 @@ static void put_time(const struct cr_result *r, cJSON *json) {
     for (int i = 0; i < r->solution->bodies; i++) {
         last = fmax(last, r->solution->body[i].t_last);
     }
-    put(time, "contact_s", r->solution->t_contact);
-    put(time, "plastic_end_s", c ? c->t_plastic_end : (double)NAN);
-    put(time, "elastic_end_s", c ? c->t_elastic_end : (double)NAN);
-    put(time, "separation_s", last);
+    cr_json_put(time, "contact_s", r->solution->t_contact);
+    cr_json_put(time, "plastic_end_s", c ? c->t_plastic_end : (double)NAN);
+    cr_json_put(time, "elastic_end_s", c ? c->t_elastic_end : (double)NAN);
+    cr_json_put(time, "separation_s", last);
     enum cr_stop stop = r->solution->interrupted ? CR_STOP_INTERRUPTED : c ? c->stop : CR_STOP_NONE;
     cJSON_AddStringToObject(time, "stop", cr_stop_word(stop));
-    put(time, "slice_ms", 1e3 * r->solution->dt);
-    put(time, "passes", r->passes);
-}
-
-static void put_motion(const struct cr_severity *s, cJSON *p) {
-    put(p, "ees_kmh", cr_kmh(s->ees));
-    put(p, "energy_kJ", s->energy / 1e3);
-    put(p, "energy_induced_kJ", s->energy_induced / 1e3);
-    put(p, "delta_v_kmh", cr_kmh(s->delta_v));
-    put(p, "delta_v_forward_kmh", cr_kmh(s->delta_v_body.x));
-    put(p, "delta_v_left_kmh", cr_kmh(s->delta_v_body.y));
-    put(p, "delta_v_x_kmh", cr_kmh(s->delta_v_world.x));
-    put(p, "delta_v_y_kmh", cr_kmh(s->delta_v_world.y));
-    put(p, "pdof_deg", cr_deg(s->pdof));
-    put(p, "pdof_clock", s->pdof_clock);
-    cJSON_AddStringToObject(p, "model", s->model);
-    cJSON_AddStringToObject(p, "cdc", s->cdc);
-    put(p, "yaw_rate_change_deg_s", cr_deg(s->yaw_rate_change));
-    put(p, "speed_after_kmh", cr_kmh(s->speed_after));
-    put(p, "course_after_deg", course_deg(s->course_after));
-    put(p, "yaw_rate_after_deg_s", cr_deg(s->yaw_rate_after));
-}
-
-static void put_deformation(const struct cr_severity *s, cJSON *p) {
-    static const char *const FACE[CR_FACES] = {
-        [CR_FACE_FRONT] = "front",
-        [CR_FACE_LEFT] = "left",
-        [CR_FACE_REAR] = "rear",
-        [CR_FACE_RIGHT] = "right",
-    };
-    put(p, "deformation_max_m", s->deformation_max);
-    put(p, "deformation_dynamic_max_m", s->deformation_dynamic_max);
-    put(p, "deformation_area_m2", s->deformation_area);
-    cJSON_AddItemToObject(p, "crush_profile_m", numbers(s->profile, CR_PROFILE));
-    cJSON *outline = cJSON_AddArrayToObject(p, "deformation_outline_m");
-    for (int i = 0; i < s->outline_n; i++) {
-        cJSON_AddItemToArray(outline, point(s->outline[i]));
-    }
-    cJSON_AddStringToObject(p, "face", FACE[s->face]);
-    put(p, "face_depth_m", s->face_depth);
-    put(p, "face_depth_dynamic_m", s->face_depth_dynamic);
-    put(p, "damage_width_m", s->damage_width);
-    cJSON_AddItemToObject(p, "crush_profile_dynamic_m", numbers(s->profile_dynamic, CR_PROFILE));
-    put(p, "area_contact_m2", s->area_contact);
-    put(p, "area_induced_m2", s->area_induced);
-}
-
-static void put_pulse(const struct cr_severity *s, cJSON *p) {
-    put(p, "acceleration_max_g", s->acceleration_max / CR_G);
-    put(p, "acceleration_mean_g", s->acceleration_mean / CR_G);
-    put(p, "pulse_ms", 1e3 * s->pulse);
-    put(p, "olc_g", s->olc / CR_G);
-    put(p, "asi", s->asi);
-    put(p, "thiv_kmh", cr_kmh(s->thiv));
-    put(p, "phd_g", s->phd / CR_G);
-    put(p, "vpi_g", s->vpi / CR_G);
-    put(p, "time_of_max_ms", 1e3 * s->t_max);
-    put(p, "time_of_depth_ms", 1e3 * s->t_depth_max);
+    cr_json_put(time, "slice_ms", 1e3 * r->solution->dt);
+    cr_json_put(time, "passes", r->passes);
 }
 
 static void put_rest(const struct cr_outcome *o, cJSON *p) {
     cJSON *rest = cJSON_AddObjectToObject(p, "rest");
-    put(rest, "x_m", o->rest.pos.x);
-    put(rest, "y_m", o->rest.pos.y);
-    put(rest, "heading_deg", cr_deg(o->rest.heading));
-    put(rest, "t_s", o->t_rest);
+    cr_json_put(rest, "x_m", o->rest.pos.x);
+    cr_json_put(rest, "y_m", o->rest.pos.y);
+    cr_json_put(rest, "heading_deg", cr_deg(o->rest.heading));
+    cr_json_put(rest, "t_s", o->t_rest);
 }
 
-static void put_injury(const struct cr_severity *s, cJSON *p) {
-    cJSON *list = cJSON_AddArrayToObject(p, "injury");
-    for (int i = 0; i < s->injuries; i++) {
-        cJSON *one = cJSON_CreateObject();
-        cJSON_AddStringToObject(one, "function", s->injury[i].function);
-        put(one, "probability", s->injury[i].probability);
-        cJSON_AddStringToObject(one, "injury", s->injury[i].level);
-        cJSON_AddBoolToObject(one, "extrapolated", s->injury[i].extrapolated);
-        cJSON_AddItemToArray(list, one);
-    }
-}
-
-static void put_participants(const struct cr_result *r, cJSON *json) {
+static void put_participants(const struct cr_result *r, int version, cJSON *json) {
     cJSON *list = cJSON_AddArrayToObject(json, "participants");
     for (int i = 0; i < r->solution->bodies; i++) {
         bool vehicle = r->resolved.part[i].kind == CR_KIND_VEHICLE;
@@ -215,17 +125,22 @@ static void put_participants(const struct cr_result *r, cJSON *json) {
         }
         // a fixed object has no motion to report
         if (r->compiled.cs.body[i].mass > 0) {
-            put_motion(&r->of[i], p);
+            cr_json_motion(&r->of[i], version, p);
+        }
+        if (r->compiled.cs.body[i].mass > 0 && version > 1) {
+            cr_json_totals(&r->of[i], p);
         }
         if (vehicle) {
-            put_deformation(&r->of[i], p);
-            put_pulse(&r->of[i], p);
+            cr_json_deformation(&r->of[i], version, p);
+            cr_json_outline(&r->of[i], p);
+            cr_json_pulse(&r->of[i], p);
+            cr_json_occupant(&r->of[i], p);
         }
         if (r->compiled.cs.body[i].mass > 0) {
             put_rest(&r->solution->body[i], p);
         }
         if (vehicle) {
-            put_injury(&r->of[i], p);
+            cr_json_injury(&r->of[i], p);
         }
     }
 }
@@ -238,34 +153,37 @@ static void put_contacts(const struct cr_result *r, cJSON *json) {
         cJSON_AddItemToArray(list, one);
         cJSON_AddStringToObject(one, "a", r->resolved.part[c->a].id);
         cJSON_AddStringToObject(one, "b", r->resolved.part[c->b].id);
-        put(one, "begin_s", c->t_begin);
-        put(one, "plastic_end_s", c->t_plastic_end);
-        put(one, "elastic_end_s", c->t_elastic_end);
-        put(one, "end_s", c->t_end);
-        cJSON_AddStringToObject(one, "stop", cr_stop_word(c->stop));
-        put(one, "closing_kmh", cr_kmh(c->closing));
-        put(one, "restitution", c->restitution);
-        put(one, "friction", c->mu);
-        put(one, "impulse_x_Ns", c->impulse.x);
-        put(one, "impulse_y_Ns", c->impulse.y);
-        cJSON_AddItemToObject(one, "coe_m", point(c->coe));
-        cJSON_AddItemToObject(one, "normal", point(c->normal));
-        put(one, "energy_a_kJ", c->energy[0] / 1e3);
-        put(one, "energy_b_kJ", c->energy[1] / 1e3);
-        put(one, "friction_kJ", c->friction / 1e3);
+        cr_json_put(one, "begin_s", c->t_begin);
+        // what still rubs when all has come to rest has parted
+        bool open = c->stop == CR_STOP_NONE && !r->solution->interrupted;
+        double end = r->solution->t[r->solution->samples - 1];
+        cr_json_put(one, "plastic_end_s", open ? end : c->t_plastic_end);
+        cr_json_put(one, "elastic_end_s", open ? end : c->t_elastic_end);
+        cr_json_put(one, "end_s", open ? end : c->t_end);
+        cJSON_AddStringToObject(one, "stop", cr_stop_word(open ? CR_STOP_SEPARATION : c->stop));
+        cr_json_put(one, "closing_kmh", cr_kmh(c->closing));
+        cr_json_put(one, "restitution", c->restitution);
+        cr_json_put(one, "friction", c->mu);
+        cr_json_put(one, "impulse_x_Ns", c->impulse.x);
+        cr_json_put(one, "impulse_y_Ns", c->impulse.y);
+        cJSON_AddItemToObject(one, "coe_m", cr_json_point(c->coe));
+        cJSON_AddItemToObject(one, "normal", cr_json_point(c->normal));
+        cr_json_put(one, "energy_a_kJ", c->energy[0] / 1e3);
+        cr_json_put(one, "energy_b_kJ", c->energy[1] / 1e3);
+        cr_json_put(one, "friction_kJ", c->friction / 1e3);
     }
 }
 
 static void put_balance(const struct cr_balance *b, cJSON *json) {
     cJSON *to = cJSON_AddObjectToObject(json, "balance");
-    put(to, "kinetic_before_kJ", b->kinetic_before / 1e3);
-    put(to, "kinetic_after_kJ", b->kinetic_after / 1e3);
-    put(to, "plastic_kJ", b->plastic / 1e3);
-    put(to, "friction_kJ", b->friction / 1e3);
-    put(to, "tyre_kJ", b->tyre / 1e3);
-    put(to, "momentum_residual", b->momentum_residual);
-    put(to, "energy_residual", b->energy_residual);
-    put(to, "angular_residual", b->angular_residual);
+    cr_json_put(to, "kinetic_before_kJ", b->kinetic_before / 1e3);
+    cr_json_put(to, "kinetic_after_kJ", b->kinetic_after / 1e3);
+    cr_json_put(to, "plastic_kJ", b->plastic / 1e3);
+    cr_json_put(to, "friction_kJ", b->friction / 1e3);
+    cr_json_put(to, "tyre_kJ", b->tyre / 1e3);
+    cr_json_put(to, "momentum_residual", b->momentum_residual);
+    cr_json_put(to, "energy_residual", b->energy_residual);
+    cr_json_put(to, "angular_residual", b->angular_residual);
 }
 
 static void put_trace(const struct cr_result *r, cJSON *json) {
@@ -276,7 +194,7 @@ static void put_trace(const struct cr_result *r, cJSON *json) {
     };
     const struct cr_solution *sol = r->solution;
     cJSON *trace = cJSON_AddObjectToObject(json, "trace");
-    cJSON_AddItemToObject(trace, "t_s", numbers(sol->t, sol->samples));
+    cJSON_AddItemToObject(trace, "t_s", cr_json_numbers(sol->t, sol->samples));
     for (int i = 0; i < sol->bodies; i++) {
         cJSON *p = cJSON_AddObjectToObject(trace, r->resolved.part[i].id);
         for (int q = 0; q < CR_QUANTITIES; q++) {
@@ -302,8 +220,9 @@ static enum cr_err print(cJSON *json, bool pretty, struct cr_str *out, struct cr
 enum cr_err cr_result_tree(const struct cr_result *r, const struct cr_result_opts *opts,
                            cJSON **out, struct cr_error *err) {
     cJSON *json = cJSON_CreateObject();
+    int version = opts->version ? opts->version : CR_RESULT_VERSION;
     *out = NULL;
-    put(json, "crumple_result", 1);
+    cr_json_put(json, "crumple_result", version);
     cJSON_AddStringToObject(json, "scene", r->scene.name);
     cJSON_AddStringToObject(json, "version", PACKAGE_VERSION);
     cJSON_AddStringToObject(json, "method",
@@ -311,13 +230,16 @@ enum cr_err cr_result_tree(const struct cr_result *r, const struct cr_result_opt
     if (r->scene.pair[0]) {
         cJSON_AddStringToObject(json, "pair", r->scene.pair);
     }
-    put_assumed(r, json);
+    put_assumed(r, version, json);
     if (!put_input(r, opts, json)) {
         cJSON_Delete(json);
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for the JSON of a result");
     }
     put_time(r, json);
-    put_participants(r, json);
+    put_participants(r, version, json);
+    if (version > 1) {
+        cr_json_impacts(r, json);
+    }
     put_contacts(r, json);
     put_balance(&r->solution->balance, json);
     if (opts->trace) {
@@ -334,10 +256,11 @@ enum cr_err cr_result_json(const struct cr_result *r, const struct cr_result_opt
     return code == CR_ERR_OK ? print(json, opts->pretty, out, err) : code;
 }
 
-enum cr_err cr_result_error_json(const char *scene, const struct cr_error *what, bool pretty,
-                                 struct cr_str *out, struct cr_error *err) {
+enum cr_err cr_result_error_json(const char *scene, const struct cr_error *what,
+                                 const struct cr_result_opts *opts, struct cr_str *out,
+                                 struct cr_error *err) {
     cJSON *json = cJSON_CreateObject();
-    put(json, "crumple_result", 1);
+    cr_json_put(json, "crumple_result", opts->version ? opts->version : CR_RESULT_VERSION);
     cJSON_AddStringToObject(json, "scene", scene ? scene : "");
     cJSON *e = cJSON_AddObjectToObject(json, "error");
     cJSON_AddStringToObject(e, "code", cr_err_word(what->code));
@@ -357,5 +280,5 @@ enum cr_err cr_result_error_json(const char *scene, const struct cr_error *what,
     cr_str_add(&s, what->where);
     cJSON_AddStringToObject(e, "where", cr_str_get(&s));
     cr_str_fini(&s);
-    return print(json, pretty, out, err);
+    return print(json, opts->pretty, out, err);
 }

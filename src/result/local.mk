@@ -3,18 +3,22 @@ libresult_a_SOURCES = \
 	src/result/cdc.c \
 	src/result/compare.c src/result/compare.h \
 	src/result/csv.c \
+	src/result/damage.c src/result/damage.h \
 	src/result/deform.c src/result/deform.h \
+	src/result/event.c src/result/event.h \
 	src/result/ees.c \
 	src/result/filter.c \
 	src/result/irf.c \
-	src/result/json.c \
+	src/result/json.c src/result/json_priv.h src/result/json_severity.c \
 	src/result/measure.c \
+	src/result/measures.c src/result/measures.h \
 	src/result/names.c src/result/names.h \
 	src/result/outline.c \
 	src/result/planar.c src/result/planar.h \
 	src/result/pulse.c src/result/pulse.h \
 	src/result/rating.c src/result/rating.h \
 	src/result/result.h src/result/result_priv.h \
+	src/result/risk.c \
 	src/result/run.c \
 	src/result/signal.c src/result/signal.h \
 	src/result/trace.c \

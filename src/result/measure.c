@@ -1,24 +1,17 @@
 /* What is reported of a finished solution (method.md 6, literature.md 4). */
 #include "result/result_priv.h"
 
-#include "result/deform.h"
+#include "result/damage.h"
 #include "result/pulse.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* residual depth from which a column counts as damaged, m: what a tape measure shows */
-static const double DAMAGED = 0.01;
-/* Front and rear are measured along the bumper beam: recorded damage width over overall width of
- * 186 full-width wall tests (stiffness.md 1.3). */
-static const double BEAM_WIDTH = 0.83;
-/* B-pillar, behind the front axle as a share of the wheelbase; only for the extent zones */
-static const double B_PILLAR = 0.5;
-/* share of the height from which a partner reaches above the belt line */
-static const double BELT = 0.75;
 /* shortest pulse record, s: OLC and VPI need the time after the contact too */
 static const double RECORD = 0.3;
+/* share of the greatest acceleration below which the tail of a pulse does not count */
+static const double TAIL = 0.05;
 
 int cr_result_main_contact(const struct cr_solution *sol, int body) {
     int best = -1;
@@ -44,267 +37,300 @@ double cr_result_pdof(struct cr_vec2 dv) {
     return pdof > 2 * CR_PI - 1e-12 ? 0 : pdof;
 }
 
-/* time in which the body touched anything: union of its contacts, s */
-static double contact_time(const struct cr_solution *sol, int body) {
-    double sum = 0, until = -INFINITY;
-    // contacts are in order of their beginning
-    for (int k = 0; k < sol->contacts; k++) {
-        const struct cr_contact *c = &sol->contact[k];
-        if (c->a != body && c->b != body) {
-            continue;
-        }
-        double from = fmax(c->t_begin, until);
-        if (c->t_end > from) {
-            sum += c->t_end - from;
-            until = c->t_end;
-        }
+/* What the functions below share: a body in one impact, or in all of them. */
+struct taking {
+    struct cr_result *r;
+    const struct cr_events *all;
+    const struct cr_irf_set *irf;
+    struct cr_error *err;
+};
+
+static int impacts_of(const struct cr_events *all, int body) {
+    int n = 0;
+    for (int i = 0; i < all->n; i++) {
+        n += all->event[i].body[0] == body || all->event[i].body[1] == body;
     }
-    const struct cr_outcome *o = &sol->body[body];
-    return sum > 0 ? sum : o->t_last - o->t_first;
+    return n;
 }
 
-static void measure_motion(const struct cr_result *r, int i, struct cr_severity *s) {
-    const struct cr_outcome *o = &r->solution->body[i];
-    double mass = r->compiled.cs.body[i].mass, c = cos(o->before.heading),
-           sn = sin(o->before.heading);
-    s->energy = o->energy;
-    s->energy_induced = o->induced;
-    s->ees = mass > 0 ? sqrt(2 * o->energy / mass) : 0;
-    s->delta_v_world = o->delta_v;
-    s->delta_v_body = cr_vec2_unrotate(o->delta_v, c, sn);
-    s->delta_v = cr_vec2_len(o->delta_v);
+static void measure_motion(const struct taking *t, const struct cr_event *e, int side,
+                           struct cr_severity *s) {
+    const struct cr_result *r = t->r;
+    const struct cr_event_body *of = &e->of[side];
+    int i = e->body[side], last = e->first + e->samples - 1;
+    double mass = r->compiled.cs.body[i].mass;
+    const struct cr_sample *before = cr_event_before(r->solution, e, i);
+    const struct cr_sample *after =
+        last < 0 ? before : &r->solution->trace[(long)last * r->solution->bodies + i];
+    s->impacts = 1;
+    s->severest = (int)(e - t->all->event);
+    s->energy = of->energy;
+    s->energy_induced = of->induced;
+    s->ees = mass > 0 ? sqrt(2 * of->energy / mass) : 0;
+    s->coe = of->coe;
+    s->delta_v_world = of->delta_v;
+    s->delta_v_body = cr_vec2_unrotate(of->delta_v, cos(before->heading), sin(before->heading));
+    s->delta_v = s->delta_v_net = cr_vec2_len(of->delta_v);
     s->pdof = cr_result_pdof(s->delta_v_body);
     s->pdof_clock = cr_pdof_clock(s->pdof);
-    s->yaw_rate_change = o->yaw_change;
-    s->speed_after = cr_vec2_len(o->after.vel);
-    s->course_after = atan2(o->after.vel.y, o->after.vel.x);
-    s->yaw_rate_after = o->after.yaw_rate;
-    s->pulse = contact_time(r->solution, i);
+    s->yaw_rate_change = of->yaw_change;
+    s->speed_after = cr_vec2_len(after->vel);
+    s->course_after = atan2(after->vel.y, after->vel.x);
+    s->yaw_rate_after = after->yaw_rate;
+    s->t_depth_max = e->t_elastic_end - r->solution->body[i].t_first;
     memcpy(s->model, r->compiled.model[i], sizeof s->model);
 }
 
-static enum cr_err measure_pulse(const struct cr_solution *sol, int i, struct cr_severity *s,
-                                 struct cr_error *err) {
-    const struct cr_outcome *o = &sol->body[i];
-    struct cr_vec2 u = cr_vec2_unit(o->delta_v, cr_vec2(1, 0));
+static enum cr_err filter(struct cr_pulse *p, struct cr_error *err) {
+    enum cr_err code = cr_cfc_filter(60, p->dt, p->along, p->n, err);
+    code = code ? code : cr_cfc_filter(60, p->dt, p->ax, p->n, err);
+    return code ? code : cr_cfc_filter(60, p->dt, p->ay, p->n, err);
+}
+
+/* time in the body's impacts with an acceleration that counts */
+static double lasting(const struct cr_events *all, int body, const struct cr_pulse *p,
+                      double least) {
+    double sum = 0, until = -INFINITY;
+    for (int i = 0; i < all->n; i++) {
+        const struct cr_event *e = &all->event[i];
+        if (e->body[0] == body || e->body[1] == body) {
+            double from = fmax(e->t_begin, until);
+            sum += cr_pulse_lasting(p, least, from, e->t_end);
+            until = fmax(until, e->t_end);
+        }
+    }
+    return sum;
+}
+
+/* The pulse of the body as an accelerometer in it has it, tyres and all its impacts included. */
+static enum cr_err measure_record(const struct taking *t, int i, struct cr_severity *s) {
+    const struct cr_outcome *o = &t->r->solution->body[i];
+    struct cr_vec2 u = cr_vec2_unit(s->delta_v_world, cr_vec2(1, 0));
     struct cr_pulse p;
-    enum cr_err rc = cr_pulse_new(sol, i, u, RECORD, &p, err);
-    if (rc) {
-        return rc;
+    enum cr_err code = cr_pulse_new(t->r->solution, i, u, RECORD, &p, t->err);
+    if (code) {
+        return code;
     }
     int start = (int)lround((o->t_first - p.t0) / p.dt);
-    s->acceleration_mean = s->pulse > 0 ? s->delta_v / s->pulse : 0;
     s->asi = cr_pulse_asi(p.ax, p.ay, p.n, p.dt);
     s->thiv = cr_pulse_thiv(&p, start, &s->phd);
-    rc = cr_cfc_filter(60, p.dt, p.along, p.n, err);
-    rc = rc ? rc : cr_cfc_filter(60, p.dt, p.ax, p.n, err);
-    rc = rc ? rc : cr_cfc_filter(60, p.dt, p.ay, p.n, err);
-    if (rc) {
-        goto out;
+    code = filter(&p, t->err);
+    if (!code) {
+        s->olc = cr_pulse_olc(p.along + start, p.n - start, p.dt);
+        s->vpi = cr_pulse_vpi(p.along + start, p.n - start, p.dt);
+        s->acceleration_max = cr_pulse_peak(&p, &s->t_max);
+        s->t_max -= o->t_first;
+        s->pulse = lasting(t->all, i, &p, TAIL * s->acceleration_max);
+        s->acceleration_mean = s->pulse > 0 ? s->delta_v / s->pulse : 0;
     }
-    s->olc = cr_pulse_olc(p.along + start, p.n - start, p.dt);
-    s->vpi = cr_pulse_vpi(p.along + start, p.n - start, p.dt);
-    for (int k = 0; k < p.n; k++) {
-        double a = cr_pulse_greater(p.ax[k], p.ay[k], s->acceleration_max);
-        if (a > s->acceleration_max) {
-            s->acceleration_max = a;
-            s->t_max = p.t0 + (k + 0.5) * p.dt - o->t_first;
-        }
-    }
-    int main = cr_result_main_contact(sol, i);
-    s->t_depth_max = main < 0 ? (double)NAN : sol->contact[main].t_elastic_end - o->t_first;
-out:
     cr_pulse_fini(&p);
-    return rc;
+    return code;
 }
 
-/* residual and dynamic depth of what the grid lost */
-struct depth {
-    double residual, dynamic;
-};
-
-static struct depth both(const struct cr_deform *d, enum cr_face face, double lost) {
-    double back = d->grid->springback[face];
-    return d->residual_curve ? (struct depth){lost, cr_deform_dynamic(lost, back)}
-                             : (struct depth){cr_deform_residual(lost, back), lost};
+/* The same of one impact among several. */
+static enum cr_err measure_pulse(const struct taking *t, const struct cr_event *e, int side,
+                                 struct cr_severity *s) {
+    struct cr_pulse p;
+    enum cr_err code = cr_pulse_of_event(t->r->solution, e, side, &p, t->err);
+    if (code) {
+        return code;
+    }
+    code = filter(&p, t->err);
+    if (!code) {
+        s->acceleration_max = cr_pulse_peak(&p, &s->t_max);
+        s->t_max -= t->r->solution->body[e->body[side]].t_first;
+        s->pulse = cr_pulse_lasting(&p, TAIL * s->acceleration_max, e->t_begin, e->t_end);
+        s->acceleration_mean = s->pulse > 0 ? s->delta_v / s->pulse : 0;
+    }
+    cr_pulse_fini(&p);
+    return code;
 }
 
-struct face_damage {
-    int lo, hi; /* first and last damaged column, lo > hi without damage */
-    int direct_lo, direct_hi;
-    double residual_sum, dynamic_sum; /* of the columns, m */
-};
-
-/* depth of the face at column position x (columns from 0.5), linear between their middles */
-static struct depth depth_at(const struct cr_deform *d, enum cr_face face, double x) {
-    int n = cr_face_lines(d->grid, face);
-    double at = cr_clamp(x - 0.5, 0, n - 1);
-    int k = (int)at < n - 1 ? (int)at : n - 2;
-    double f = n > 1 ? at - k : 0;
-    double a = cr_deform_column(d, face, n > 1 ? k : 0, false);
-    double b = n > 1 ? cr_deform_column(d, face, k + 1, false) : a;
-    return both(d, face, a + f * (b - a));
+static void measure_injury(const struct taking *t, const struct cr_event *e, int side,
+                           struct cr_severity *s) {
+    int own = e->body[side], other = e->body[!side];
+    const struct cr_sample *a = cr_event_before(t->r->solution, e, own);
+    const struct cr_sample *b = cr_event_before(t->r->solution, e, other);
+    struct cr_irf_case what = {.delta_v = s->delta_v,
+                               .closing = cr_vec2_len(cr_vec2_sub(a->vel, b->vel)),
+                               .ees = s->ees,
+                               .pdof = s->pdof,
+                               .vehicle_partner =
+                                   t->r->resolved.part[other].kind == CR_KIND_VEHICLE};
+    cr_irf_apply(t->irf, &what, s);
 }
 
-static struct face_damage scan_face(const struct cr_deform *d, enum cr_face face,
-                                    struct cr_severity *s) {
-    int n = cr_face_lines(d->grid, face);
-    struct face_damage f = {.lo = n, .hi = -1, .direct_lo = n, .direct_hi = -1};
-    for (int k = 0; k < n; k++) {
-        struct depth all = both(d, face, cr_deform_column(d, face, k, false));
-        struct depth direct = both(d, face, cr_deform_column(d, face, k, true));
-        f.residual_sum += all.residual;
-        f.dynamic_sum += all.dynamic;
-        s->face_depth = fmax(s->face_depth, all.residual);
-        s->face_depth_dynamic = fmax(s->face_depth_dynamic, all.dynamic);
-        if (all.residual > DAMAGED) {
-            f.lo = k < f.lo ? k : f.lo;
-            f.hi = k;
+static enum cr_err measure_side(const struct taking *t, int event, int side, const short *owner) {
+    const struct cr_event *e = &t->all->event[event];
+    struct cr_severity *s = &t->r->impact[event].of[side];
+    int i = e->body[side];
+    const struct cr_body *body = &t->r->compiled.cs.body[i];
+    enum cr_err code = CR_ERR_OK;
+    s->second.face = CR_FACES;
+    measure_motion(t, e, side, s);
+    if (body->mass > 0 && impacts_of(t->all, i) == 1) {
+        code = measure_record(t, i, s);
+    } else if (body->mass > 0) {
+        code = measure_pulse(t, e, side, s);
+    }
+    if (!code && t->r->solution->body[i].left != NULL) {
+        struct cr_damage_case what = {t->r, t->all, event, side, owner};
+        code = cr_damage_measure(&what, s, t->err);
+    }
+    if (!code && t->r->resolved.part[i].kind == CR_KIND_VEHICLE) {
+        measure_injury(t, e, side, s);
+    }
+    return code;
+}
+
+static enum cr_err measure_impacts(const struct taking *t, int body) {
+    short *owner = NULL;
+    enum cr_err code = CR_ERR_OK;
+    if (impacts_of(t->all, body) > 1 && t->r->solution->body[body].left != NULL) {
+        code = cr_damage_owners(t->r, t->all, body, &owner, t->err);
+    }
+    for (int i = 0; i < t->all->n && !code; i++) {
+        const struct cr_event *e = &t->all->event[i];
+        for (int side = 0; side < 2 && !code; side++) {
+            code = e->body[side] == body ? measure_side(t, i, side, owner) : CR_ERR_OK;
         }
-        if (direct.residual > DAMAGED) {
-            f.direct_lo = k < f.direct_lo ? k : f.direct_lo;
-            f.direct_hi = k;
+    }
+    free(owner);
+    return code;
+}
+
+/* adds one impact of the body to its totals, which begin as those of the severest */
+static void add_up(const struct cr_severity *one, double heading, struct cr_severity *s) {
+    s->impacts++;
+    s->delta_v += one->delta_v;
+    s->delta_v_world = cr_vec2_add(s->delta_v_world, one->delta_v_world);
+    s->delta_v_body = cr_vec2_unrotate(s->delta_v_world, cos(heading), sin(heading));
+    s->delta_v_net = cr_vec2_len(s->delta_v_world);
+    s->yaw_rate_change += one->yaw_rate_change;
+    s->deformation_area += one->deformation_area;
+    s->area_contact += one->area_contact;
+    s->area_induced += one->area_induced;
+    s->deformation_max = fmax(s->deformation_max, one->deformation_max);
+    s->deformation_dynamic_max = fmax(s->deformation_dynamic_max, one->deformation_dynamic_max);
+}
+
+/* The impact in which the body's velocity changed most; NULL without any. */
+static const struct cr_severity *severest(const struct cr_result *r, int body) {
+    const struct cr_severity *best = NULL;
+    for (int i = 0; i < 2 * r->impacts; i++) {
+        const struct cr_severity *s = &r->impact[i / 2].of[i % 2];
+        if (r->impact[i / 2].body[i % 2] == body && (best == NULL || s->delta_v > best->delta_v)) {
+            best = s;
         }
     }
-    return f;
+    return best;
 }
 
-/* C1..C6 at six equal spaces over the damaged width (NHTSA's DPD, literature.md 4.2) */
-static void crush_profile(const struct cr_deform *d, const struct face_damage *f,
-                          struct cr_severity *s) {
-    int n = cr_face_lines(d->grid, s->face);
-    double lo = f->lo + 0.5, hi = f->hi + 0.5; // middles of the outermost damaged columns
-    if (cr_face_is_end(s->face)) {
-        lo = fmax(lo, n * (1 - BEAM_WIDTH) / 2);
-        hi = fmin(hi, n * (1 + BEAM_WIDTH) / 2);
+static void measure_totals(const struct taking *t, int body, struct cr_severity *s) {
+    const struct cr_result *r = t->r;
+    const struct cr_outcome *o = &r->solution->body[body];
+    const struct cr_severity *main = severest(r, body);
+    double mass = r->compiled.cs.body[body].mass;
+    if (main != NULL) {
+        *s = *main;
+    } else {
+        s->severest = -1;
+        s->second.face = CR_FACES;
     }
-    s->damage_width = f->hi < f->lo ? 0 : (f->hi + 1 - f->lo) * d->grid->h;
-    s->contact_width =
-        f->direct_hi < f->direct_lo ? 0 : (f->direct_hi + 1 - f->direct_lo) * d->grid->h;
-    if (!(hi >= lo)) {
-        return;
+    if (main == NULL || main->impacts < impacts_of(t->all, body)) {
+        s->impacts = 0;
+        s->delta_v = s->yaw_rate_change = s->deformation_area = 0;
+        s->area_contact = s->area_induced = 0;
+        s->delta_v_world = cr_vec2(0, 0);
+        for (int i = 0; i < 2 * r->impacts; i++) {
+            if (r->impact[i / 2].body[i % 2] == body) {
+                add_up(&r->impact[i / 2].of[i % 2], o->before.heading, s);
+            }
+        }
     }
-    for (int i = 0; i < CR_PROFILE; i++) {
-        struct depth c = depth_at(d, s->face, lo + (hi - lo) * i / (CR_PROFILE - 1));
-        s->profile[i] = c.residual;
-        s->profile_dynamic[i] = c.dynamic;
-    }
-}
-
-static double or_else(double x, double fallback) {
-    return isfinite(x) && x > 0 ? x : fallback;
-}
-
-/* slid along its partner: little of the closing speed was lost, most of it is left */
-static bool is_sideswipe(const struct cr_result *r, int i, int other) {
-    const struct cr_outcome *a = &r->solution->body[i], *b = &r->solution->body[other];
-    double before = cr_vec2_len(cr_vec2_sub(a->before.vel, b->before.vel));
-    double after = cr_vec2_len(cr_vec2_sub(a->after.vel, b->after.vel));
-    return after > before / 2 && cr_vec2_len(a->delta_v) < before / 4;
-}
-
-static void classify(const struct cr_result *r, int i, const struct face_damage *f,
-                     struct cr_severity *s) {
-    const struct cr_grid *g = &r->compiled.cs.body[i].grid;
-    const struct cr_participant *p = &r->resolved.part[i];
-    int n = cr_face_lines(g, s->face), main = cr_result_main_contact(r->solution, i);
-    double length = or_else(p->length, g->nx * g->h), width = or_else(p->width, g->ny * g->h);
-    double pillar = or_else(p->front_overhang + B_PILLAR * p->wheelbase, length / 2);
-    struct cr_cdc_case what = {
-        .pdof = s->pdof,
-        .face = s->face,
-        .lo = (double)f->direct_lo / n,
-        .hi = (double)(f->direct_hi + 1) / n,
-        .width = s->contact_width,
-        .depth = s->face_depth,
-        .zone = s->face == CR_FACE_FRONT  ? pillar
-                : s->face == CR_FACE_REAR ? length - pillar
-                                          : width,
-    };
-    if (main >= 0) {
-        const struct cr_contact *c = &r->solution->contact[main];
-        int other = c->a == i ? c->b : c->a;
-        const struct cr_participant *q = &r->resolved.part[other];
-        what.above_belt = q->kind == CR_KIND_OBJECT && q->z_hi > BELT * p->height;
-        what.sideswipe = is_sideswipe(r, i, other);
-    }
-    cr_cdc_write(&what, s->cdc);
+    memcpy(s->model, r->compiled.model[body], sizeof s->model);
+    s->energy = o->energy;
+    s->energy_induced = o->induced;
+    s->ees = mass > 0 ? sqrt(2 * o->energy / mass) : 0;
+    s->speed_after = cr_vec2_len(o->after.vel);
+    s->course_after = atan2(o->after.vel.y, o->after.vel.x);
+    s->yaw_rate_after = o->after.yaw_rate;
 }
 
 /* outline of what is left on the car, after springback */
-static enum cr_err measure_outline(const struct cr_deform *d, struct cr_severity *s,
-                                   struct cr_error *err) {
-    const struct cr_grid *g = d->grid;
+static enum cr_err measure_outline(const struct taking *t, int body, struct cr_severity *s) {
+    struct cr_deform d = cr_damage_of(t->r, body);
+    const struct cr_grid *g = d.grid;
     double *left = malloc((size_t)g->nx * (size_t)g->ny * sizeof *left);
     if (!left) {
-        return cr_err_set(err, CR_ERR_MEMORY, "no memory for an outline");
+        return cr_err_set(t->err, CR_ERR_MEMORY, "no memory for an outline");
     }
-    cr_deform_relax(d, s->face, left);
-    enum cr_err rc = cr_deform_outline(g, left, g->h / 4, &s->outline, &s->outline_n, err);
+    cr_deform_relax(&d, s->face, left);
+    enum cr_err rc = cr_deform_outline(g, left, g->h / 4, &s->outline, &s->outline_n, t->err);
     free(left);
     return rc;
 }
 
-static enum cr_err measure_deformation(struct cr_result *r, int i, struct cr_severity *s,
-                                       struct cr_error *err) {
-    const struct cr_outcome *o = &r->solution->body[i];
-    const struct cr_grid *g = &r->compiled.cs.body[i].grid;
-    int residual = r->resolved.set.residual_curve;
-    struct cr_deform d = {.grid = g,
-                          .left = o->left,
-                          .how = o->how,
-                          .residual_curve = residual < 0 ? r->resolved.set.method == CR_METHOD_PAPER
-                                                         : residual > 0};
-    struct cr_vec2 inward = cr_vec2_unit(s->delta_v_body, cr_vec2(-1, 0));
-    s->face = cr_deform_face(&d, inward);
-    struct depth most = both(&d, s->face, cr_deform_max(&d, inward));
-    s->deformation_max = most.residual;
-    s->deformation_dynamic_max = most.dynamic;
-    double area = cr_deform_area(&d, &s->area_induced);
-    s->area_contact = area - s->area_induced;
-    struct face_damage f = scan_face(&d, s->face, s);
-    // the residual share of the area is that of the struck face's columns
-    double lost = d.residual_curve ? f.residual_sum : f.dynamic_sum;
-    s->deformation_area = lost > 0 ? area * f.residual_sum / lost : 0;
-    crush_profile(&d, &f, s);
-    classify(r, i, &f, s);
-    return measure_outline(&d, s, err);
+static enum cr_err measure_body(const struct taking *t, int i) {
+    const struct cr_outcome *o = &t->r->solution->body[i];
+    struct cr_severity *s = &t->r->of[i];
+    free(s->outline);
+    memset(s, 0, sizeof *s);
+    bool touched = isfinite(o->t_first) && isfinite(o->t_last) && o->t_last > o->t_first;
+    enum cr_err code = touched ? measure_impacts(t, i) : CR_ERR_OK;
+    if (code) {
+        return code;
+    }
+    measure_totals(t, i, s);
+    if (touched && t->r->compiled.cs.body[i].mass > 0 && s->impacts > 1) {
+        code = measure_record(t, i, s);
+    }
+    if (!code && touched && o->left != NULL) {
+        code = measure_outline(t, i, s);
+    }
+    return code;
 }
 
-static void measure_injury(const struct cr_result *r, int i, const struct cr_irf_set *irf,
-                           struct cr_severity *s) {
-    struct cr_irf_case what = {
-        .delta_v = s->delta_v, .closing = NAN, .ees = s->ees, .pdof = s->pdof};
-    int main = cr_result_main_contact(r->solution, i);
-    if (main >= 0) {
-        const struct cr_contact *c = &r->solution->contact[main];
-        int other = c->a == i ? c->b : c->a;
-        const struct cr_outcome *o = r->solution->body;
-        what.closing = cr_vec2_len(cr_vec2_sub(o[i].before.vel, o[other].before.vel));
-        what.vehicle_partner = r->resolved.part[other].kind == CR_KIND_VEHICLE;
-    }
-    cr_irf_apply(irf, &what, s);
+static void take_impact(const struct cr_event *e, struct cr_impact *to) {
+    *to = (struct cr_impact){.body = {e->body[0], e->body[1]},
+                             .t_begin = e->t_begin,
+                             .t_end = e->t_end,
+                             .t_plastic_end = e->t_plastic_end,
+                             .t_elastic_end = e->t_elastic_end,
+                             .contacts = e->contacts,
+                             .stop = e->stop,
+                             .closing = e->closing,
+                             .restitution = e->restitution,
+                             .mu = e->mu,
+                             .friction = e->friction,
+                             .impulse = e->impulse,
+                             .coe = e->coe,
+                             .normal = e->normal};
 }
 
 enum cr_err cr_result_measure(struct cr_result *r, const struct cr_irf_set *irf,
                               struct cr_error *err) {
-    enum cr_err rc = CR_ERR_OK;
-    for (int i = 0; i < r->solution->bodies && !rc; i++) {
-        const struct cr_outcome *o = &r->solution->body[i];
-        struct cr_severity *s = &r->of[i];
-        free(s->outline);
-        memset(s, 0, sizeof *s);
-        bool touched = isfinite(o->t_first) && isfinite(o->t_last) && o->t_last > o->t_first;
-        measure_motion(r, i, s);
-        if (touched && r->compiled.cs.body[i].mass > 0) {
-            rc = measure_pulse(r->solution, i, s, err);
-        }
-        if (!rc && touched && o->left) {
-            rc = measure_deformation(r, i, s, err);
-        }
-        if (!rc && touched && r->resolved.part[i].kind == CR_KIND_VEHICLE) {
-            measure_injury(r, i, irf, s);
-        }
+    struct cr_events all;
+    enum cr_err code = cr_events_find(r->solution, &r->compiled.cs, &all, err);
+    if (code) {
+        return code;
     }
-    return rc;
+    free(r->impact);
+    r->impacts = 0;
+    r->impact = calloc((size_t)(all.n > 0 ? all.n : 1), sizeof *r->impact);
+    if (!r->impact) {
+        code = cr_err_set(err, CR_ERR_MEMORY, "no memory for the impacts of a result");
+        goto out;
+    }
+    r->impacts = all.n;
+    for (int i = 0; i < all.n; i++) {
+        take_impact(&all.event[i], &r->impact[i]);
+    }
+    struct taking t = {r, &all, irf, err};
+    for (int i = 0; i < r->solution->bodies && !code; i++) {
+        code = measure_body(&t, i);
+    }
+out:
+    cr_events_fini(&all);
+    return code;
 }

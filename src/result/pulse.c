@@ -1,6 +1,7 @@
 /* Puts a pulse on a uniform time axis and computes its measures: OLC, VPI, ASI, THIV, PHD. */
 #include "result/pulse.h"
 
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,7 +15,9 @@ static const double LONGEST = 20;  /* s, bounds the memory of a pulse */
 struct cursor {
     const struct cr_solution *sol;
     int body, k;
-    struct cr_sample first; /* state at sol->t_contact */
+    struct cr_sample first;      /* state at sol->t_contact */
+    const struct cr_event *only; /* the velocity is what this impact changed of it; NULL: all */
+    int side;
 };
 
 static const struct cr_sample *sample_at(const struct cr_solution *sol, int k, int body) {
@@ -35,6 +38,16 @@ struct motion {
     double heading, yaw_rate;
 };
 
+/* velocity at the end of time slice k, or at the first contact for k = -1 */
+static struct cr_vec2 velocity(const struct cursor *c, int k, const struct cr_sample *s) {
+    const struct cr_event *e = c->only;
+    if (e == NULL) {
+        return s->vel;
+    }
+    int i = k - e->first < e->samples ? k - e->first : e->samples - 1;
+    return i < 0 ? cr_vec2(0, 0) : e->of[c->side].vel[i];
+}
+
 static struct motion cursor_at(struct cursor *c, double t) {
     const struct cr_solution *sol = c->sol;
     while (c->k + 1 < sol->samples && sol->t[c->k + 1] <= t) {
@@ -44,33 +57,28 @@ static struct motion cursor_at(struct cursor *c, double t) {
     double ta = c->k < 0 ? sol->t_contact : sol->t[c->k];
     double rest = t - ta;
     if (rest <= 0 || c->k + 1 >= sol->samples) {
-        return (struct motion){a->vel, a->heading + rest * a->yaw_rate, a->yaw_rate};
+        return (struct motion){velocity(c, c->k, a), a->heading + rest * a->yaw_rate, a->yaw_rate};
     }
     const struct cr_sample *b = sample_at(sol, c->k + 1, c->body);
     double f = rest / (sol->t[c->k + 1] - ta);
+    struct cr_vec2 from = velocity(c, c->k, a);
     return (struct motion){
-        .vel = cr_vec2_axpy(a->vel, f, cr_vec2_sub(b->vel, a->vel)),
+        .vel = cr_vec2_axpy(from, f, cr_vec2_sub(velocity(c, c->k + 1, b), from)),
         .heading = a->heading + f * (b->heading - a->heading),
         .yaw_rate = a->yaw_rate + f * (b->yaw_rate - a->yaw_rate),
     };
 }
 
-enum cr_err cr_pulse_new(const struct cr_solution *sol, int body, struct cr_vec2 direction,
-                         double length_s, struct cr_pulse *out, struct cr_error *err) {
-    memset(out, 0, sizeof *out);
-    if (sol->samples < 1) {
-        return cr_err_set(err, CR_ERR_RANGE, "the solution has no time slices");
-    }
-    const struct cr_outcome *o = &sol->body[body];
-    double span = o->t_last - o->t_first + AFTER;
-    span = cr_clamp(span < length_s ? length_s : span, STEP, LONGEST);
-    int n = (int)ceil((BEFORE + span) / STEP);
+/* span: from `from` on, s, the time before it not counted; direction: unit, world */
+static enum cr_err fill(struct cursor c, double from, double span, struct cr_vec2 direction,
+                        struct cr_pulse *out, struct cr_error *err) {
+    int n = (int)ceil((BEFORE + cr_clamp(span, STEP, LONGEST)) / STEP);
     double *m = calloc((size_t)n * 5, sizeof *m);
     if (!m) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for a pulse of %d samples", n);
     }
     *out = (struct cr_pulse){.n = n,
-                             .t0 = o->t_first - BEFORE,
+                             .t0 = from - BEFORE,
                              .dt = STEP,
                              .ax = m,
                              .ay = m + n,
@@ -78,7 +86,7 @@ enum cr_err cr_pulse_new(const struct cr_solution *sol, int body, struct cr_vec2
                              .heading = m + 3L * n,
                              .yaw_rate = m + 4L * n,
                              .memory = m};
-    struct cursor c = cursor_start(sol, body);
+    double heading = c.sol->body[c.body].before.heading;
     struct motion a = cursor_at(&c, out->t0);
     for (int i = 0; i < n; i++) {
         struct motion b = cursor_at(&c, out->t0 + (i + 1) * STEP);
@@ -88,11 +96,58 @@ enum cr_err cr_pulse_new(const struct cr_solution *sol, int body, struct cr_vec2
         out->ax[i] = own.x;
         out->ay[i] = own.y;
         out->along[i] = cr_vec2_dot(acc, direction);
-        out->heading[i] = mid - o->before.heading;
+        out->heading[i] = mid - heading;
         out->yaw_rate[i] = (a.yaw_rate + b.yaw_rate) / 2;
         a = b;
     }
     return CR_ERR_OK;
+}
+
+enum cr_err cr_pulse_new(const struct cr_solution *sol, int body, struct cr_vec2 direction,
+                         double length_s, struct cr_pulse *out, struct cr_error *err) {
+    memset(out, 0, sizeof *out);
+    if (sol->samples < 1) {
+        return cr_err_set(err, CR_ERR_RANGE, "the solution has no time slices");
+    }
+    const struct cr_outcome *o = &sol->body[body];
+    double span = fmax(o->t_last - o->t_first + AFTER, length_s);
+    return fill(cursor_start(sol, body), o->t_first, span, direction, out, err);
+}
+
+enum cr_err cr_pulse_of_event(const struct cr_solution *sol, const struct cr_event *event, int side,
+                              struct cr_pulse *out, struct cr_error *err) {
+    memset(out, 0, sizeof *out);
+    if (sol->samples < 1) {
+        return cr_err_set(err, CR_ERR_RANGE, "the solution has no time slices");
+    }
+    struct cursor c = cursor_start(sol, event->body[side]);
+    c.only = event;
+    c.side = side;
+    struct cr_vec2 u = cr_vec2_unit(event->of[side].delta_v, cr_vec2(1, 0));
+    return fill(c, event->t_begin, event->t_end - event->t_begin + AFTER, u, out, err);
+}
+
+double cr_pulse_peak(const struct cr_pulse *p, double *when) {
+    double top = 0;
+    *when = NAN;
+    for (int k = 0; k < p->n; k++) {
+        double a = cr_pulse_greater(p->ax[k], p->ay[k], top);
+        if (a > top) {
+            top = a;
+            *when = p->t0 + (k + 0.5) * p->dt;
+        }
+    }
+    return top;
+}
+
+double cr_pulse_lasting(const struct cr_pulse *p, double least, double from, double to) {
+    int n = 0;
+    for (int k = 0; k < p->n; k++) {
+        double t = p->t0 + (k + 0.5) * p->dt;
+        bool in = t >= from && t <= to;
+        n += in && p->ax[k] * p->ax[k] + p->ay[k] * p->ay[k] >= least * least;
+    }
+    return n * p->dt;
 }
 
 void cr_pulse_fini(struct cr_pulse *pulse) {

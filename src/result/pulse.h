@@ -5,6 +5,7 @@
 
 #include "base/err.h"
 #include "base/vec.h"
+#include "result/event.h"
 #include "solver/solver.h"
 
 /* Samples of the CG, index 0 at t0. Beyond the ends there is no acceleration. */
@@ -25,7 +26,18 @@ struct cr_pulse {
 CR_MUST_CHECK enum cr_err cr_pulse_new(const struct cr_solution *sol, int body,
                                        struct cr_vec2 direction, double length_s,
                                        struct cr_pulse *out, struct cr_error *err);
+/* The same of one impact alone, from its beginning to its end: what its forces did to one of its
+ * two bodies, along the body's delta-v by it. */
+CR_MUST_CHECK enum cr_err cr_pulse_of_event(const struct cr_solution *sol,
+                                            const struct cr_event *event, int side,
+                                            struct cr_pulse *out, struct cr_error *err);
 void cr_pulse_fini(struct cr_pulse *pulse);
+
+/* Greatest acceleration, m/s2, and when, s of the scene (NaN where there is none). */
+double cr_pulse_peak(const struct cr_pulse *pulse, double *when);
+
+/* Time between `from` and `to`, s of the scene, in which the acceleration is at least `least`. */
+double cr_pulse_lasting(const struct cr_pulse *pulse, double least, double from, double to);
 
 /* Occupant load criterion, m/s2: free flight over 65 mm, then the constant deceleration that stops
  * the occupant in the vehicle 300 mm after the start. accel: of the vehicle along its delta-v,

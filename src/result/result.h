@@ -1,5 +1,5 @@
 /* Results: one call from a scene to all that is reported of it, and its JSON, CSV and text forms
- * (formats.md, result version 1). SI units inside; the writers convert. */
+ * (formats.md, result version 2; version 1 on request). SI units inside; the writers convert. */
 #ifndef CR_RESULT_RESULT_H
 #define CR_RESULT_RESULT_H
 
@@ -20,37 +20,75 @@ struct cr_injury {
     bool extrapolated;          /* outside the range of the function's data */
 };
 
-/* What is reported of one participant. Directions in its own frame at first contact. */
+/* A face that was crushed beside the struck one; CR_FACES: none. */
+struct cr_second_face {
+    enum cr_face face;
+    double depth, depth_dynamic, width; /* m, as face_depth and damage_width */
+};
+
+/* What is reported of one participant, of one impact or of all of them. Directions in its own frame
+ * at the beginning of the impact, for all of them at first contact.
+ *
+ * Where a participant had several impacts, the totals are: delta-v the sum of the sizes of those of
+ * its impacts, never netted to zero; energy, EES and areas of all; the greatest accelerations and
+ * depths; PDOF, CDC, face, profile and injury risk of the severest impact, the one with the
+ * greatest delta-v. */
 struct cr_severity {
-    double ees, energy, energy_induced; /* m/s, J, J */
-    double delta_v;                     /* m/s */
-    struct cr_vec2 delta_v_world, delta_v_body;
-    double pdof; /* rad clockwise, 0..2 pi, direction the impulse came from */
+    double ees, energy, energy_induced;         /* m/s, J, J */
+    double delta_v;                             /* m/s */
+    struct cr_vec2 delta_v_world, delta_v_body; /* net of all impacts */
+    double delta_v_net;                         /* their size, m/s */
+    int impacts;                                /* how many it had; 1 in a severity of one impact */
+    int severest; /* index into cr_result.impact, -1 without impacts */
+    double pdof;  /* rad clockwise, 0..2 pi, direction the impulse came from */
     int pdof_clock;
     char model[CR_NAME_MAX], cdc[12];
+    struct cr_vec2 coe; /* centre of energy, where the impulse acted, own frame, m from the CG */
     double yaw_rate_change, speed_after, course_after, yaw_rate_after;
     double deformation_max;         /* residual, m, along the PDOF from the undeformed outline */
     double deformation_dynamic_max; /* m */
     double deformation_area;        /* plan area, m2 */
     double area_contact, area_induced;
-    double profile[CR_PROFILE]; /* C1..C6 of the struck face, residual, m */
+    double profile[CR_PROFILE]; /* C1..C6 of the struck face, residual, m, from a straight line
+                                   along the foremost point of the undeformed face */
     double profile_dynamic[CR_PROFILE];
-    enum cr_face face;         /* the struck face: most of the plastic energy went in there */
-    double face_depth;         /* greatest depth square to that face, residual, m */
+    double profile_outline[CR_PROFILE]; /* residual from the undeformed outline, m */
+    double profile_width;               /* from C1 to C6, m */
+    double profile_middle; /* between C3 and C4: ends, m left of the centre line; sides, m ahead of
+                              the CG */
+    enum cr_face face;     /* the struck face: there the contact began */
+    struct cr_second_face second;
+    double face_depth; /* greatest depth square to that face, mean over 0.1 m, residual, m */
     double face_depth_dynamic; /* m */
     double damage_width;       /* damaged length along the struck face, direct + induced, m */
     double contact_width;      /* its directly struck part, m */
     double acceleration_max;   /* CFC60, m/s2 */
-    double acceleration_mean;  /* m/s2 */
+    double acceleration_mean;  /* delta-v over pulse, m/s2 */
     double t_max;              /* of acceleration_max after first contact, s */
     double t_depth_max;        /* of the greatest dynamic depth after first contact, s */
-    double pulse;              /* length of contact, s */
-    double olc, asi, vpi;      /* m/s2, -, m/s2 */
-    double thiv, phd;          /* m/s, m/s2 */
+    double pulse;         /* time with an acceleration (CFC60) of at least 5 % of the greatest, s */
+    double olc, asi, vpi; /* m/s2, -, m/s2 */
+    double thiv, phd;     /* m/s, m/s2 */
     int injuries;
     struct cr_injury injury[CR_INJURY_MAX];
     int outline_n;
-    struct cr_vec2 *outline; /* after springback, own frame, m, counter-clockwise; owned here */
+    struct cr_vec2 *outline; /* after springback, own frame, m, counter-clockwise; owned here; not
+                                in a severity of one impact */
+};
+
+/* One impact: contacts of two participants that follow each other within 0.1 s, without the rubbing
+ * before and after (result/event.h). OLC, ASI, VPI, THIV and PHD are of the whole record and so are
+ * not among the measures of one impact. */
+struct cr_impact {
+    int body[2];
+    double t_begin, t_end, t_plastic_end, t_elastic_end; /* s */
+    int contacts;                                        /* that it is made of */
+    enum cr_stop stop; /* of the one with the greatest impulse, as the next three */
+    double closing, restitution, mu;
+    double friction;            /* J */
+    struct cr_vec2 impulse;     /* on body[1], world, N s */
+    struct cr_vec2 coe, normal; /* world, m; unit, from body[0] to body[1] */
+    struct cr_severity of[2];   /* what it did to either */
 };
 
 struct cr_result {
@@ -61,9 +99,12 @@ struct cr_result {
     struct cr_solver *solver;    /* owns the solution */
     const struct cr_solution *solution;
     struct cr_severity of[CR_BODY_MAX];
+    int impacts;
+    struct cr_impact *impact; /* in order of their first contacts; owned */
     int warnings;
     char warning[CR_WARNING_MAX][200];
-    int passes; /* solves it took to settle the PDOF */
+    char warning_code[CR_WARNING_MAX][24]; /* "side-model": for programs */
+    int passes;                            /* solves it took to settle the PDOF */
 };
 
 /* Shared, immutable data a run needs: models and injury risk functions. */
@@ -93,7 +134,8 @@ CR_MUST_CHECK enum cr_err cr_result_run(const struct cr_scene *scene, const stru
                                         struct cr_result **out, struct cr_error *err);
 void cr_result_free(struct cr_result *result);
 
-/* Measures of a finished solution into result->of[] (called by cr_result_run). */
+/* Measures of a finished solution into result->of[] and result->impact[] (called by
+ * cr_result_run). */
 CR_MUST_CHECK enum cr_err cr_result_measure(struct cr_result *result, const struct cr_irf_set *irf,
                                             struct cr_error *err);
 
@@ -103,11 +145,20 @@ void cr_irf_free(struct cr_irf_set *set);
 /* SHA-256 of all files of the set. */
 const char *cr_irf_hash(const struct cr_irf_set *set);
 
+/* The injury risks of a participant at another delta-v, m/s, with the direction and partner of the
+ * result and with closing speed and EES changed in proportion, into out->injury. irf NULL: none. */
+void cr_result_risk(const struct cr_result *result, const struct cr_irf_set *irf, int body,
+                    double delta_v, struct cr_severity *out);
+
 struct cr_result_opts {
     bool trace;    /* with the time series */
     bool resolved; /* with input.resolved */
     bool pretty;   /* indented JSON, else one line */
+    int version;   /* of the JSON: 2, also for 0, or 1: without impacts, delta-v netted, C1..C6 from
+                      the undeformed outline, warnings as texts alone */
+    bool impacts;  /* CSV: a row per impact and participant instead */
 };
+enum { CR_RESULT_VERSION = 2 };
 
 /* Result -> tree of cJSON, which the caller deletes. Errors: MEMORY. */
 struct cJSON;
@@ -123,10 +174,10 @@ CR_MUST_CHECK enum cr_err cr_result_scene_hash(const struct cr_scene *scene, cha
                                                struct cr_error *err);
 /* The error object of a scene that could not be solved. */
 CR_MUST_CHECK enum cr_err cr_result_error_json(const char *scene, const struct cr_error *what,
-                                               bool pretty, struct cr_str *out,
-                                               struct cr_error *err);
-/* CSV: a row per participant; with trace a row per time slice and participant. Units in the
- * header row. */
+                                               const struct cr_result_opts *opts,
+                                               struct cr_str *out, struct cr_error *err);
+/* CSV: a row per participant; with impacts one per impact and participant, with trace one per time
+ * slice and participant. Units in the header row. */
 CR_MUST_CHECK enum cr_err cr_result_csv(const struct cr_result *result,
                                         const struct cr_result_opts *opts, struct cr_str *out,
                                         struct cr_error *err);

@@ -23,7 +23,7 @@ struct cr_cdc_case {
     double width;      /* of the direct damage, m */
     double depth;      /* residual, square to the face, m */
     double zone;       /* depth of nine extent zones, m */
-    bool above_belt;   /* the partner reaches above the belt line */
+    char vertical;     /* column 5: which heights were struck, A E G H M L; 0: E */
     bool sideswipe;    /* slid along, with little change of velocity */
 };
 void cr_cdc_write(const struct cr_cdc_case *what, char cdc[12]);
@@ -34,8 +34,10 @@ int cr_result_main_contact(const struct cr_solution *sol, int body);
 /* PDOF, rad clockwise 0..2 pi, of a velocity change in the vehicle's frame. */
 double cr_result_pdof(struct cr_vec2 delta_v_body);
 
-/* Adds a warning, cut to its length; the last place says that there were more. */
-void cr_result_warn(struct cr_result *result, const char *fmt, ...) CR_PRINTF(2, 3);
+/* Adds a warning, cut to its length; the last place says that there were more. code: a word for
+ * programs, that stays the same. */
+void cr_result_warn(struct cr_result *result, const char *code, const char *fmt, ...)
+    CR_PRINTF(3, 4);
 
 /* Warnings for all limits of validity the measured result leaves. */
 void cr_result_check(struct cr_result *result);

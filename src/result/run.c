@@ -214,7 +214,7 @@ static enum cr_err settle(struct cr_result *r, const struct cr_context *ctx, str
             break;
         }
         if (pass > 0) {
-            cr_result_warn(r,
+            cr_result_warn(r, "pdof-unsettled",
                            "%s: the PDOF did not settle: model of %.0f deg, force from %.0f deg; "
                            "set \"blend\": true or a fixed \"pdof\" and compare",
                            scene->part[i].id, cr_deg(pdof[i]), cr_deg(found[i]));
@@ -231,7 +231,7 @@ static enum cr_err settle(struct cr_result *r, const struct cr_context *ctx, str
 
 static void warn_part(struct cr_result *r) {
     const struct cr_solution *sol = r->solution;
-    cr_result_warn(r,
+    cr_result_warn(r, "interrupted",
                    "interrupted %.1f ms after the first contact: every value is of that instant, "
                    "none of the whole crash",
                    1e3 * (sol->t[sol->samples - 1] - sol->t_contact));
@@ -271,6 +271,7 @@ void cr_result_free(struct cr_result *result) {
     for (int i = 0; i < CR_BODY_MAX; i++) {
         free(result->of[i].outline);
     }
+    free(result->impact);
     if (result->solver) {
         cr_solver_free(result->solver);
         cr_compiled_fini(&result->compiled);

@@ -25,12 +25,14 @@ static const double RESTITUTION_HI = 0.4;
 static const double DEEP = 0.6;         /* share of the vehicle's length */
 static const double RESIDUAL_HI = 1e-6; /* of momentum or energy, relative */
 
-void cr_result_warn(struct cr_result *r, const char *fmt, ...) {
+void cr_result_warn(struct cr_result *r, const char *code, const char *fmt, ...) {
     if (r->warnings == CR_WARNING_MAX) {
         snprintf(r->warning[CR_WARNING_MAX - 1], sizeof r->warning[0],
                  "more warnings than can be listed: solve the parts of this scene one by one");
+        snprintf(r->warning_code[CR_WARNING_MAX - 1], sizeof r->warning_code[0], "more");
         return;
     }
+    snprintf(r->warning_code[r->warnings], sizeof r->warning_code[0], "%s", code);
     va_list ap;
     va_start(ap, fmt);
     vsnprintf(r->warning[r->warnings++], sizeof r->warning[0], fmt, ap);
@@ -55,7 +57,7 @@ static void check_mass(struct cr_result *r) {
     for (int i = 0; i < r->resolved.n; i++) {
         double spread = r->assumed.mass_spread[i];
         if (spread > 0) {
-            cr_result_warn(r,
+            cr_result_warn(r, "mass-assumed",
                            "%s: mass assumed, %.0f kg +- %.0f %% (one standard deviation): EES and "
                            "delta-v follow it",
                            r->resolved.part[i].id, r->resolved.part[i].mass, 100 * spread);
@@ -82,7 +84,7 @@ static void check_face(struct cr_result *r, const struct cr_contact *c, int car,
     const struct cr_participant *p = &r->resolved.part[car], *q = &r->resolved.part[other];
     bool side = s->face == CR_FACE_LEFT || s->face == CR_FACE_RIGHT;
     if (side && !is_narrow(q)) {
-        cr_result_warn(r,
+        cr_result_warn(r, "side-model",
                        "%s: side struck by the wide %s, but the sides of the models rest on narrow "
                        "poles: depth and EES are estimates; own A, B stiffness of the side can be "
                        "given",
@@ -92,7 +94,7 @@ static void check_face(struct cr_result *r, const struct cr_contact *c, int car,
     bool edge = s->cdc[0] && (s->cdc[3] == 'L' || s->cdc[3] == 'R');
     if (s->face == CR_FACE_FRONT && edge && q->kind == CR_KIND_OBJECT &&
         c->energy[0] + c->energy[1] > 0 && s->contact_width < SMALL_OVERLAP * p->width) {
-        cr_result_warn(r,
+        cr_result_warn(r, "small-overlap",
                        "%s: small overlap outside the rails: tested cars slid off rounded edges "
                        "and poles, the model holds on; take delta-v and EES as upper bounds",
                        p->id);
@@ -105,7 +107,7 @@ static void check_contact(struct cr_result *r, const struct cr_contact *c) {
     const char *id = r->resolved.part[car].id, *with = r->resolved.part[other].id;
     enum cr_face face = r->of[car].face;
     if (is_narrow(&r->resolved.part[other]) && !r->compiled.cs.opts.induced) {
-        cr_result_warn(r,
+        cr_result_warn(r, "no-induced",
                        "%s: narrow object %s without induced deformation: depth comes out about "
                        "twice too large; use method extended or \"induced\": true",
                        id, with);
@@ -115,7 +117,7 @@ static void check_contact(struct cr_result *r, const struct cr_contact *c) {
     double lo = side ? POLE_LO : WALL_LO, hi = side ? POLE_HI : WALL_HI;
     if (vehicle[0] != vehicle[1] && (c->closing < lo || c->closing > hi)) {
         double limit = cr_round12(cr_kmh(c->closing < lo ? lo : hi));
-        cr_result_warn(r,
+        cr_result_warn(r, "extrapolated-speed",
                        "%s: closing speed %s km/h is outside the %.0f to %.0f km/h of the %s "
                        "tests behind the models: depth and EES are extrapolated",
                        id, beside(cr_kmh(c->closing), limit, number), cr_kmh(lo), cr_kmh(hi),
@@ -127,7 +129,7 @@ static void check_contact(struct cr_result *r, const struct cr_contact *c) {
         }
     }
     if (c->restitution > RESTITUTION_HI) {
-        cr_result_warn(r,
+        cr_result_warn(r, "restitution",
                        "%s with %s: restitution %s is above the %g of measured crashes; "
                        "set \"restitution\" lower or \"auto\"",
                        id, with, beside(c->restitution, RESTITUTION_HI, number), RESTITUTION_HI);
@@ -138,7 +140,7 @@ static void check_vehicle(struct cr_result *r, int i) {
     const struct cr_severity *s = &r->of[i];
     const struct cr_participant *p = &r->resolved.part[i];
     if (s->energy > 0 && s->face == CR_FACE_REAR) {
-        cr_result_warn(r,
+        cr_result_warn(r, "rear-model",
                        "%s: struck at the rear, where the models rest on few tests: EES and "
                        "depth are estimates; own A, B stiffness of the rear can be given",
                        p->id);
@@ -146,13 +148,14 @@ static void check_vehicle(struct cr_result *r, int i) {
     if (s->ees > EES_HI) {
         char number[16];
         double limit = cr_round12(cr_kmh(EES_HI));
-        cr_result_warn(r, "%s: EES %s km/h is above the %.0f km/h of the tests behind the models",
+        cr_result_warn(r, "extrapolated-ees",
+                       "%s: EES %s km/h is above the %.0f km/h of the tests behind the models",
                        p->id, beside(cr_kmh(s->ees), limit, number), limit);
     }
     bool end = cr_face_is_end(s->face);
     double extent = end ? p->length : p->width;
     if (s->deformation_dynamic_max > DEEP * extent) {
-        cr_result_warn(r,
+        cr_result_warn(r, "deep",
                        "%s: crushed over %.0f %% of its %s: structures behind that depth are an "
                        "assumption of the model; check masses, speeds and overlap",
                        p->id, 100 * s->deformation_dynamic_max / extent, end ? "length" : "width");
@@ -162,7 +165,7 @@ static void check_vehicle(struct cr_result *r, int i) {
         out += s->injury[k].extrapolated;
     }
     if (out > 0) {
-        cr_result_warn(r,
+        cr_result_warn(r, "extrapolated-risk",
                        "%s: delta-v %.0f km/h lies outside the range of %d injury risk functions: "
                        "their probabilities are extrapolated and marked so",
                        p->id, cr_kmh(s->delta_v), out);
@@ -186,7 +189,7 @@ void cr_result_check(struct cr_result *r) {
     }
     const struct cr_balance *b = &sol->balance;
     if (b->momentum_residual > RESIDUAL_HI || b->energy_residual > RESIDUAL_HI) {
-        cr_result_warn(r,
+        cr_result_warn(r, "balance",
                        "the balance does not close: momentum %.1e, energy %.1e of the whole; "
                        "a smaller \"dt_ms\" should cure it, please report the scene",
                        b->momentum_residual, b->energy_residual);
@@ -195,7 +198,7 @@ void cr_result_check(struct cr_result *r) {
         for (int i = 0; i < sol->bodies; i++) {
             bool touched = isfinite(sol->body[i].t_first);
             if (is_vehicle(r, i) && touched && !isfinite(sol->body[i].t_rest)) {
-                cr_result_warn(r,
+                cr_result_warn(r, "not-at-rest",
                                "%s: still moving after %.0f s; brake it or take its rest "
                                "position as that instant's",
                                r->resolved.part[i].id, r->compiled.cs.opts.rest_time);

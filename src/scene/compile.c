@@ -58,8 +58,8 @@ void cr_scene_model_path(const struct cr_scene *scene, const struct cr_participa
     snprintf(path, 2 * CR_PATH_MAX, "%s%s%s", own ? "" : scene->dir, own ? "" : "/", file);
 }
 
-static enum cr_err make_grid(struct making *m, int i, double z_lo, double z_hi,
-                             struct cr_grid *grid) {
+static enum cr_err make_own_grid(struct making *m, int i, double z_lo, double z_hi,
+                                 struct cr_grid *grid) {
     const struct cr_model_choice *choice = &m->scene->part[i].model;
     struct cr_model_query query = query_of(m, i, z_lo, z_hi);
     char path[2 * CR_PATH_MAX], hash[CR_HASH_SIZE];
@@ -77,6 +77,25 @@ static enum cr_err make_grid(struct making *m, int i, double z_lo, double z_hi,
     default:
         return cr_model_substitute(m->lib, &query, &m->out->arena, grid, m->err);
     }
+}
+
+static enum cr_err make_grid(struct making *m, int i, double z_lo, double z_hi,
+                             struct cr_grid *grid) {
+    double factor = m->scene->part[i].model.energy_factor;
+    enum cr_err code = make_own_grid(m, i, z_lo, z_hi, grid);
+    if (code != CR_ERR_OK || factor == 1) {
+        return code;
+    }
+    size_t n = (size_t)grid->nx * (size_t)grid->ny; /* the model's own arrays are shared */
+    double *energy = cr_arena_take_raw(&m->out->arena, n, sizeof *energy);
+    if (energy == NULL) {
+        return no_memory(m);
+    }
+    for (size_t k = 0; k < n; k++) {
+        energy[k] = factor * grid->energy[k];
+    }
+    grid->energy = energy;
+    return CR_ERR_OK;
 }
 
 static void name_model(struct making *m, int i) {

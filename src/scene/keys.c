@@ -139,6 +139,8 @@ static const struct cr_key participant_keys[] = {
           "direction of force of its model: auto, o'clock 1 to 12, or degrees"),
     OTHER("model.blend", BOOL, V, 0, "", NUMBER, 0, 1, model.blend,
           "mix the models of the two nearest directions"),
+    NUMBER("model.energy_factor", V, 0, "", NUMBER, 0.1, 10, 1, model.energy_factor,
+           "energy of all its voxels against that of its model"),
     {ROW("model.file", CR_KEY_TEXT, V, 0, IN(cr_participant, model.file),
          "own voxel model, JSON or CSV"),
      .aux = CR_PATH_MAX},

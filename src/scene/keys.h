@@ -84,6 +84,15 @@ const struct cr_unit *cr_scene_key_unit(const struct cr_key *key);
 CR_MUST_CHECK enum cr_err cr_scene_get(const struct cr_scene *scene, const char *key,
                                        struct cr_str *out, struct cr_error *err);
 
+/* "56+-3km/h", with ":uniform" for another distribution than the normal one and "@NAME" for a group
+ * of inputs that move together: a value and its tolerance, SI. Numbers without a unit are in
+ * `unit`. Errors: SYNTAX without "+-", TYPE, NAME, RANGE. */
+CR_MUST_CHECK enum cr_err cr_tolerance_read(const char *text, enum cr_dim dim,
+                                            const struct cr_unit *unit, double *value,
+                                            struct cr_tolerance *out, struct cr_error *err);
+/* Does a text have a tolerance at all? */
+bool cr_tolerance_is(const char *text);
+
 /* JSON Schema (2020-12) of the scene file, made from the tables. */
 CR_MUST_CHECK enum cr_err cr_scene_schema(struct cr_str *out, struct cr_error *err);
 

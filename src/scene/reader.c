@@ -55,3 +55,19 @@ enum cr_err cr_scene_extra_out(struct cr_reader *r, const char *token, cJSON *ou
     }
     return code;
 }
+
+const char *cr_scene_describe(const cJSON *json, char *buf, size_t size) {
+    if (cJSON_IsString(json)) {
+        snprintf(buf, size, "string \"%.40s\"", json->valuestring);
+    } else if (cJSON_IsNumber(json)) {
+        snprintf(buf, size, "number %.10g", json->valuedouble);
+    } else {
+        snprintf(buf, size, "%s",
+                 cJSON_IsArray(json)    ? "an array"
+                 : cJSON_IsObject(json) ? "an object"
+                 : cJSON_IsTrue(json)   ? "true"
+                 : cJSON_IsFalse(json)  ? "false"
+                                        : "null");
+    }
+    return buf;
+}

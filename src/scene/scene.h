@@ -32,6 +32,35 @@ enum { CR_SOURCE_MAX = 256 };
 
 enum cr_method { CR_METHOD_EXTENDED, CR_METHOD_PAPER };
 
+/* How a value that is not known exactly is distributed about the one that is given. The tolerance
+ * is the half width: of the interval that holds 95 % of a normal distribution, of the whole range
+ * of the others. X(NAME, word) */
+#define CR_SPREAD_LIST(X)                                                                          \
+    X(NORMAL, "normal")                                                                            \
+    X(UNIFORM, "uniform")                                                                          \
+    X(TRIANGULAR, "triangular")
+
+enum cr_spread {
+#define X(name, word) CR_SPREAD_##name,
+    CR_SPREAD_LIST(X)
+#undef X
+        CR_SPREADS
+};
+
+enum { CR_TOLERANCE_MAX = 16, CR_GROUP_MAX = 24 };
+
+/* The tolerance of one number of a participant or of the settings. */
+struct cr_tolerance {
+    int row, item; /* of the key table (keys.h), and which number of a pair */
+    enum cr_spread spread;
+    double half;              /* SI */
+    char group[CR_GROUP_MAX]; /* inputs of one group move together ("-scale": against it); "" */
+};
+struct cr_tolerances {
+    int n;
+    struct cr_tolerance of[CR_TOLERANCE_MAX];
+};
+
 struct cr_settings {
     enum cr_method method;
     double restitution; /* 0..0.95 */
@@ -48,6 +77,7 @@ struct cr_settings {
     int induced, heights, dive, residual_curve;
     /* which of the above were given in the file, so that saving gives back the same file */
     unsigned given; /* bit i: row i of the settings table */
+    struct cr_tolerances tolerances;
 };
 
 enum cr_kind { CR_KIND_VEHICLE, CR_KIND_OBJECT };
@@ -63,6 +93,7 @@ struct cr_model_choice {
     bool blend;
     char file[CR_PATH_MAX];      /* relative to the scene file's folder unless absolute */
     struct cr_stiffness face[3]; /* front, side, rear; a = b = 0: from the type */
+    double energy_factor;        /* of all its voxels */
 };
 
 struct cr_participant {
@@ -90,7 +121,8 @@ struct cr_participant {
     struct cr_vec2 vertex[CR_VERTEX_MAX];
     double z_lo, z_hi; /* height range of an object, m */
     uint64_t given;    /* bit i: row i of the participants' table (keys.h) was given */
-    char *extra;       /* owned JSON text of its x_ keys, NULL if none */
+    struct cr_tolerances tolerances;
+    char *extra; /* owned JSON text of its x_ keys, NULL if none */
 };
 
 struct cr_scene {
@@ -147,6 +179,22 @@ CR_MUST_CHECK enum cr_err cr_scene_save(const struct cr_scene *scene, const char
 CR_MUST_CHECK enum cr_err cr_scene_set(struct cr_scene *scene, const char *key, const char *value,
                                        struct cr_error *err);
 
+/* A number of the scene that has a tolerance. */
+struct cr_uncertain {
+    char key[CR_NAME_MAX + 64]; /* "A.speed_kmh", "restitution", "B.position_m.0" */
+    int part;                   /* participant, -1: settings */
+    struct cr_tolerance how;
+    double value; /* SI */
+};
+/* All of them, in the order of participants (settings first) and keys; returns how many there are,
+ * of which the first max stand in out. */
+int cr_scene_uncertain(const struct cr_scene *scene, struct cr_uncertain *out, int max);
+/* Give the number another value (SI), kept within the range of its key. The scene may be a copy of
+ * the one that was asked. */
+void cr_scene_vary(struct cr_scene *scene, const struct cr_uncertain *what, double si);
+/* Words of the distributions, and back: -1 if there is none. */
+const char *cr_spread_word(enum cr_spread spread);
+int cr_spread_find(const char *word);
 /* The same out of one text "KEY=VALUE", as `--set` has it; an error without a place of its own gets
  * that text as its place. Errors: USAGE and those of cr_scene_set. */
 CR_MUST_CHECK enum cr_err cr_scene_assign(struct cr_scene *scene, const char *text,

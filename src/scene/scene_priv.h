@@ -65,6 +65,29 @@ CR_MUST_CHECK enum cr_err cr_scene_plain_read(struct cr_reader *r, const struct 
 struct cJSON *cr_scene_plain_write(const struct cr_key *key, const void *base);
 bool cr_scene_plain_known(const struct cr_key *key, const void *base);
 
+/* ---- tolerances (tolerance.c) ---- */
+
+/* The list that belongs to the record a key is of, NULL for records without one. */
+struct cr_tolerances *cr_scene_tolerances_of(const struct cr_key *key, void *base);
+/* Take the tolerances out of a value: numbers written as {"value": 56, "tolerance": 3} go into
+ * found, and *plain becomes a copy of the value with the numbers alone (NULL where there are none,
+ * so that json itself is plain). */
+CR_MUST_CHECK enum cr_err cr_scene_tolerances_take(struct cr_reader *r, const struct cr_key *key,
+                                                   const struct cJSON *json,
+                                                   struct cr_tolerances *found,
+                                                   struct cJSON **plain);
+/* Put those of a key in the place of what it had. */
+CR_MUST_CHECK enum cr_err cr_scene_tolerances_keep(struct cr_reader *r, const struct cr_key *key,
+                                                   const struct cr_tolerances *found, void *base);
+/* A value as it is written, with the tolerances of its key; takes json over. */
+struct cJSON *cr_scene_tolerances_write(const struct cr_key *key, const void *base,
+                                        struct cJSON *json);
+/* "56+-3km/h:uniform@scale": the JSON object for it; *out stays NULL for a text without "+-". */
+CR_MUST_CHECK enum cr_err cr_scene_tolerance_text(const struct cr_key *key, const char *text,
+                                                  struct cJSON **out, struct cr_error *err);
+/* The inverse for a JSON object of that kind. */
+void cr_scene_tolerance_say(const struct cJSON *json, struct cr_str *out);
+
 /* "KEY: expected ..., got ..." */
 enum cr_err cr_scene_wrong_type(struct cr_reader *r, const struct cr_key *key, const char *expected,
                                 const struct cJSON *json);

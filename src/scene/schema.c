@@ -48,10 +48,48 @@ static void number_schema(struct build *b, cJSON *to, const struct cr_key *key) 
     number(b, to, "maximum", key->hi);
 }
 
+/* {"value": 56, "tolerance": 3, "distribution": "uniform", "group": "scale"} */
+static void spread_schema(struct build *b, cJSON *to, const struct cr_key *key) {
+    text(b, to, "type", "object");
+    cJSON *properties = object(b, to, "properties");
+    number_schema(b, object(b, properties, "value"), key);
+    cJSON *half = object(b, properties, "tolerance");
+    text(b, half, "type", "number");
+    number(b, half, "exclusiveMinimum", 0);
+    cJSON *words = array(b, object(b, properties, "distribution"), "enum");
+    for (int i = 0; i < CR_SPREADS; i++) {
+        text(b, words, NULL, cr_spread_word((enum cr_spread)i));
+    }
+    cJSON *group = object(b, properties, "group");
+    text(b, group, "type", "string");
+    text(b, group, "pattern", "^-?[A-Za-z0-9_][A-Za-z0-9_-]*$");
+    number(b, group, "maxLength", CR_GROUP_MAX - 1);
+    cJSON *required = array(b, to, "required");
+    text(b, required, NULL, "value");
+    text(b, required, NULL, "tolerance");
+    add(b, to, "additionalProperties", cJSON_CreateBool(0));
+}
+
+/* a number, which may have a tolerance */
+static void uncertain_schema(struct build *b, cJSON *any, const struct cr_key *key) {
+    number_schema(b, object(b, any, NULL), key);
+    spread_schema(b, object(b, any, NULL), key);
+}
+
 static void number_or_auto(struct build *b, cJSON *to, const struct cr_key *key) {
     cJSON *any = array(b, to, "anyOf");
     text(b, object(b, any, NULL), "const", "auto");
     number_schema(b, object(b, any, NULL), key);
+    if (key->type == CR_KEY_NUMBER) {
+        spread_schema(b, object(b, any, NULL), key);
+    }
+}
+
+/* numbers of waypoints have no tolerance */
+static bool may_spread(const struct cr_key *key) {
+    int n;
+    const struct cr_key *row = cr_scene_keys(CR_KEYS_WAYPOINT, &n);
+    return key < row || key >= row + n;
 }
 
 static void list_of(struct build *b, cJSON *to, int least, int most) {
@@ -84,7 +122,7 @@ static void text_schema(struct build *b, cJSON *to, const struct cr_key *key) {
 
 static void wheels_schema(struct build *b, cJSON *to, const struct cr_key *key) {
     cJSON *any = array(b, to, "anyOf");
-    number_schema(b, object(b, any, NULL), key);
+    uncertain_schema(b, any, key);
     numbers_schema(b, object(b, any, NULL), key, CR_WHEELS);
 }
 
@@ -99,7 +137,13 @@ static void locked_schema(struct build *b, cJSON *to) {
 static void value_schema(struct build *b, cJSON *to, const struct cr_key *key) {
     switch (key->type) {
     case CR_KEY_NUMBER:
-        key->aux != 0 ? number_or_auto(b, to, key) : number_schema(b, to, key);
+        if (key->aux != 0) {
+            number_or_auto(b, to, key);
+        } else if (may_spread(key)) {
+            uncertain_schema(b, array(b, to, "anyOf"), key);
+        } else {
+            number_schema(b, to, key);
+        }
         break;
     case CR_KEY_SWITCH:
     case CR_KEY_BOOL:
@@ -113,7 +157,8 @@ static void value_schema(struct build *b, cJSON *to, const struct cr_key *key) {
         break;
     case CR_KEY_PAIR:
     case CR_KEY_RANGE:
-        numbers_schema(b, to, key, 2);
+        list_of(b, to, 2, 2);
+        uncertain_schema(b, array(b, object(b, to, "items"), "anyOf"), key);
         break;
     case CR_KEY_WHEELS:
         wheels_schema(b, to, key);

@@ -128,7 +128,8 @@ static enum cr_err word_from_text(const struct cr_key *key, const char *text, cJ
             *out = cJSON_CreateString(text);
             break;
         }
-        return number_from_text(key, text, out, err);
+        enum cr_err code = cr_scene_tolerance_text(key, text, out, err);
+        return code != CR_ERR_OK || *out != NULL ? code : number_from_text(key, text, out, err);
     }
     return *out != NULL ? CR_ERR_OK : cr_err_set(err, CR_ERR_MEMORY, "no memory");
 }
@@ -184,6 +185,11 @@ static bool takes_back(const struct cr_key *key, const char *text) {
 }
 
 static void take_back(struct cr_scene *scene, const struct target *t) {
+    const struct cr_tolerances none = {.n = 0};
+    struct cr_reader r = {.err = NULL};
+    void *base = t->part != NULL ? (void *)t->part : (void *)&scene->set;
+    enum cr_err kept = cr_scene_tolerances_keep(&r, t->key, &none, base);
+    (void)kept; /* nothing that is put in can be too much */
     if (t->part != NULL) {
         cr_scene_value_reset(t->key, t->part, 0);
         t->part->given &= ~((uint64_t)1 << t->bit);
@@ -276,7 +282,11 @@ enum cr_err cr_scene_get(const struct cr_scene *scene, const char *key, struct c
     }
     cJSON *json = cr_scene_value_write(t.key, t.base);
     bool done;
-    if (cJSON_IsString(json)) { /* without its quotes */
+    if (cJSON_IsObject(json)) {
+        cr_scene_tolerance_say(json, out);
+        cJSON_Delete(json);
+        done = !out->failed;
+    } else if (cJSON_IsString(json)) { /* without its quotes */
         cr_str_add(out, json->valuestring);
         cJSON_Delete(json);
         done = !out->failed;

@@ -21,22 +21,6 @@ static double number_of(const struct cr_key *key, const void *base) {
     return x;
 }
 
-const char *cr_scene_describe(const cJSON *json, char *buf, size_t size) {
-    if (cJSON_IsString(json)) {
-        snprintf(buf, size, "string \"%.40s\"", json->valuestring);
-    } else if (cJSON_IsNumber(json)) {
-        snprintf(buf, size, "number %.10g", json->valuedouble);
-    } else {
-        snprintf(buf, size, "%s",
-                 cJSON_IsArray(json)    ? "an array"
-                 : cJSON_IsObject(json) ? "an object"
-                 : cJSON_IsTrue(json)   ? "true"
-                 : cJSON_IsFalse(json)  ? "false"
-                                        : "null");
-    }
-    return buf;
-}
-
 enum cr_err cr_scene_wrong_type(struct cr_reader *r, const struct cr_key *key, const char *expected,
                                 const cJSON *json) {
     char got[64];
@@ -475,11 +459,21 @@ static const struct {
 
 enum cr_err cr_scene_plain_read(struct cr_reader *r, const struct cr_key *key, const cJSON *json,
                                 void *base) {
-    return types[key->type].read(r, key, json, base);
+    struct cr_tolerances found = {.n = 0};
+    cJSON *plain = NULL;
+    enum cr_err code = cr_scene_tolerances_take(r, key, json, &found, &plain);
+    if (code == CR_ERR_OK) {
+        code = types[key->type].read(r, key, plain != NULL ? plain : json, base);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_scene_tolerances_keep(r, key, &found, base);
+    }
+    cJSON_Delete(plain);
+    return code;
 }
 
 cJSON *cr_scene_plain_write(const struct cr_key *key, const void *base) {
-    return types[key->type].write(key, base);
+    return cr_scene_tolerances_write(key, base, types[key->type].write(key, base));
 }
 
 bool cr_scene_plain_known(const struct cr_key *key, const void *base) {

@@ -8,10 +8,10 @@
 #include <string.h>
 
 static void take_measures(const struct cr_severity *s, double *to) {
-    const double *c = s->profile;
+    const double *c = s->profile_outline; // as the tests' profiles are told
     const double value[CR_MEASURES] = {
         [CR_MEASURE_EES] = cr_kmh(s->ees),
-        [CR_MEASURE_DELTA_V] = cr_kmh(s->delta_v),
+        [CR_MEASURE_DELTA_V] = cr_kmh(s->delta_v_net),
         [CR_MEASURE_DV_FORWARD] = cr_kmh(s->delta_v_body.x),
         [CR_MEASURE_DV_LEFT] = cr_kmh(s->delta_v_body.y),
         [CR_MEASURE_YAW_RATE] = cr_deg(s->yaw_rate_change),

@@ -6,7 +6,7 @@ wall_scene >"$tmp/wall.json"
 run run "$demo"
 same "the demo is solved" "$status" 0
 same "nothing on standard error" "$errs" ""
-has "JSON is the default" "$out" '"crumple_result":[[:space:]]*1'
+has "JSON is the default" "$out" '"crumple_result":[[:space:]]*2'
 has "the resolved scene is in the result" "$out" '"resolved":[[:space:]]*\{'
 same "no time series unless asked" "$(printf '%s' "$out" | grep -c '"trace"')" 0
 first=$out
@@ -18,6 +18,20 @@ has "--trace adds the time series" "$out" '"trace":[[:space:]]*\{'
 run run -f csv "$demo"
 same "CSV has a header and a row per participant" "$(printf '%s\n' "$out" | wc -l)" 3
 has "CSV names units in the header" "$(printf '%s\n' "$out" | head -n 1)" 'ees_kmh'
+
+run run -f csv --per impact "$(cd "$(dirname "$demo")" && pwd)/three-cars.json"
+same "--per impact: a row per impact and participant" \
+    "$(printf '%s\n' "$out" | awk -F, 'NR == 1 { n = NF } NF != n { bad = 1 }
+        NR > 1 { at[$2]++ } END { for (i in at) if (at[i] != 2) bad = 1
+        print bad + 0, (NR > 4 ? "several" : NR) }')" "0 several"
+run run --per wheel "$demo"
+same "--per knows what there is a row for" "$status" 2
+has "and says so" "$errs" 'participant.impact'
+run run --result-version=1 "$demo"
+has "the first form of the result on request" "$out" '"crumple_result":[[:space:]]*1'
+same "it knows no impacts" "$(printf '%s' "$out" | grep -c '"impacts"')" 0
+run run --result-version=3 "$demo"
+same "a third form is unknown" "$status" 2
 
 run run --format=text "$demo"
 same "text succeeds" "$status" 0
@@ -111,4 +125,36 @@ env LC_ALL=de_DE.UTF-8 "$crumple" run "$demo" 2>&1 | cksum >"$tmp/german"
 same "a German locale changes nothing" "$(cat "$tmp/german")" "$("$crumple" run "$demo" | cksum)"
 refused "an id that nobody has: all there are" 3 'no participant "C" .there is A, B' \
     run "$demo" --set C.speed=50
+# pictures
+run run "$demo" --picture "$tmp/o.svg" -p after="$tmp/a.svg" -p 40ms="$tmp/t.svg"
+same "pictures alone print no result" "$status $out$errs" "0 "
+has "a picture is SVG" "$(head -n 2 "$tmp/o.svg")" '<svg xmlns'
+has "the overview has the pulse" "$(cat "$tmp/o.svg")" '>\|a\|, g<'
+has "the scene at a time" "$(cat "$tmp/t.svg")" 'In the crash: 40.0 ms after first contact'
+for what in before contact engagement pulse energy damage side top front risk; do
+    "$crumple" run "$demo" -p "$what=$tmp/$what.svg" 2>"$tmp/errs" || break
+    [ -s "$tmp/$what.svg" ] || break
+done
+same "every picture is drawn" "$what" risk
+python3 - "$tmp"/*.svg <<'END' 2>"$tmp/errs"
+import sys, xml.dom.minidom
+for path in sys.argv[1:]:
+    xml.dom.minidom.parse(path)
+END
+same "every picture is sound XML" "$?$(cat "$tmp/errs")" 0
+run run "$demo" -p "$tmp/o2.svg" -o "$tmp/r.json"
+cmp -s "$tmp/o.svg" "$tmp/o2.svg"
+report $? "the same bytes on every run"
+has "with -o the result is written too" "$(head -n 3 "$tmp/r.json")" crumple_result
+refused "a picture that there is none of" 2 'no picture .pulses.*did you mean pulse=FILE' \
+    run "$demo" -p "pulses=$tmp/x.svg"
+refused "a picture in an unknown form" 2 'none of .svg, .pdf, .png' run "$demo" -p "$tmp/x.gif"
+refused "a picture that cannot be written" 2 'cannot write' run "$demo" -p "$tmp/no/x.svg"
+if "$crumple" --version | grep -q cairo; then
+    run run "$demo" -p "after=$tmp/a.pdf" -p "after=$tmp/a.png"
+    same "PDF and PNG" "$(head -c 5 "$tmp/a.pdf") $(head -c 4 "$tmp/a.png" | tail -c 3)" "%PDF- PNG"
+else
+    skip "PDF and PNG" "a build without cairo"
+fi
+
 finish

@@ -40,7 +40,7 @@ run stack "$tmp/folder" "$tmp/twelve.jsonl"
 same "folders by name, then files" "$(names)" "s1 small s7 s1 s2 s3 s4 s5 s6 s7 s8 s9 s10 s11 s12 "
 run stack "$demo"
 same "a printed scene is one scene" "$(names)" "q7-fiat500 "
-has "one line has the fields of a result" "$out" '^\{"crumple_result":1,.*"balance":\{.*\}\}$'
+has "one line has the fields of a result" "$out" '^\{"crumple_result":2,.*"balance":\{.*\}\}$'
 same "no resolved scene unless asked" "$(printf '%s' "$out" | grep -c '"resolved"')" 0
 run stack --resolved --trace "$demo"
 has "--resolved and --trace add them" "$out" '"resolved":\{.*"trace":\{'
@@ -109,7 +109,7 @@ report $? "which is a device still"
 same "and leaves nothing beside it" "$(ls "$tmp" | grep -c part)" 0
 { sed -n 1,7p "$tmp/one"; sed -n 8p "$tmp/one" | cut -c 1-500 | tr -d '\n'; } >"$tmp/cut"
 # a mark that only a line taken over can carry
-sed 's/"crumple_result":1,/&"x":"taken over",/' "$tmp/cut" >"$tmp/marked"
+sed 's/"crumple_result":2,/&"x":"taken over",/' "$tmp/cut" >"$tmp/marked"
 run stack --resume "$tmp/marked" "$tmp/twelve.jsonl"
 same "whole lines are taken over" "$(grep -c 'taken over' "$tmp/out")" 7
 same "and nothing else differs" "$(sed 's/"x":"taken over",//' "$tmp/out" | cksum)" \

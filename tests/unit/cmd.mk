@@ -1,6 +1,7 @@
 # unit tests of src/cmd
-cmd_test_libs = libcmd.a librender.a libresult.a libscene.a libsolver.a libmodel.a libbase.a \
-	$(CMOCKA_LIBS) $(CJSON_LIBS) $(NETTLE_LIBS)
+cmd_test_libs = libcmd.a libfigure.a libstudy.a librender.a libresult.a libscene.a libsolver.a libmodel.a \
+	libbase.a $(CMOCKA_LIBS) $(GSL_LIBS) $(NLOPT_LIBS) $(CJSON_LIBS) \
+	$(NETTLE_LIBS) $(CAIRO_LIBS)
 check_PROGRAMS += test_cmd
 TESTS += test_cmd
 test_cmd_SOURCES = tests/unit/test_cmd.c

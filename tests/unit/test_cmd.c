@@ -1,4 +1,6 @@
 /* The command language: tokens, table, binding, undo, completion, autosave, sweep. */
+#include "config.h"
+
 #include "test.h"
 
 #include "base/file.h"
@@ -180,6 +182,9 @@ static void test_examples_of_help_run(void **state) {
     for (int i = 0; i < 2 * n; i++) {
         const struct cr_command *c = &table[i / 2];
         struct heard h;
+        if (!HAVE_GSL && strcmp(c->name, "mc") == 0) {
+            continue; /* a build without draws */
+        }
         struct cr_session *s = session(&h, NULL);
         h.answer = 'q';
         if (c->setup != NULL && cr_session_script(s, c->setup, c->name, 1) != CR_ERR_OK) {

@@ -91,6 +91,49 @@ static void depth_of_a_struck_side(void **state) {
     check_near(cr_deform_line(&d, cr_vec2(1.5, 1), cr_vec2(0, -1)), 0, 0);
 }
 
+/* the greatest depth is a mean over 0.1 m: a line of one voxel does not set it, whatever its size
+ */
+static void one_scraped_line_sets_no_maximum(void **state) {
+    (void)state;
+    for (double h = 0.005; h < 0.11; h *= 1.37) {
+        struct cr_deepest top = {.step = h};
+        // 1.8 m of 0.2 m depth, and a strip 0.02 m wide of 2 m in it
+        for (double y = 0; y < 1.8; y += h) {
+            double in = fmax(0, fmin(y + h, 0.92) - fmax(y, 0.90)) / h;
+            cr_deepest_add(&top, 0.2 + 1.8 * in);
+        }
+        check_near(cr_deepest_get(&top), 0.2 + 1.8 * 0.02 / 0.1, 1e-9);
+    }
+    struct cr_deepest narrow = {.step = 0.02}, none = {.step = 0.02};
+    cr_deepest_add(&narrow, 0.3);
+    cr_deepest_add(&narrow, 0.5);
+    check_near(cr_deepest_get(&narrow), 0.4, 1e-12);
+    check_near(cr_deepest_get(&none), 0, 0);
+}
+
+/* where a contact begins decides the face: a corner driven on straight ahead is the front's */
+static void face_is_where_the_contact_began(void **state) {
+    (void)state;
+    block();
+    assert_int_equal(cr_deform_face_at(&grid, cr_vec2(1.95, 0.97), cr_vec2(-1, 0)), CR_FACE_FRONT);
+    assert_int_equal(cr_deform_face_at(&grid, cr_vec2(1.6, 0.99), cr_vec2(-1, 0)), CR_FACE_FRONT);
+    assert_int_equal(cr_deform_face_at(&grid, cr_vec2(0, 0.99), cr_vec2(-0.7, -0.7)), CR_FACE_LEFT);
+    assert_int_equal(cr_deform_face_at(&grid, cr_vec2(0, -1), cr_vec2(0.7, 0.7)), CR_FACE_RIGHT);
+    assert_int_equal(cr_deform_face_at(&grid, cr_vec2(-2, -0.5), cr_vec2(0.9, 0.1)), CR_FACE_REAR);
+}
+
+/* what an underride leaves begins behind a sound bonnet */
+static void damage_behind_sound_material(void **state) {
+    (void)state;
+    struct cr_deform d = block();
+    for (int x = NX - 25; x < NX - 10; x++) {
+        lose(x, 9, 1, CR_CRUSH_CONTACT);
+    }
+    check_near(cr_deform_column(&d, CR_FACE_FRONT, NY - 1 - 9, false), 0, 0);
+    d.through = true;
+    check_near(cr_deform_column(&d, CR_FACE_FRONT, NY - 1 - 9, false), 1.5, 1e-12);
+}
+
 /* damage at both ends: each end has its own depth */
 static void far_damage_does_not_count(void **state) {
     (void)state;
@@ -234,7 +277,7 @@ static void cdc_of_known_crashes(void **state) {
                                 .width = 0.25,
                                 .depth = 0.37,
                                 .zone = 1.8,
-                                .above_belt = true};
+                                .vertical = 'A'};
     cr_cdc_write(&what, cdc);
     assert_string_equal(cdc, "03RPAN2");
 }
@@ -271,6 +314,9 @@ int main(void) {
         cmocka_unit_test(depth_of_a_crushed_front),
         cmocka_unit_test(depth_of_a_struck_side),
         cmocka_unit_test(far_damage_does_not_count),
+        cmocka_unit_test(one_scraped_line_sets_no_maximum),
+        cmocka_unit_test(face_is_where_the_contact_began),
+        cmocka_unit_test(damage_behind_sound_material),
         cmocka_unit_test(small_overlap_is_a_frontal_hit),
         cmocka_unit_test(outline_of_a_block),
         cmocka_unit_test(outline_of_a_damaged_block),

@@ -146,6 +146,12 @@ update() {
 }
 
 for file in "$folder"/*.test; do
+    case $(basename "$file"):$("$CRUMPLE" --version) in
+    study.test:*" no GSL"*)
+        skip "draws and searches" "built without GSL"
+        continue
+        ;;
+    esac
     blocks=$(split "$file")
     i=1
     while [ "$i" -le "$blocks" ]; do

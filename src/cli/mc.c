@@ -1,0 +1,183 @@
+/* `crumple mc`: one scene solved for many draws of its uncertain inputs. */
+#include "cli/cli.h"
+#include "cli/word.h"
+#include "study/study.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#define FORMATS   "text|json|csv"
+#define SAMPLINGS "latin|sobol"
+enum format { FORMAT_TEXT, FORMAT_JSON, FORMAT_CSV };
+
+struct options {
+    int format, draws, seed, sampling, jobs;
+    bool no_scatter, quiet;
+    const char *out, *plot;
+    struct cr_option_values set;
+    struct cr_cli_look look;
+};
+
+static const char about[] =
+    "Solves one scene for many draws of the inputs that have a tolerance, and tells how the\n"
+    "results scatter and which input they depend on. A tolerance stands in the scene as\n"
+    "{\"value\": 56, \"tolerance\": 3, \"distribution\": \"normal\"}, or is set here:\n"
+    "--set A.speed_kmh=56+-3. The stiffness of each vehicle varies as its type does.\n"
+    "Exit status as of crumple run.\n";
+
+static int tell(void *user, int done, int draws) {
+    const struct options *opt = user;
+    if (!opt->quiet && isatty(STDERR_FILENO) && (done % 20 == 0 || done == draws)) {
+        fprintf(stderr, "\r%d of %d draws%s", done, draws, done == draws ? "\n" : "");
+    }
+    return cr_cli_cancelled(NULL);
+}
+
+/* "A.ees", "ees" */
+static enum cr_err read_plot(const struct cr_mc *mc, const char *text, struct cr_mc_plot *plot,
+                             struct cr_error *err) {
+    int names;
+    const struct cr_measure *table = cr_measures(&names), *m = NULL;
+    const char *dot = strchr(text, '.'), *name = dot != NULL ? dot + 1 : text;
+    plot->participant = -1;
+    for (int p = 0; p < mc->participants && dot != NULL; p++) {
+        size_t len = strlen(mc->id[p]);
+        if (len == (size_t)(dot - text) && strncmp(text, mc->id[p], len) == 0) {
+            plot->participant = p;
+        }
+    }
+    m = cr_measure_find(name);
+    if (m == NULL || (dot != NULL && plot->participant < 0)) {
+        cr_err_set(err, CR_ERR_USAGE, "--plot %.60s: there is no such result", text);
+        cr_err_hint(err, "for example --plot %s.delta_v", mc->id[0]);
+        return CR_ERR_USAGE;
+    }
+    plot->measure = (int)(m - table);
+    return CR_ERR_OK;
+}
+
+static enum cr_err write_mc(const struct cr_mc *mc, const struct options *opt, struct cr_str *text,
+                            struct cr_error *err) {
+    if (opt->format == FORMAT_JSON) {
+        return cr_mc_json(mc, text, err);
+    }
+    if (opt->format == FORMAT_CSV) {
+        return cr_mc_csv(mc, text, err);
+    }
+    int width;
+    struct cr_mc_plot plot;
+    struct cr_look look = cr_cli_look_of(&opt->look, opt->out != NULL, &width);
+    enum cr_err code = opt->plot != NULL ? read_plot(mc, opt->plot, &plot, err) : CR_ERR_OK;
+    return code == CR_ERR_OK
+               ? cr_mc_text(mc, opt->plot != NULL ? &plot : NULL, look.ascii, text, err)
+               : code;
+}
+
+static enum cr_err solve(const struct cr_scene *scene, const struct options *opt,
+                         const struct cr_context *ctx, struct cr_str *text, struct cr_error *err) {
+    struct cr_scatter scatter;
+    struct cr_study study;
+    struct cr_mc *mc = NULL;
+    char dir[4096];
+    struct cr_mc_opts how = {.draws = opt->draws,
+                             .seed = (unsigned long)opt->seed,
+                             .sampling = (enum cr_sampling)opt->sampling,
+                             .jobs = opt->jobs,
+                             .progress = tell,
+                             .user = (void *)(uintptr_t)opt};
+    enum cr_err code = cr_scatter_read(cr_data_dir(dir, sizeof dir), &scatter, err);
+    if (code == CR_ERR_OK) {
+        code = cr_study_open(scene, opt->no_scatter ? NULL : &scatter, &study, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_mc_run(&study, &how, ctx, &mc, err);
+    }
+    /* what was drawn until ^C is written too; the status still says that it is not all */
+    if (mc != NULL && mc->done > 1) {
+        struct cr_error other;
+        enum cr_err wrote = write_mc(mc, opt, text, code == CR_ERR_OK ? err : &other);
+        code = code == CR_ERR_OK ? wrote : code;
+    }
+    cr_mc_free(mc);
+    return code;
+}
+
+static enum cr_err run(const char *path, const struct options *opt, struct cr_error *err) {
+    struct cr_cli_shared shared = {0};
+    struct cr_scene scene;
+    struct cr_str text = {0};
+    cr_scene_init(&scene);
+    const char *name = strcmp(path, "-") == 0 ? "standard input" : path;
+    enum cr_err code = cr_scene_load(path, &scene, err);
+    if (code != CR_ERR_OK && strcmp(err->src, "-") == 0) {
+        cr_err_place(err, name, err->line, err->col);
+    }
+    cr_cli_catch();
+    if (code == CR_ERR_OK) {
+        code = cr_cli_override(&scene, &opt->set, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_cli_open(&shared, CR_CLI_NEEDED, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = solve(&scene, opt, &shared.ctx, &text, err);
+        if (code != CR_ERR_OK && err->src[0] == '\0' && err->where[0] != '\0') {
+            cr_scene_locate_file(path, name, err);
+        }
+    }
+    if (text.len > 0) {
+        struct cr_error other;
+        enum cr_err wrote = cr_cli_emit(opt->out, &text, code == CR_ERR_OK ? err : &other);
+        code = code == CR_ERR_OK ? wrote : code;
+    }
+    cr_str_fini(&text);
+    cr_scene_fini(&scene);
+    cr_cli_close(&shared);
+    return code;
+}
+
+#define NUMBER(n, l, to, least, most, text)                                                        \
+    { .name = n, .letter = l, .arg = "N", .number = &(to), .lo = least, .hi = most, .help = text }
+#define CHOICE(n, l, words, to, text)                                                              \
+    { .name = n, .letter = l, .arg = words, .number = &(to), .help = text }
+#define TEXT(n, l, what, to, help_text)                                                            \
+    { .name = n, .letter = l, .arg = what, .text = &(to), .help = help_text }
+#define FLAG(n, l, to, help_text)                                                                  \
+    { .name = n, .letter = l, .flag = &(to), .help = help_text }
+
+int cr_cli_mc(int argc, char **argv) {
+    struct options opt = {.draws = 2000, .seed = 1};
+    const struct cr_option table[] = {
+        NUMBER("draws", 'n', opt.draws, 10, 1000000, "how many scenes are drawn (2000)"),
+        NUMBER("seed", 0, opt.seed, 1, 2147483647,
+               "of the generator; the same seed gives the same bytes (1)"),
+        CHOICE("sampling", 0, SAMPLINGS, opt.sampling, "latin hypercube or Sobol sequence (latin)"),
+        FLAG("no-scatter", 0, opt.no_scatter, "the stiffness of the vehicles does not vary"),
+        NUMBER("jobs", 'j', opt.jobs, 1, 256, "threads (one per processor)"),
+        TEXT("plot", 0, "A.RESULT", opt.plot, "result of histogram and ranked inputs (ees)"),
+        CHOICE("format", 'f', FORMATS, opt.format,
+               "form of the result (text); csv: a row per draw"),
+        TEXT("output", 'o', "FILE", opt.out, "write to FILE, whole or not at all"),
+        FLAG("quiet", 'q', opt.quiet, "no progress"),
+        {.name = "set",
+         .letter = 's',
+         .arg = "KEY=VALUE",
+         .values = &opt.set,
+         .help = "override a value, also by one with a tolerance (A.speed_kmh=56+-3)"},
+        CR_CLI_LOOK_OPTIONS(&opt.look),
+    };
+    const struct cr_usage usage = {.word = "mc",
+                                   .operands = "SCENE.json",
+                                   .about = about,
+                                   .option = table,
+                                   .options = sizeof table / sizeof *table,
+                                   .least = 1,
+                                   .most = 1};
+    struct cr_error err = {0};
+    int operands, status = cr_cli_options(&usage, argc, argv, &operands);
+    if (status >= 0) {
+        return status;
+    }
+    return run(argv[1], &opt, &err) == CR_ERR_OK ? 0 : cr_cli_fail(&err);
+}

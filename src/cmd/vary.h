@@ -1,0 +1,26 @@
+/* Inputs by name that a sweep, draws and a search can vary. */
+#ifndef CR_CMD_VARY_H
+#define CR_CMD_VARY_H
+
+#include "cmd/cmd_priv.h"
+
+struct cr_vary {
+    const struct cr_sweep_key *key;
+    char id[CR_NAME_MAX]; /* "" for a setting */
+};
+
+/* "A.speed", "B.overlap", "restitution". Errors: NAME, MISSING for a placement of what was not
+ * placed. */
+enum cr_err cr_vary_find(const struct cr_session *s, const char *text, struct cr_vary *out,
+                         struct cr_error *err);
+/* Give it a value (SI) in a state of its own; any thread. */
+enum cr_err cr_vary_apply(struct cr_state *state, const struct cr_vary *var, double si,
+                          const struct cr_model_lib *models, struct cr_error *err);
+/* After all are applied: who was placed against another still is, though a mass may have changed
+ * sizes. */
+enum cr_err cr_vary_settle(struct cr_state *state, const struct cr_model_lib *models,
+                           struct cr_error *err);
+/* The value it has in the scene of the session, SI; NaN where it is left to be assumed. */
+double cr_vary_now(struct cr_session *s, const struct cr_vary *var);
+
+#endif

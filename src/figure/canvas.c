@@ -1,0 +1,211 @@
+/* A canvas remembers what is drawn on it until it is written. */
+#include "figure/canvas_priv.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+const double cr_dash_lengths[CR_DASHES][4] = {
+    {0, 0, 0, 0}, {6, 3, 0, 0}, {1.2, 2, 0, 0}, {7, 2.5, 1.2, 2.5}};
+
+struct cr_canvas *cr_canvas_new(double w, double h) {
+    struct cr_canvas *c = calloc(1, sizeof *c);
+    if (c != NULL) {
+        c->w = w;
+        c->h = h;
+    }
+    return c;
+}
+
+void cr_canvas_free(struct cr_canvas *c) {
+    if (c != NULL) {
+        free(c->item);
+        free(c->step);
+        cr_str_fini(&c->words);
+        free(c);
+    }
+}
+
+double cr_canvas_w(const struct cr_canvas *c) {
+    return c->w;
+}
+
+double cr_canvas_h(const struct cr_canvas *c) {
+    return c->h;
+}
+
+void cr_canvas_comma(struct cr_canvas *c, bool on) {
+    c->comma = on;
+}
+
+void cr_canvas_origin(struct cr_canvas *c, double x, double y) {
+    c->x0 = x;
+    c->y0 = y;
+}
+
+/* room for one more; NULL when memory is out, which is remembered */
+static void *grow(struct cr_canvas *c, void *list, int n, int *size, size_t each) {
+    if (n < *size) {
+        return list;
+    }
+    int more = *size > 0 ? 2 * *size : 64;
+    void *bigger = realloc(list, (size_t)more * each);
+    if (bigger == NULL) {
+        c->failed = true;
+        return NULL;
+    }
+    *size = more;
+    return bigger;
+}
+
+static struct cr_item *add_item(struct cr_canvas *c, enum cr_act act) {
+    struct cr_item *list = grow(c, c->item, c->items, &c->item_size, sizeof *list);
+    if (list == NULL) {
+        return NULL;
+    }
+    c->item = list;
+    list[c->items] = (struct cr_item){.act = act};
+    return &list[c->items++];
+}
+
+static void add_step(struct cr_canvas *c, const struct cr_step *step) {
+    struct cr_step *list = grow(c, c->step, c->steps, &c->step_size, sizeof *list);
+    if (list != NULL) {
+        c->step = list;
+        list[c->steps++] = *step;
+    }
+}
+
+void cr_canvas_move(struct cr_canvas *c, double x, double y) {
+    add_step(c, &(struct cr_step){CR_VERB_MOVE, {x + c->x0}, {y + c->y0}});
+}
+
+void cr_canvas_line(struct cr_canvas *c, double x, double y) {
+    add_step(c, &(struct cr_step){CR_VERB_LINE, {x + c->x0}, {y + c->y0}});
+}
+
+void cr_canvas_close(struct cr_canvas *c) {
+    add_step(c, &(struct cr_step){.verb = CR_VERB_CLOSE});
+}
+
+void cr_canvas_rect(struct cr_canvas *c, double x, double y, double w, double h) {
+    cr_canvas_move(c, x, y);
+    cr_canvas_line(c, x + w, y);
+    cr_canvas_line(c, x + w, y + h);
+    cr_canvas_line(c, x, y + h);
+    cr_canvas_close(c);
+}
+
+/* a quarter of a circle as a Bezier curve misses it by 0.03 % with this distance of its points */
+static const double round_off = 0.5522847498;
+
+void cr_canvas_circle(struct cr_canvas *c, double x, double y, double r) {
+    static const int turn[5][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}};
+    x += c->x0;
+    y += c->y0;
+    add_step(c, &(struct cr_step){CR_VERB_MOVE, {x + r}, {y}});
+    for (int i = 0; i < 4; i++) {
+        const int *a = turn[i], *b = turn[i + 1];
+        add_step(c, &(struct cr_step){CR_VERB_CURVE,
+                                      {x + r * (a[0] + round_off * b[0]),
+                                       x + r * (b[0] + round_off * a[0]), x + r * b[0]},
+                                      {y + r * (a[1] + round_off * b[1]),
+                                       y + r * (b[1] + round_off * a[1]), y + r * b[1]}});
+    }
+    cr_canvas_close(c);
+}
+
+void cr_canvas_paint(struct cr_canvas *c, const struct cr_paint *paint) {
+    struct cr_item *item = c->steps > c->painted ? add_item(c, CR_ACT_PATH) : NULL;
+    if (item != NULL) {
+        item->from = c->painted;
+        item->n = c->steps - c->painted;
+        item->paint = *paint;
+    }
+    c->painted = c->steps;
+}
+
+void cr_canvas_clip(struct cr_canvas *c, double x, double y, double w, double h) {
+    struct cr_item *item = add_item(c, CR_ACT_CLIP);
+    if (item != NULL) {
+        item->x = x + c->x0;
+        item->y = y + c->y0;
+        item->w = w;
+        item->h = h;
+    }
+}
+
+void cr_canvas_unclip(struct cr_canvas *c) {
+    add_item(c, CR_ACT_UNCLIP);
+}
+
+/* ---- words ---- */
+
+/* length of the UTF-8 sequence at s, 0 for one that is broken */
+static int sequence(const char *s) {
+    unsigned char c = (unsigned char)s[0];
+    int n = c < 0x80 ? 1 : c >= 0xC2 && c < 0xE0 ? 2 : (c & 0xF0) == 0xE0 ? 3 : c < 0xF5 ? 4 : 0;
+    if (c >= 0x80 && c < 0xC2) {
+        return 0;
+    }
+    for (int i = 1; i < n; i++) {
+        if (((unsigned char)s[i] & 0xC0) != 0x80) {
+            return 0;
+        }
+    }
+    return n;
+}
+
+static bool digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+void cr_canvas_text(struct cr_canvas *c, double x, double y, const struct cr_type_face *face,
+                    const char *utf8) {
+    struct cr_item *item = utf8[0] != '\0' ? add_item(c, CR_ACT_TEXT) : NULL;
+    if (item == NULL) {
+        return;
+    }
+    item->from = (int)c->words.len;
+    item->face = *face;
+    item->x = x + c->x0;
+    item->y = y + c->y0;
+    for (const char *s = utf8; *s != '\0';) {
+        int n = sequence(s);
+        if (n == 0 || (n == 1 && (unsigned char)*s < 32) || *s == 127) {
+            cr_str_add(&c->words, "\xEF\xBF\xBD");
+        } else if (c->comma && *s == '.' && s > utf8 && digit(s[-1]) && digit(s[1])) {
+            cr_str_add(&c->words, ",");
+        } else {
+            cr_str_addn(&c->words, s, (size_t)n);
+        }
+        s += n > 0 ? n : 1;
+    }
+    item->n = (int)c->words.len - item->from;
+    c->failed |= c->words.failed;
+}
+
+/* Widths of the characters 32..126 of Helvetica in 1/1000 of the size, as Adobe published them
+ * (Core 14 AFM files). */
+static const short helvetica[95] = {
+    278, 278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333,  278, 278, 556, 556, 556,
+    556, 556, 556, 556, 556, 556, 556, 278, 278, 584, 584, 584, 556, 1015, 667, 667, 722, 722, 667,
+    611, 778, 722, 278, 500, 667, 556, 833, 722, 778, 667, 778, 722, 667,  611, 722, 667, 944, 667,
+    667, 611, 278, 278, 278, 469, 556, 333, 556, 556, 500, 556, 556, 278,  556, 556, 222, 222, 500,
+    222, 833, 556, 556, 556, 556, 333, 500, 278, 556, 500, 722, 500, 500,  500, 334, 260, 334, 584};
+static const double courier = 600, bold_more = 1.07, other_letter = 556, wide_letter = 1000;
+
+double cr_text_width(const struct cr_type_face *face, const char *utf8) {
+    double sum = 0;
+    for (const char *s = utf8; *s != '\0';) {
+        int n = sequence(s);
+        unsigned char c = (unsigned char)*s;
+        /* three bytes and more: arrows, signs, scripts whose letters are as wide as high */
+        double w = face->mono           ? courier
+                   : c >= 32 && c < 127 ? helvetica[c - 32]
+                   : n > 2              ? wide_letter
+                                        : other_letter;
+        sum += w;
+        s += n > 0 ? n : 1;
+    }
+    return sum * 1e-3 * face->size * (face->bold && !face->mono ? bold_more : 1);
+}

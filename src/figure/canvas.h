@@ -1,0 +1,91 @@
+/* Drawing interface of pictures and pages: shapes and words are put on a canvas, which is then
+ * written as SVG, PDF or PNG.
+ *
+ * Lengths are points of 1/72 inch, x to the right, y down. Memory that runs out is remembered: the
+ * writers then report it, so that drawing itself needs no checks. SVG is written here, since cairo
+ * would turn its words into outlines that can be neither searched nor read aloud, under names that
+ * clash where a page holds two pictures; PDF and PNG are cairo's. */
+#ifndef CR_FIGURE_CANVAS_H
+#define CR_FIGURE_CANVAS_H
+
+#include "base/err.h"
+#include "base/str.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+struct cr_canvas;
+
+/* An empty canvas of that size; NULL when memory is out. */
+struct cr_canvas *cr_canvas_new(double w, double h);
+void cr_canvas_free(struct cr_canvas *canvas);
+double cr_canvas_w(const struct cr_canvas *canvas);
+double cr_canvas_h(const struct cr_canvas *canvas);
+
+/* Numbers in words get a decimal comma. */
+void cr_canvas_comma(struct cr_canvas *canvas, bool on);
+/* What follows is moved by x, y; calls do not add up. */
+void cr_canvas_origin(struct cr_canvas *canvas, double x, double y);
+
+/* ---- shapes: a path is built, then painted, which empties it ---- */
+
+enum { CR_NO_INK = 1 << 24 }; /* instead of a colour 0xRRGGBB */
+
+enum cr_dash { CR_DASH_NONE, CR_DASH_LONG, CR_DASH_DOT, CR_DASH_MIXED, CR_DASHES };
+
+struct cr_paint {
+    uint32_t fill, line; /* 0xRRGGBB or CR_NO_INK */
+    double width;        /* of the line */
+    enum cr_dash dash;
+    double alpha; /* of the filling, 0..1; 0 is taken as 1 */
+};
+
+void cr_canvas_move(struct cr_canvas *canvas, double x, double y);
+void cr_canvas_line(struct cr_canvas *canvas, double x, double y);
+void cr_canvas_close(struct cr_canvas *canvas);
+void cr_canvas_rect(struct cr_canvas *canvas, double x, double y, double w, double h);
+void cr_canvas_circle(struct cr_canvas *canvas, double x, double y, double radius);
+void cr_canvas_paint(struct cr_canvas *canvas, const struct cr_paint *paint);
+/* Only what lies in the rectangle is drawn until the next call of cr_canvas_unclip. */
+void cr_canvas_clip(struct cr_canvas *canvas, double x, double y, double w, double h);
+void cr_canvas_unclip(struct cr_canvas *canvas);
+
+/* ---- words ---- */
+
+enum cr_anchor { CR_ANCHOR_START, CR_ANCHOR_MIDDLE, CR_ANCHOR_END };
+
+struct cr_type_face {
+    double size; /* points */
+    uint32_t ink;
+    enum cr_anchor anchor;
+    bool bold, mono, halo; /* halo: white behind the letters, for words on a picture */
+    bool upward;           /* turned by 90 degrees, read from below */
+};
+/* A line of text with its base line at y. Control characters and broken UTF-8 become U+FFFD. */
+void cr_canvas_text(struct cr_canvas *canvas, double x, double y, const struct cr_type_face *face,
+                    const char *utf8);
+/* Width of a line as all back ends set it: that of Helvetica or Courier. */
+double cr_text_width(const struct cr_type_face *face, const char *utf8);
+
+/* ---- files ---- */
+
+/* The canvas as an SVG element; with alone = true as a file with XML declaration. title is for
+ * those who cannot see it. Errors: MEMORY. */
+CR_MUST_CHECK enum cr_err cr_canvas_svg(const struct cr_canvas *canvas, const char *title,
+                                        bool alone, struct cr_str *out, struct cr_error *err);
+
+/* What a PDF says of itself; NULL leaves a line out. date: ISO 8601; without it the file has none,
+ * and is the same bytes on every run. */
+struct cr_pdf_about {
+    const char *title, *author, *subject, *date;
+};
+/* Pages as PDF, a canvas as PNG with so many dots per inch. Errors: USAGE in a build without cairo,
+ * MEMORY. */
+CR_MUST_CHECK enum cr_err cr_canvas_pdf(struct cr_canvas *const *page, int pages,
+                                        const struct cr_pdf_about *about, struct cr_str *out,
+                                        struct cr_error *err);
+CR_MUST_CHECK enum cr_err cr_canvas_png(const struct cr_canvas *canvas, double dpi,
+                                        struct cr_str *out, struct cr_error *err);
+bool cr_canvas_has_cairo(void);
+
+#endif

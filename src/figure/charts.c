@@ -1,0 +1,289 @@
+/* Charts of many solves: heat map, histogram, tornado, scatter. */
+#include "figure/ink.h"
+
+#include "base/vec.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static const double small_size = 8;
+
+/* ---- a value over two inputs ---- */
+
+static void map_cell(struct cr_canvas *c, const struct cr_heat_map *m, const double at[4],
+                     double value, const double range[2]) {
+    struct cr_type_face face = {.size = small_size, .anchor = CR_ANCHOR_MIDDLE};
+    char text[32] = "-";
+    uint32_t fill = 0xffffff;
+    if (isfinite(value)) {
+        double u = range[1] > range[0] ? (value - range[0]) / (range[1] - range[0]) : 0.5;
+        /* the map's darkest step only for the greatest value itself */
+        fill = cr_ink_ramp((int)cr_clamp(floor(u * CR_RAMP), 0, CR_RAMP - 1));
+        snprintf(text, sizeof text, "%.*f", m->decimals, value);
+    }
+    cr_canvas_rect(c, at[0], at[1], at[2], at[3]);
+    cr_canvas_paint(c, &(struct cr_paint){.fill = fill, .line = 0xffffff, .width = 0.5});
+    face.ink = cr_ink_on(fill);
+    face.size = fmin(small_size, at[3] - 2);
+    if (cr_text_width(&face, text) < at[2] - 1 && face.size >= 4) {
+        cr_canvas_text(c, at[0] + at[2] / 2, at[1] + at[3] / 2 + 0.36 * face.size, &face, text);
+    }
+}
+
+/* every so manyth value of an axis gets its number */
+static int every(int n, double length, double need) {
+    int step = 1;
+    while (n / step > 1 && length / n * step < need) {
+        step++;
+    }
+    return step;
+}
+
+static void map_names(struct cr_canvas *c, struct cr_box b, const struct cr_heat_map *m) {
+    struct cr_type_face face = {.size = small_size, .ink = CR_INK_TEXT, .anchor = CR_ANCHOR_MIDDLE};
+    char text[32];
+    double w = b.w / m->nx, h = b.h / m->ny;
+    for (int i = 0; i < m->nx; i += every(m->nx, b.w, 30)) {
+        snprintf(text, sizeof text, "%.6g", m->x[i]);
+        cr_canvas_text(c, b.x + (i + 0.5) * w, b.y + b.h + 11, &face, text);
+    }
+    face.anchor = CR_ANCHOR_END;
+    for (int k = 0; k < m->ny; k += every(m->ny, b.h, 10)) {
+        snprintf(text, sizeof text, "%.6g", m->y[k]);
+        cr_canvas_text(c, b.x - 4, b.y + b.h - (k + 0.5) * h + 3, &face, text);
+    }
+    cr_canvas_text(c, b.x + b.w, b.y + b.h + 23, &face, m->x_name);
+    face.upward = true;
+    cr_canvas_text(c, b.x - 36, b.y, &face, m->y_name);
+}
+
+void cr_figure_map(struct cr_canvas *c, struct cr_box at, const struct cr_heat_map *m,
+                   const struct cr_figure_words *words) {
+    struct cr_box b = {at.x + 48, at.y + 20, at.w - 58, at.h - 66};
+    double range[2] = {INFINITY, -INFINITY}, w = b.w / m->nx, h = b.h / m->ny;
+    char lo[32], hi[32];
+    for (int i = 0; i < m->nx * m->ny; i++) {
+        if (isfinite(m->value[i])) {
+            range[0] = fmin(range[0], m->value[i]);
+            range[1] = fmax(range[1], m->value[i]);
+        }
+    }
+    cr_figure_title(c, at, cr_figure_say(words, m->title));
+    for (int k = 0; k < m->ny; k++) {
+        for (int i = 0; i < m->nx; i++) {
+            const double cell[4] = {b.x + i * w, b.y + b.h - (k + 1) * h, w, h};
+            map_cell(c, m, cell, m->value[k * m->nx + i], range);
+        }
+    }
+    map_names(c, b, m);
+    if (range[0] <= range[1]) {
+        snprintf(lo, sizeof lo, "%.*f", m->decimals, range[0]);
+        snprintf(hi, sizeof hi, "%.*f", m->decimals, range[1]);
+        cr_figure_ramp(c, b.x, at.y + at.h - 6, lo, hi, true);
+    }
+}
+
+/* ---- histogram ---- */
+
+static void histogram_mark(const struct cr_axes *a, double x, const char *name, int row) {
+    struct cr_type_face face = {
+        .size = small_size, .ink = CR_INK_TEXT, .anchor = CR_ANCHOR_MIDDLE, .halo = true};
+    char text[64];
+    double at = cr_axes_x(a, x);
+    cr_figure_rule(a->canvas, (struct cr_line){at, a->at.y, at, a->at.y + a->at.h}, CR_INK_TEXT,
+                   0.9, CR_DASH_LONG);
+    snprintf(text, sizeof text, "%.30s %.4g", name, x);
+    double half = cr_text_width(&face, text) / 2;
+    cr_canvas_text(a->canvas, cr_clamp(at, a->at.x + half, a->at.x + a->at.w - half),
+                   a->at.y + 9 + 10 * row, &face, text);
+}
+
+void cr_figure_histogram(struct cr_canvas *canvas, struct cr_box at, const struct cr_histogram *h,
+                         const struct cr_figure_words *words) {
+    int most = 1;
+    for (int i = 0; i < h->bins; i++) {
+        most = h->count[i] > most ? h->count[i] : most;
+    }
+    /* the names of the lines stand above the bars */
+    struct cr_axes a = {
+        .canvas = canvas, .x_lo = h->lo, .x_hi = h->hi, .y_lo = 0, .y_hi = most * 1.3};
+    cr_axes_fit(&a, at, true);
+    cr_figure_title(canvas, at, cr_figure_say(words, h->title));
+    cr_axes_draw(&a, h->x_name, cr_figure_say(words, "draws"));
+    double wide = (h->hi - h->lo) / h->bins;
+    for (int i = 0; i < h->bins; i++) {
+        double x0 = cr_axes_x(&a, h->lo + i * wide), x1 = cr_axes_x(&a, h->lo + (i + 1) * wide);
+        double y = cr_axes_y(&a, h->count[i]);
+        if (h->count[i] > 0) {
+            cr_canvas_rect(canvas, x0, y, x1 - x0, cr_axes_y(&a, 0) - y);
+        }
+    }
+    cr_canvas_paint(
+        canvas, &(struct cr_paint){.fill = cr_ink_ramp(2), .line = cr_ink_ramp(6), .width = 0.5});
+    for (int i = 0; i < h->marks; i++) {
+        if (h->mark[i] >= h->lo && h->mark[i] <= h->hi) {
+            histogram_mark(&a, h->mark[i], cr_figure_say(words, h->name[i]), i % 3);
+        }
+    }
+    if (h->point >= h->lo && h->point <= h->hi) {
+        double x = cr_axes_x(&a, h->point);
+        cr_figure_rule(canvas, (struct cr_line){x, a.at.y + 34, x, a.at.y + a.at.h}, CR_INK_FORCE,
+                       1.4, CR_DASH_NONE);
+    }
+}
+
+/* ---- tornado ---- */
+
+static double round_span(double span, double *step) {
+    *step = cr_tick_step(span, 6);
+    return *step;
+}
+
+static void tornado_axis(struct cr_axes *a, const struct cr_tornado *t) {
+    struct cr_type_face face = {.size = small_size, .ink = CR_INK_TEXT, .anchor = CR_ANCHOR_MIDDLE};
+    double step, bottom = a->at.y + a->at.h;
+    round_span(a->x_hi - a->x_lo, &step);
+    for (double v = ceil(a->x_lo / step - 1e-9) * step; v <= a->x_hi + step * 1e-6; v += step) {
+        char text[32];
+        double x = cr_axes_x(a, v);
+        cr_tick_text(v, step, text, sizeof text);
+        cr_figure_rule(a->canvas, (struct cr_line){x, a->at.y, x, bottom}, CR_INK_GRID, 0.5,
+                       CR_DASH_NONE);
+        cr_canvas_text(a->canvas, x, bottom + 11, &face, text);
+    }
+    face.anchor = CR_ANCHOR_END;
+    cr_canvas_text(a->canvas, a->at.x + a->at.w, bottom + 23, &face, t->x_name);
+}
+
+/* a half of a bar: the lower end of an input is pale, the upper one dark */
+static void tornado_half(const struct cr_axes *a, double from, double to, double y, double h,
+                         bool upper) {
+    double x0 = cr_axes_x(a, fmin(from, to)), x1 = cr_axes_x(a, fmax(from, to));
+    cr_canvas_rect(a->canvas, x0, y, x1 - x0, h);
+    cr_canvas_paint(
+        a->canvas,
+        &(struct cr_paint){.fill = cr_ink_ramp(upper ? 6 : 1), .line = CR_INK_FRAME, .width = 0.5});
+}
+
+static void tornado_legend(struct cr_canvas *c, struct cr_box at,
+                           const struct cr_figure_words *words) {
+    struct cr_type_face face = {.size = small_size, .ink = CR_INK_TEXT};
+    static const char *const names[] = {"input at its upper end", "input at its lower end"};
+    double x = at.x;
+    for (int i = 0; i < 2; i++) {
+        const char *name = cr_figure_say(words, names[i]);
+        cr_canvas_rect(c, x, at.y + at.h - 10, 12, 7);
+        cr_canvas_paint(c, &(struct cr_paint){.fill = cr_ink_ramp(i == 0 ? 6 : 1),
+                                              .line = CR_INK_FRAME,
+                                              .width = 0.5});
+        cr_canvas_text(c, x + 15, at.y + at.h - 4, &face, name);
+        x += 27 + cr_text_width(&face, name);
+    }
+}
+
+void cr_figure_tornado(struct cr_canvas *c, struct cr_box at, const struct cr_tornado *t,
+                       const struct cr_figure_words *words) {
+    struct cr_type_face face = {.size = small_size, .ink = CR_INK_TEXT, .anchor = CR_ANCHOR_END};
+    double lo = t->middle, hi = t->middle, names = 0;
+    for (int i = 0; i < t->bars; i++) {
+        lo = fmin(lo, fmin(t->bar[i].at_lo, t->bar[i].at_hi));
+        hi = fmax(hi, fmax(t->bar[i].at_lo, t->bar[i].at_hi));
+        names = fmax(names, cr_text_width(&face, t->bar[i].name));
+    }
+    double pad = hi > lo ? 0.05 * (hi - lo) : 1;
+    names = fmin(names, 0.5 * at.w);
+    struct cr_axes a = {.canvas = c,
+                        .at = {at.x + names + 8, at.y + 20, at.w - names - 18, at.h - 62},
+                        .x_lo = lo - pad,
+                        .x_hi = hi + pad,
+                        .y_lo = 0,
+                        .y_hi = 1};
+    cr_figure_title(c, at, cr_figure_say(words, t->title));
+    tornado_axis(&a, t);
+    double each = t->bars > 0 ? a.at.h / t->bars : a.at.h, h = fmin(0.7 * each, 16);
+    for (int i = 0; i < t->bars; i++) {
+        double y = a.at.y + (i + 0.5) * each - h / 2;
+        tornado_half(&a, t->middle, t->bar[i].at_lo, y, h, false);
+        tornado_half(&a, t->middle, t->bar[i].at_hi, y, h, true);
+        cr_canvas_text(c, a.at.x - 5, y + h / 2 + 3, &face, t->bar[i].name);
+    }
+    double x = cr_axes_x(&a, t->middle);
+    cr_figure_rule(c, (struct cr_line){x, a.at.y, x, a.at.y + a.at.h}, CR_INK_TEXT, 1,
+                   CR_DASH_NONE);
+    tornado_legend(c, at, words);
+}
+
+/* ---- scatter ---- */
+
+/* signs that differ without colour: circle, square, triangle, cross */
+static void sign(struct cr_canvas *c, double x, double y, int kind) {
+    struct cr_paint paint = {.fill = CR_NO_INK, .line = cr_ink_of_body(kind), .width = 0.9};
+    double r = 2.4;
+    switch (kind % 4) {
+    case 0:
+        cr_canvas_circle(c, x, y, r);
+        break;
+    case 1:
+        cr_canvas_rect(c, x - r, y - r, 2 * r, 2 * r);
+        break;
+    case 2:
+        cr_canvas_move(c, x, y - r);
+        cr_canvas_line(c, x + r, y + r);
+        cr_canvas_line(c, x - r, y + r);
+        cr_canvas_close(c);
+        break;
+    default:
+        cr_canvas_move(c, x - r, y - r);
+        cr_canvas_line(c, x + r, y + r);
+        cr_canvas_move(c, x - r, y + r);
+        cr_canvas_line(c, x + r, y - r);
+    }
+    cr_canvas_paint(c, &paint);
+}
+
+static void corridor(const struct cr_axes *a, double share) {
+    const double slopes[3] = {1, 1 - share, 1 + share};
+    for (int i = 0; i < (share > 0 ? 3 : 1); i++) {
+        double x = fmin(a->x_hi, a->y_hi / slopes[i]);
+        cr_figure_rule(a->canvas,
+                       (struct cr_line){cr_axes_x(a, 0), cr_axes_y(a, 0), cr_axes_x(a, x),
+                                        cr_axes_y(a, slopes[i] * x)},
+                       CR_INK_TEXT, i == 0 ? 1 : 0.6, i == 0 ? CR_DASH_NONE : CR_DASH_LONG);
+    }
+}
+
+void cr_figure_scatter(struct cr_canvas *canvas, struct cr_box at, const struct cr_scatter *s,
+                       const struct cr_figure_words *words) {
+    struct cr_type_face face = {.size = small_size, .ink = CR_INK_TEXT};
+    double top = 0;
+    for (int i = 0; i < s->n; i++) {
+        top = fmax(top, fmax(s->x[i], s->y[i]));
+    }
+    top = top > 0 ? top * 1.04 : 1;
+    struct cr_axes a = {.canvas = canvas, .x_lo = 0, .x_hi = top, .y_lo = 0, .y_hi = top};
+    cr_axes_fit(&a, at, true);
+    a.x_hi = a.y_hi;
+    a.at.w = fmin(a.at.w, a.at.h); /* equality at 45 degrees */
+    cr_figure_title(canvas, at, cr_figure_say(words, s->title));
+    cr_axes_draw(&a, s->x_name, s->y_name);
+    corridor(&a, s->corridor);
+    for (int i = 0; i < s->n; i++) {
+        if (isfinite(s->x[i]) && isfinite(s->y[i])) {
+            sign(canvas, cr_axes_x(&a, s->x[i]), cr_axes_y(&a, s->y[i]),
+                 s->kind != NULL ? s->kind[i] : 0);
+        }
+    }
+    double x = a.at.x + a.at.w + 12, y = a.at.y + 10;
+    for (int k = 0; s->kind != NULL && k < s->kinds; k++, y += 13) {
+        sign(canvas, x, y - 3, k);
+        cr_canvas_text(canvas, x + 8, y, &face, cr_figure_say(words, s->kind_name[k]));
+    }
+    if (s->corridor > 0) {
+        char text[64];
+        snprintf(text, sizeof text, "\u00b1%g %%", 100 * s->corridor);
+        cr_figure_rule(canvas, (struct cr_line){x - 4, y - 3, x + 12, y - 3}, CR_INK_TEXT, 0.6,
+                       CR_DASH_LONG);
+        cr_canvas_text(canvas, x + 16, y, &face, text);
+    }
+}

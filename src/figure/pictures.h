@@ -1,0 +1,67 @@
+/* The pictures of a crash by name, as the prompt, the command line and the report ask for them. */
+#ifndef CR_FIGURE_PICTURES_H
+#define CR_FIGURE_PICTURES_H
+
+#include "figure/figure.h"
+
+/* X(NAME, word, needs a result, help) */
+#define CR_PICTURE_LIST(X)                                                                         \
+    X(SCENE, "scene", false, "the scene as the view shows it, or at time=")                        \
+    X(BEFORE, "before", false, "the scene before the crash")                                       \
+    X(CONTACT, "contact", true, "the scene at first contact")                                      \
+    X(ENGAGED, "engagement", true, "the scene at greatest engagement")                             \
+    X(AFTER, "after", true, "the scene after the crash")                                           \
+    X(PULSE, "pulse", true, "acceleration or another quantity over time")                          \
+    X(ENERGY, "energy", true, "kinetic and deformation energy over time")                          \
+    X(DAMAGE, "damage", true, "crush of the struck face, computed beside measured")                \
+    X(SIDE, "side", true, "the 3D model of a vehicle from the side")                               \
+    X(TOP, "top", true, "the 3D model of a vehicle from above")                                    \
+    X(FRONT, "front", true, "the 3D model of a vehicle from before")                               \
+    X(RISK, "risk", true, "injury risk over delta-v")                                              \
+    X(OVERVIEW, "overview", true, "before, after, pulse and energy on one sheet")
+
+enum cr_picture {
+#define X(name, word, result, help) CR_PICTURE_##name,
+    CR_PICTURE_LIST(X)
+#undef X
+        CR_PICTURES
+};
+const char *cr_picture_word(enum cr_picture picture);
+bool cr_picture_needs_result(enum cr_picture picture);
+int cr_picture_find(const char *word); /* -1: none */
+
+/* What they are made of. */
+struct cr_picture_source {
+    const struct cr_result *result;     /* NULL: not solved */
+    const struct cr_scene *scene;       /* without a result: resolved */
+    const struct cr_compiled *compiled; /* likewise */
+    const struct cr_model_lib *models;  /* of the 3D models */
+    const struct cr_irf_set *irf;       /* of the risk curves */
+    struct cr_scene_view view;          /* of the scene; time NaN: after the crash */
+    int body;                           /* of damage, 3D models, risk; -1: the first vehicle */
+    enum cr_quantity quantity;          /* of the pulse; CR_QUANTITIES: |a| */
+    const double *measured;             /* [measured_n] m, crush beside the computed; NULL: none */
+    int measured_n;
+    struct cr_figure_words words;
+};
+
+/* A picture on a canvas of its own, 500 points wide. Errors: MISSING without a result or a vehicle,
+ * MEMORY, those of the models. */
+CR_MUST_CHECK enum cr_err cr_picture_draw(enum cr_picture picture,
+                                          const struct cr_picture_source *source,
+                                          struct cr_canvas **out, struct cr_error *err);
+
+/* The time that a picture of the scene shows, s; NaN: after the crash. */
+double cr_picture_time(enum cr_picture picture, const struct cr_result *result, double otherwise);
+/* "after the crash, 165.5 ms after first contact" in the words of the source. */
+void cr_picture_title(const struct cr_picture_source *source, double time, char *buf, int size);
+
+enum cr_picture_format { CR_FORMAT_SVG, CR_FORMAT_PDF, CR_FORMAT_PNG, CR_PICTURE_FORMATS };
+/* By the suffix of a path; -1: none of them. */
+int cr_picture_format_of(const char *path);
+/* A canvas as the text of a file. Errors: USAGE in a build without cairo, MEMORY. */
+CR_MUST_CHECK enum cr_err cr_picture_text(struct cr_canvas *canvas, enum cr_picture_format format,
+                                          const char *title, struct cr_str *out,
+                                          struct cr_error *err);
+
+#endif

@@ -1,0 +1,458 @@
+/* The damage one impact left on one vehicle: struck faces, depths, crush profile, CDC. */
+#include "result/damage.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* residual depth from which a column counts as damaged, m: what a tape measure shows */
+static const double DAMAGED = 0.01;
+/* Front and rear are measured along the bumper beam: recorded damage width over overall width of
+ * 186 full-width wall tests (stiffness.md 1.3). */
+static const double BEAM_WIDTH = 0.83;
+/* Beyond where the undeformed outline lies this far back, m, it is the corner that leads round to
+ * the next face. */
+static const double CORNER = 0.15;
+/* B-pillar, behind the front axle as a share of the wheelbase; only for the extent zones */
+static const double B_PILLAR = 0.5;
+/* belt line and upper edge of the frame as shares of the height: the paper models' profiles put
+ * the sill at 0.3 and the lower edge of the windows at 0.62 of the height */
+static const double BELT = 0.62, FRAME = 0.35;
+/* share of the height from which an object at a flank reaches above the belt line */
+static const double ROOF = 0.75;
+/* SAE J224: direct damage of an end no wider than 4 in (0.1 m) that runs along the flank is the
+ * flank's */
+static const double SCRAPE = 0.102;
+/* A second face is reported from this share of the energy and this depth on, m. */
+static const double SECOND_SHARE = 0.2, SECOND_DEPTH = 0.05;
+/* share of a voxel's material below which a loss is rounding */
+static const double NOTHING = 1e-9;
+
+/* A body's damage and whose doing it is. */
+struct damage {
+    const struct cr_result *r;
+    const struct cr_events *all;
+    const struct cr_event *event;
+    int side, body;
+    struct cr_deform deform; /* after the impact: with what earlier ones did to the same face */
+    double *left;            /* its material where there were several impacts, owned */
+    const short *of;         /* impact each voxel was crushed in, NULL: all in this one */
+};
+
+struct face_damage {
+    int lo, hi; /* first and last damaged column, lo > hi without damage */
+    int direct_lo, direct_hi;
+    double residual_sum, dynamic_sum; /* of the columns, m */
+    double depth;                     /* deepest mean over 0.1 m, as the grid has it, m */
+};
+
+static struct cr_depth both(const struct cr_deform *d, enum cr_face face, double lost) {
+    double back = d->grid->springback[face];
+    return d->residual_curve ? (struct cr_depth){lost, cr_deform_dynamic(lost, back)}
+                             : (struct cr_depth){cr_deform_residual(lost, back), lost};
+}
+
+static struct cr_vec2 voxel_at(const struct cr_grid *g, int i) {
+    return cr_vec2(g->x0 + (i % g->nx + 0.5) * g->h, g->y0 + ((int)(i / g->nx) + 0.5) * g->h);
+}
+
+/* ---- which impact crushed a voxel ---- */
+
+static bool same_body(const struct cr_event *e, int body, int *side) {
+    *side = e->body[1] == body;
+    return e->body[0] == body || e->body[1] == body;
+}
+
+/* The impact of the body that lasted then; of several the one that pressed nearest; where none
+ * lasted (rubbing) the latest before. */
+static int owner(const struct cr_events *all, int body, double t, struct cr_vec2 at) {
+    int best = -1;
+    double nearest = INFINITY;
+    bool lasting = false;
+    for (int i = 0; i < all->n; i++) {
+        const struct cr_event *e = &all->event[i];
+        int side;
+        if (!same_body(e, body, &side)) {
+            continue;
+        }
+        bool in = t > e->t_begin - 1e-6 && t <= e->t_end + 1e-6;
+        double away = cr_vec2_len(cr_vec2_sub(at, e->of[side].coe));
+        bool nearer = in == lasting && (in ? away < nearest : e->t_begin < t + 1e-6);
+        if (best < 0 || (in && !lasting) || nearer) {
+            best = i;
+            nearest = away;
+            lasting = in;
+        }
+    }
+    return best;
+}
+
+enum cr_err cr_damage_owners(const struct cr_result *r, const struct cr_events *all, int body,
+                             short **out, struct cr_error *err) {
+    const struct cr_grid *g = &r->compiled.cs.body[body].grid;
+    const struct cr_outcome *o = &r->solution->body[body];
+    size_t n = (size_t)g->nx * (size_t)g->ny;
+    *out = malloc((n > 0 ? n : 1) * sizeof **out);
+    if (*out == NULL) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for the damage of a result");
+    }
+    for (size_t i = 0; i < n; i++) {
+        bool lost = g->fill[i] - o->left[i] > NOTHING;
+        (*out)[i] =
+            (short)(lost ? owner(all, body, (double)o->t_crushed[i], voxel_at(g, (int)i)) : -1);
+    }
+    return CR_ERR_OK;
+}
+
+/* ---- faces ---- */
+
+/* how the partner moved over the body then, own frame */
+static struct cr_vec2 way_at(const struct cr_solution *sol, const struct cr_event *e, int side,
+                             double t) {
+    const struct cr_vec2 *way = e->of[side].way;
+    int lo = 0, hi = e->samples - 1;
+    while (lo < hi) { /* the first slice that ends at t or later */
+        int mid = (lo + hi) / 2;
+        if (sol->t[e->first + mid] < t - 1e-9) {
+            lo = mid + 1;
+        } else {
+            hi = mid;
+        }
+    }
+    return e->samples > 0 ? way[lo] : cr_vec2(0, 0);
+}
+
+/* first known direction of an impact; (0, 0) where the solution has no slices */
+static struct cr_vec2 first_way(const struct cr_event *e, int side) {
+    for (int i = 0; i < e->samples; i++) {
+        if (cr_vec2_len(e->of[side].way[i]) > 0) {
+            return e->of[side].way[i];
+        }
+    }
+    return cr_vec2(0, 0);
+}
+
+static enum cr_face began_at(const struct damage *m, struct cr_vec2 inward) {
+    struct cr_vec2 way = first_way(m->event, m->side), touch = m->event->of[m->side].touch;
+    return cr_vec2_len(way) > 0 ? cr_deform_face_at(m->deform.grid, touch, way)
+                                : cr_deform_face(&m->deform, inward);
+}
+
+/* Energy and material of this impact by the face through which its partner came. */
+static void split_faces(const struct damage *m, double energy[CR_FACES], double *left, int face) {
+    const struct cr_grid *g = m->deform.grid;
+    const float *when = m->r->solution->body[m->body].t_crushed;
+    int own = (int)(m->event - m->all->event);
+    struct cr_vec2 start = first_way(m->event, m->side);
+    for (int i = 0; i < g->nx * g->ny; i++) {
+        double lost = g->fill[i] - m->deform.left[i];
+        bool here = lost > NOTHING && (m->of == NULL || m->of[i] == own);
+        enum cr_face f = CR_FACES;
+        if (here) {
+            struct cr_vec2 way =
+                when != NULL ? way_at(m->r->solution, m->event, m->side, (double)when[i]) : start;
+            f = cr_deform_face_at(g, voxel_at(g, i), cr_vec2_unit(way, start));
+            energy[f] += g->energy[i] * lost / g->fill[i];
+        }
+        if (left != NULL) {
+            left[i] = (int)f == face ? m->deform.left[i] : g->fill[i];
+        }
+    }
+}
+
+static struct face_damage scan_face(const struct cr_deform *d, enum cr_face face) {
+    int n = cr_face_lines(d->grid, face);
+    struct face_damage f = {.lo = n, .hi = -1, .direct_lo = n, .direct_hi = -1};
+    struct cr_deepest deepest = {.step = d->grid->h};
+    for (int k = 0; k < n; k++) {
+        double lost = cr_deform_column(d, face, k, false);
+        struct cr_depth all = both(d, face, lost);
+        struct cr_depth direct =
+            lost > 0 ? both(d, face, cr_deform_column(d, face, k, true)) : (struct cr_depth){0};
+        f.residual_sum += all.residual;
+        f.dynamic_sum += all.dynamic;
+        cr_deepest_add(&deepest, lost);
+        if (all.residual > DAMAGED) {
+            f.lo = k < f.lo ? k : f.lo;
+            f.hi = k;
+        }
+        if (direct.residual > DAMAGED) {
+            f.direct_lo = k < f.direct_lo ? k : f.direct_lo;
+            f.direct_hi = k;
+        }
+    }
+    f.depth = cr_deepest_get(&deepest);
+    return f;
+}
+
+/* width between two columns, both included, m; 0 without any */
+static double width_of(const struct cr_deform *d, int lo, int hi) {
+    return hi < lo ? 0 : (hi + 1 - lo) * d->grid->h;
+}
+
+/* the flank that an end's damage lies at */
+static enum cr_face flank_beside(const struct damage *m, const struct face_damage *f) {
+    int n = cr_face_lines(m->deform.grid, CR_FACE_FRONT);
+    return f->lo + f->hi < n - 1 ? CR_FACE_LEFT : CR_FACE_RIGHT;
+}
+
+/* Where the contact began; but what only scrapes past an end has struck the flank. */
+static struct face_damage choose_face(struct damage *m, struct cr_severity *s,
+                                      struct cr_vec2 inward) {
+    s->face = began_at(m, inward);
+    struct face_damage f = scan_face(&m->deform, s->face);
+    if (cr_face_is_end(s->face) && f.direct_hi >= f.direct_lo &&
+        width_of(&m->deform, f.direct_lo, f.direct_hi) <= SCRAPE) {
+        enum cr_face flank = flank_beside(m, &f);
+        struct face_damage g = scan_face(&m->deform, flank);
+        if (width_of(&m->deform, g.direct_lo, g.direct_hi) > SCRAPE) {
+            s->face = flank;
+            return g;
+        }
+    }
+    return f;
+}
+
+static enum cr_err second_face(struct damage *m, struct cr_severity *s, struct cr_error *err) {
+    double energy[CR_FACES] = {0}, sum = 0;
+    s->second.face = CR_FACES;
+    split_faces(m, energy, NULL, CR_FACES);
+    int best = -1;
+    for (int f = 0; f < CR_FACES; f++) {
+        sum += energy[f];
+        best = f != (int)s->face && (best < 0 || energy[f] > energy[best]) ? f : best;
+    }
+    /* a flank that was only scraped past holds what its way counts for the end */
+    bool beside = !(energy[s->face] > 0);
+    if (beside || !(energy[best] > SECOND_SHARE * sum)) {
+        return CR_ERR_OK;
+    }
+    const struct cr_grid *g = m->deform.grid;
+    double *left = malloc((size_t)g->nx * (size_t)g->ny * sizeof *left);
+    if (left == NULL) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for the damage of a result");
+    }
+    split_faces(m, energy, left, best);
+    struct cr_deform d = m->deform;
+    d.left = left;
+    d.through = true;
+    struct face_damage f = scan_face(&d, (enum cr_face)best);
+    struct cr_depth deep = both(&d, (enum cr_face)best, f.depth);
+    if (deep.residual >= SECOND_DEPTH) {
+        s->second = (struct cr_second_face){.face = (enum cr_face)best,
+                                            .depth = deep.residual,
+                                            .depth_dynamic = deep.dynamic,
+                                            .width = width_of(&d, f.lo, f.hi)};
+        m->deform.through = false; /* what lies behind sound material is the other face's */
+    }
+    free(left);
+    return CR_ERR_OK;
+}
+
+/* ---- C1..C6 ---- */
+
+/* depth of the face at column position x (columns from 0.5), linear between their middles, and how
+ * far the undeformed outline lies back there */
+static double depth_at(const struct cr_deform *d, enum cr_face face, double x, double *setback) {
+    int n = cr_face_lines(d->grid, face);
+    double at = cr_clamp(x - 0.5, 0, n - 1);
+    int k = (int)at < n - 1 ? (int)at : n - 2, l = n > 1 ? k + 1 : 0;
+    double f = n > 1 ? at - k : 0;
+    k = n > 1 ? k : 0;
+    double a = cr_deform_column(d, face, k, false), b = cr_deform_column(d, face, l, false);
+    double u = cr_deform_setback(d->grid, face, k), v = cr_deform_setback(d->grid, face, l);
+    *setback = u + f * (v - u);
+    return a + f * (b - a);
+}
+
+/* Six equal spaces over the damaged width (NHTSA's DPD, literature.md 4.2): from a straight line
+ * along the foremost point of the undeformed face, as a string is stretched, and from the
+ * undeformed outline, whose curvature is then taken off. */
+static void crush_profile(const struct cr_deform *d, const struct face_damage *f,
+                          struct cr_severity *s) {
+    int n = cr_face_lines(d->grid, s->face);
+    double lo = f->lo + 0.5, hi = f->hi + 0.5; // middles of the outermost damaged columns
+    double foremost = INFINITY, setback;
+    for (int k = 0; k < n; k++) {
+        foremost = fmin(foremost, cr_deform_setback(d->grid, s->face, k));
+    }
+    if (cr_face_is_end(s->face)) {
+        lo = fmax(lo, n * (1 - BEAM_WIDTH) / 2);
+        hi = fmin(hi, n * (1 + BEAM_WIDTH) / 2);
+    }
+    if (!(hi >= lo)) {
+        return;
+    }
+    while (lo < hi && cr_deform_setback(d->grid, s->face, (int)lo) - foremost > CORNER) {
+        lo = (int)lo + 1.5;
+    }
+    while (lo < hi && cr_deform_setback(d->grid, s->face, (int)hi) - foremost > CORNER) {
+        hi = (int)hi - 0.5;
+    }
+    /* the whole face springs back by one share, so that what was straight stays straight */
+    struct cr_depth deep = both(d, s->face, f->depth);
+    double residual = f->depth > 0 ? deep.residual / f->depth : 1;
+    double dynamic = f->depth > 0 ? deep.dynamic / f->depth : 1;
+    for (int i = 0; i < CR_PROFILE; i++) {
+        double x = lo + (hi - lo) * i / (CR_PROFILE - 1);
+        double lost = depth_at(d, s->face, x, &setback);
+        struct cr_depth c = both(d, s->face, lost);
+        s->profile[i] = residual * (lost + setback - foremost);
+        s->profile_dynamic[i] = dynamic * (lost + setback - foremost);
+        s->profile_outline[i] = c.residual;
+    }
+    /* columns run from left to right and from rear to front */
+    double mid = (lo + hi) / 2 * d->grid->h;
+    s->profile_width = (hi - lo) * d->grid->h;
+    s->profile_middle =
+        cr_face_is_end(s->face) ? d->grid->y0 + n * d->grid->h - mid : d->grid->x0 + mid;
+}
+
+/* ---- CDC ---- */
+
+static double or_else(double x, double fallback) {
+    return isfinite(x) && x > 0 ? x : fallback;
+}
+
+/* slid along its partner: little of the closing speed was lost, most of it is left */
+static bool is_sideswipe(const struct damage *m) {
+    const struct cr_event *e = m->event;
+    int other = e->body[!m->side];
+    struct cr_vec2 before = cr_vec2_sub(cr_event_before(m->r->solution, e, m->body)->vel,
+                                        cr_event_before(m->r->solution, e, other)->vel);
+    struct cr_vec2 change = cr_vec2_sub(e->of[m->side].delta_v, e->of[!m->side].delta_v);
+    double speed = cr_vec2_len(before), after = cr_vec2_len(cr_vec2_add(before, change));
+    return after > speed / 2 && cr_vec2_len(e->of[m->side].delta_v) < speed / 4;
+}
+
+/* Column 5 of J224 for an object that stands off the road or reaches above the belt line; vehicles
+ * meet below it. */
+static char vertical(const struct damage *m, enum cr_face face) {
+    const struct cr_participant *p = &m->r->resolved.part[m->body];
+    const struct cr_participant *q = &m->r->resolved.part[m->event->body[!m->side]];
+    if (q->kind != CR_KIND_OBJECT) {
+        return 'E';
+    }
+    if (q->z_lo >= BELT * p->height) {
+        return 'G';
+    }
+    if (q->z_lo >= FRAME * p->height) {
+        return q->z_hi > BELT * p->height ? 'H' : 'M';
+    }
+    if (q->z_hi <= FRAME * p->height) {
+        return 'L';
+    }
+    // the classification counts a side hit to the roof, a front hit below the belt line
+    return !cr_face_is_end(face) && q->z_hi > ROOF * p->height ? 'A' : 'E';
+}
+
+static void classify(const struct damage *m, const struct face_damage *f, struct cr_severity *s) {
+    const struct cr_grid *g = m->deform.grid;
+    const struct cr_participant *p = &m->r->resolved.part[m->body];
+    int n = cr_face_lines(g, s->face);
+    double length = or_else(p->length, g->nx * g->h), width = or_else(p->width, g->ny * g->h);
+    double pillar = or_else(p->front_overhang + B_PILLAR * p->wheelbase, length / 2);
+    struct cr_cdc_case what = {
+        .pdof = s->pdof,
+        .face = s->face,
+        .lo = (double)f->direct_lo / n,
+        .hi = (double)(f->direct_hi + 1) / n,
+        .width = s->contact_width,
+        .depth = s->face_depth,
+        .zone = s->face == CR_FACE_FRONT  ? pillar
+                : s->face == CR_FACE_REAR ? length - pillar
+                                          : width,
+        .vertical = vertical(m, s->face),
+        .sideswipe = is_sideswipe(m),
+    };
+    cr_cdc_write(&what, s->cdc);
+}
+
+/* ---- the whole ---- */
+
+/* Material after the impact: gone is what it took, and what earlier ones took of the same face. */
+static enum cr_err take_left(struct damage *m, enum cr_face face, const struct cr_impact *before,
+                             struct cr_error *err) {
+    const struct cr_grid *g = m->deform.grid;
+    const double *left = m->r->solution->body[m->body].left;
+    int own = (int)(m->event - m->all->event), n = g->nx * g->ny;
+    m->left = malloc((size_t)n * sizeof *m->left);
+    if (m->left == NULL) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for the damage of a result");
+    }
+    for (int i = 0; i < n; i++) {
+        int by = m->of[i], side;
+        bool earlier = by >= 0 && by < own && same_body(&m->all->event[by], m->body, &side) &&
+                       before[by].of[side].face == face;
+        m->left[i] = by == own || earlier ? left[i] : g->fill[i];
+    }
+    m->deform.left = m->left;
+    return CR_ERR_OK;
+}
+
+static void measure_area(const struct damage *m, const struct face_damage *f,
+                         struct cr_severity *s) {
+    const struct cr_grid *g = m->deform.grid;
+    int own = (int)(m->event - m->all->event);
+    double area = 0;
+    for (int i = 0; i < g->nx * g->ny; i++) {
+        double lost = m->of == NULL || m->of[i] == own ? g->fill[i] - m->deform.left[i] : 0;
+        bool induced = m->deform.how != NULL && !(m->deform.how[i] & CR_CRUSH_CONTACT);
+        area += lost;
+        s->area_induced += induced ? lost : 0;
+    }
+    area *= g->h * g->h;
+    s->area_induced *= g->h * g->h;
+    s->area_contact = area - s->area_induced;
+    // the residual share of the area is that of the struck face's columns
+    double lost = m->deform.residual_curve ? f->residual_sum : f->dynamic_sum;
+    s->deformation_area = lost > 0 ? area * f->residual_sum / lost : 0;
+}
+
+struct cr_deform cr_damage_of(const struct cr_result *r, int body) {
+    const struct cr_outcome *o = &r->solution->body[body];
+    int residual = r->resolved.set.residual_curve;
+    bool paper = r->resolved.set.method == CR_METHOD_PAPER;
+    return (struct cr_deform){.grid = &r->compiled.cs.body[body].grid,
+                              .left = o->left,
+                              .how = o->how,
+                              .residual_curve = residual < 0 ? paper : residual > 0};
+}
+
+enum cr_err cr_damage_measure(const struct cr_damage_case *what, struct cr_severity *s,
+                              struct cr_error *err) {
+    const struct cr_event *e = &what->all->event[what->event];
+    struct damage m = {.r = what->result,
+                       .all = what->all,
+                       .event = e,
+                       .side = what->side,
+                       .body = e->body[what->side],
+                       .of = what->owner};
+    struct cr_vec2 inward = cr_vec2_unit(s->delta_v_body, cr_vec2(-1, 0));
+    m.deform = cr_damage_of(what->result, m.body);
+    m.deform.through = first_way(e, m.side).x != 0 || first_way(e, m.side).y != 0;
+    enum cr_err code = CR_ERR_OK;
+    if (m.of != NULL) {
+        code = take_left(&m, began_at(&m, inward), what->result->impact, err);
+    }
+    if (code == CR_ERR_OK) {
+        s->face = began_at(&m, inward);
+        code = second_face(&m, s, err);
+    }
+    if (code == CR_ERR_OK) {
+        struct face_damage f = choose_face(&m, s, inward);
+        struct cr_depth deep = both(&m.deform, s->face, f.depth);
+        struct cr_depth most = both(&m.deform, s->face, cr_deform_max(&m.deform, inward));
+        s->face_depth = deep.residual;
+        s->face_depth_dynamic = deep.dynamic;
+        s->deformation_max = most.residual;
+        s->deformation_dynamic_max = most.dynamic;
+        s->damage_width = width_of(&m.deform, f.lo, f.hi);
+        s->contact_width = width_of(&m.deform, f.direct_lo, f.direct_hi);
+        measure_area(&m, &f, s);
+        crush_profile(&m.deform, &f, s);
+        classify(&m, &f, s);
+    }
+    free(m.left);
+    return code;
+}

@@ -1,0 +1,28 @@
+/* What the writers of a result's JSON share. A JSON object that could not be made is taken for
+ * what it is when the whole is printed: no memory. */
+#ifndef CR_RESULT_JSON_PRIV_H
+#define CR_RESULT_JSON_PRIV_H
+
+#include "result/result_priv.h"
+
+struct cJSON; /* as cJSON.h has it: its type is opaque here */
+
+/* Numbers go through cr_round12; what is not a number becomes null. */
+void cr_json_put(struct cJSON *to, const char *key, double x);
+struct cJSON *cr_json_point(struct cr_vec2 p);
+struct cJSON *cr_json_numbers(const double *x, int n);
+
+/* Groups of the keys of a participant, in all or in one impact; version: of the result. */
+void cr_json_motion(const struct cr_severity *s, int version, struct cJSON *p);
+void cr_json_deformation(const struct cr_severity *s, int version, struct cJSON *p);
+void cr_json_outline(const struct cr_severity *s, struct cJSON *p);
+void cr_json_pulse(const struct cr_severity *s, struct cJSON *p);
+void cr_json_occupant(const struct cr_severity *s, struct cJSON *p);
+void cr_json_injury(const struct cr_severity *s, struct cJSON *p);
+
+/* What is only told of all impacts together. */
+void cr_json_totals(const struct cr_severity *s, struct cJSON *p);
+void cr_json_impacts(const struct cr_result *r, struct cJSON *json);
+struct cJSON *cr_json_warning(const struct cr_result *r, int i, int version);
+
+#endif

@@ -1,0 +1,12 @@
+noinst_LIBRARIES += libstudy.a
+libstudy_a_SOURCES = \
+	src/study/draw.c src/study/draw.h \
+	src/study/inputs.c \
+	src/study/mc.c \
+	src/study/mc_data.c \
+	src/study/mc_text.c \
+	src/study/study.h
+libstudy_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS) $(GSL_CFLAGS) $(NLOPT_CFLAGS)
+
+studydir = $(pkgdatadir)/study
+dist_study_DATA = share/study/scatter.json

@@ -1,0 +1,341 @@
+/* mc: the scene solved for many draws of its inputs, and the statistics of the results. */
+#include "study/study.h"
+
+#include "base/pool.h"
+#include "base/stats.h"
+#include "study/draw.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { DRAWS_MIN = 10, DRAWS_MAX = 1000000 };
+
+const double cr_mc_quantiles[CR_MC_QUANTILES] = {0.025, 0.25, 0.5, 0.75, 0.975};
+
+const char *cr_sampling_word(enum cr_sampling sampling) {
+    return sampling == CR_SAMPLING_SOBOL ? "sobol" : "latin";
+}
+
+static int measures(void) {
+    int n;
+    cr_measures(&n);
+    return n;
+}
+
+/* Inputs of one group follow one dimension, a "-" in front of the name turns it round. */
+static const char *group_name(const struct cr_study_input *in) {
+    return in->group[0] == '-' ? in->group + 1 : in->group;
+}
+
+static void find_dims(struct cr_mc *mc) {
+    const struct cr_study *s = &mc->study;
+    for (int i = 0; i < s->n; i++) {
+        mc->dim[i] = -1;
+        for (int k = 0; k < i && s->in[i].group[0] != '\0'; k++) {
+            if (s->in[k].group[0] != '\0' &&
+                strcmp(group_name(&s->in[k]), group_name(&s->in[i])) == 0) {
+                mc->dim[i] = mc->dim[k];
+            }
+        }
+        mc->dim[i] = mc->dim[i] < 0 ? mc->dims++ : mc->dim[i];
+    }
+}
+
+void cr_mc_dim_name(const struct cr_mc *mc, int d, char *buf, int size) {
+    int used = 0, members = 0;
+    for (int i = 0; i < mc->study.n; i++) {
+        members += mc->dim[i] == d;
+    }
+    for (int i = 0; i < mc->study.n && used < size; i++) {
+        const struct cr_study_input *in = &mc->study.in[i];
+        if (mc->dim[i] != d) {
+            continue;
+        }
+        if (members == 1) {
+            snprintf(buf, (size_t)size, "%s", in->key);
+            return;
+        }
+        used += used == 0 ? snprintf(buf, (size_t)size, "@%s (%s", group_name(in), in->key)
+                          : snprintf(buf + used, (size_t)(size - used), ", %s", in->key);
+    }
+    if (used < size) {
+        snprintf(buf + used, (size_t)(size - used), ")");
+    }
+}
+
+static enum cr_err draw(struct cr_mc *mc, struct cr_error *err) {
+    int n = mc->opts.draws, dims = mc->dims;
+    double *u = malloc((size_t)n * (size_t)dims * sizeof *u);
+    enum cr_err code = u != NULL ? cr_draw_uniform(&mc->opts, dims, u, err)
+                                 : cr_err_set(err, CR_ERR_MEMORY, "no memory for the draws");
+    for (int i = 0; i < n && code == CR_ERR_OK; i++) {
+        for (int k = 0; k < mc->study.n; k++) {
+            const struct cr_study_input *in = &mc->study.in[k];
+            double at = u[(long)i * dims + mc->dim[k]];
+            mc->input[(long)i * mc->study.n + k] =
+                cr_draw_value(in, in->group[0] == '-' ? 1 - at : at);
+        }
+    }
+    free(u);
+    return code;
+}
+
+/* ---- solving ---- */
+
+struct item {
+    int draw;
+    enum cr_err code;
+    char message[200];
+};
+
+struct work {
+    struct cr_mc *mc;
+    const struct cr_context *ctx;
+    int next;
+    bool no_memory;
+};
+
+static void *take(void *user) {
+    struct work *w = user;
+    if (w->next >= w->mc->opts.draws) {
+        return NULL;
+    }
+    struct item *item = calloc(1, sizeof *item);
+    if (item == NULL) {
+        w->no_memory = true;
+        return NULL;
+    }
+    item->draw = w->next++;
+    return item;
+}
+
+static double *results_of(const struct cr_mc *mc, int draw_index, int part) {
+    return mc->result + ((long)draw_index * mc->participants + part) * measures();
+}
+
+static void solve(void *user, void *given) {
+    struct work *w = user;
+    struct item *item = given;
+    struct cr_mc *mc = w->mc;
+    struct cr_scene scene;
+    struct cr_result *result = NULL;
+    struct cr_error err = {0};
+    struct cr_context ctx = {
+        .models = w->ctx->models, .cancel = w->ctx->cancel, .user = w->ctx->user};
+    int n;
+    const struct cr_measure *m = cr_measures(&n);
+    item->code =
+        mc->study.make(&mc->study, &mc->input[(long)item->draw * mc->study.n], &scene, &err);
+    if (item->code == CR_ERR_OK) {
+        item->code = cr_result_run(&scene, &ctx, &result, &err);
+        cr_scene_fini(&scene);
+    }
+    for (int p = 0; p < mc->participants; p++) {
+        double *to = results_of(mc, item->draw, p);
+        for (int i = 0; i < n; i++) {
+            to[i] = item->code == CR_ERR_OK ? cr_measure_get(&m[i], &result->of[p]) : (double)NAN;
+        }
+    }
+    snprintf(item->message, sizeof item->message, "%.199s", err.text);
+    cr_result_free(result);
+}
+
+static bool give(void *user, void *given) {
+    struct work *w = user;
+    struct item *item = given;
+    struct cr_mc *mc = w->mc;
+    bool go_on = !mc->interrupted && item->code != CR_ERR_INTERRUPTED;
+    if (go_on) {
+        mc->done++;
+        if (item->code != CR_ERR_OK && mc->failed++ == 0) {
+            memcpy(mc->failure, item->message, sizeof mc->failure);
+        }
+    }
+    free(item);
+    bool stop = go_on && mc->opts.progress != NULL &&
+                mc->opts.progress(mc->opts.user, mc->done, mc->opts.draws) != 0;
+    mc->interrupted = mc->interrupted || !go_on || stop;
+    return !mc->interrupted;
+}
+
+/* the scene as given, which must have a result */
+static enum cr_err solve_nominal(struct cr_mc *mc, const struct cr_context *ctx,
+                                 struct cr_error *err) {
+    struct cr_scene scene;
+    struct cr_result *result = NULL;
+    double value[CR_STUDY_INPUTS];
+    for (int i = 0; i < mc->study.n; i++) {
+        value[i] = mc->study.in[i].value;
+    }
+    enum cr_err code = mc->study.make(&mc->study, value, &scene, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    struct cr_context own = {.models = ctx->models, .cancel = ctx->cancel, .user = ctx->user};
+    code = cr_result_run(&scene, &own, &result, err);
+    cr_scene_fini(&scene);
+    if (code == CR_ERR_OK) {
+        mc->participants = result->resolved.n;
+        mc->nominal = calloc((size_t)mc->participants, sizeof *mc->nominal);
+        for (int p = 0; p < mc->participants && mc->nominal != NULL; p++) {
+            mc->nominal[p] = result->of[p];
+            mc->nominal[p].outline = NULL; /* stays with the result */
+            mc->nominal[p].outline_n = 0;
+            snprintf(mc->id[p], sizeof mc->id[p], "%s", result->resolved.part[p].id);
+        }
+        size_t n = (size_t)mc->opts.draws;
+        mc->input = calloc(n * (size_t)mc->study.n, sizeof *mc->input);
+        mc->result = calloc(n * (size_t)mc->participants * (size_t)measures(), sizeof *mc->result);
+        if (mc->nominal == NULL || mc->input == NULL || mc->result == NULL) {
+            code = cr_err_set(err, CR_ERR_MEMORY, "no memory for the draws");
+        }
+    }
+    cr_result_free(result);
+    return code;
+}
+
+static enum cr_err check(const struct cr_study *study, const struct cr_mc_opts *opts,
+                         struct cr_error *err) {
+    if (opts->draws < DRAWS_MIN || opts->draws > DRAWS_MAX) {
+        return cr_err_set(err, CR_ERR_RANGE, "draws must be %d to %d, got %d", DRAWS_MIN, DRAWS_MAX,
+                          opts->draws);
+    }
+    if (study->n == 0) {
+        cr_err_set(err, CR_ERR_MISSING, "nothing varies: no input has a tolerance");
+        cr_err_hint(err, "write one as A.speed=56+-3km/h, in JSON {\"value\": 56, \"tolerance\": "
+                         "3}");
+        return CR_ERR_MISSING;
+    }
+    return CR_ERR_OK;
+}
+
+enum cr_err cr_mc_run(const struct cr_study *study, const struct cr_mc_opts *opts,
+                      const struct cr_context *ctx, struct cr_mc **out, struct cr_error *err) {
+    *out = NULL;
+    enum cr_err code = check(study, opts, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    struct cr_mc *mc = calloc(1, sizeof *mc);
+    if (mc == NULL) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for the draws");
+    }
+    mc->study = *study;
+    mc->opts = *opts;
+    find_dims(mc);
+    struct work w = {.mc = mc, .ctx = ctx};
+    const struct cr_pool_work work = {.take = take, .work = solve, .give = give, .user = &w};
+    code = solve_nominal(mc, ctx, err);
+    if (code == CR_ERR_OK) {
+        code = draw(mc, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_pool_run(&work, opts->jobs, err);
+    }
+    if (code == CR_ERR_OK && w.no_memory) {
+        code = cr_err_set(err, CR_ERR_MEMORY, "no memory for the draws");
+    }
+    if (code != CR_ERR_OK) {
+        cr_mc_free(mc);
+        return code;
+    }
+    *out = mc;
+    return mc->interrupted ? cr_err_set(err, CR_ERR_INTERRUPTED, "interrupted after %d of %d draws",
+                                        mc->done, opts->draws)
+                           : CR_ERR_OK;
+}
+
+void cr_mc_free(struct cr_mc *mc) {
+    if (mc != NULL) {
+        free(mc->nominal);
+        free(mc->input);
+        free(mc->result);
+        free(mc);
+    }
+}
+
+/* ---- statistics ---- */
+
+/* value near the unvaried one: an angle of 359 degrees is -1 where that is 2 */
+static double unwrapped(const struct cr_measure *m, double x, double nominal) {
+    return m->dim == CR_DIM_ANGLE ? nominal + remainder(x - nominal, 2 * CR_PI) : x;
+}
+
+static void make_histogram(const double *sorted, int n, struct cr_mc_stats *out) {
+    out->lo = sorted[0];
+    out->hi = sorted[n - 1];
+    for (int i = 0; i < n && out->hi > out->lo; i++) {
+        int b = (int)((sorted[i] - out->lo) / (out->hi - out->lo) * CR_MC_BINS);
+        out->bin[b < CR_MC_BINS ? b : CR_MC_BINS - 1]++;
+    }
+    out->bin[0] = out->hi > out->lo ? out->bin[0] : n;
+}
+
+/* x and its regressors, without the draws that have no result; returns how many are left */
+static int gather(const struct cr_mc *mc, int part, int measure, double *y, double *z) {
+    int names, n = 0;
+    const struct cr_measure *m = &cr_measures(&names)[measure];
+    double nominal = cr_measure_get(m, &mc->nominal[part]);
+    for (int i = 0; i < mc->done; i++) {
+        double x = results_of(mc, i, part)[measure];
+        if (isnan(x)) {
+            continue;
+        }
+        y[n] = unwrapped(m, x, nominal);
+        for (int k = mc->study.n - 1; k >= 0; k--) { /* of a group the first is what counts */
+            const struct cr_study_input *in = &mc->study.in[k];
+            double at = mc->input[(long)i * mc->study.n + k];
+            z[(long)n * mc->dims + mc->dim[k]] =
+                in->factor ? log(at / in->value) / in->half : (at - in->value) / in->half;
+        }
+        n++;
+    }
+    return n;
+}
+
+static double outer_move(double *x, int n) {
+    double half[2], all[2];
+    for (int k = 0; k < 2; k++) {
+        half[k] = cr_stats_quantile(x, n / 2, k == 0 ? 0.025 : 0.975);
+    }
+    for (int k = 0; k < 2; k++) {
+        all[k] = cr_stats_quantile(x, n, k == 0 ? 0.025 : 0.975);
+    }
+    return fmax(fabs(half[0] - all[0]), fabs(half[1] - all[1]));
+}
+
+enum cr_err cr_mc_stats(const struct cr_mc *mc, int participant, int measure,
+                        struct cr_mc_stats *out, struct cr_error *err) {
+    int names;
+    const struct cr_measure *m = &cr_measures(&names)[measure];
+    double *y = malloc((size_t)(mc->done + 1) * sizeof *y);
+    double *z = malloc((size_t)(mc->done + 1) * (size_t)mc->dims * sizeof *z);
+    enum cr_err code = CR_ERR_OK;
+    *out = (struct cr_mc_stats){.nominal = cr_measure_get(m, &mc->nominal[participant]),
+                                .effects = mc->dims};
+    if (y == NULL || z == NULL) {
+        code = cr_err_set(err, CR_ERR_MEMORY, "no memory for the statistics");
+        goto out;
+    }
+    out->n = gather(mc, participant, measure, y, z);
+    out->mean = cr_stats_mean(y, out->n);
+    out->sd = cr_stats_sd(y, out->n);
+    out->mean_error = out->n > 1 ? out->sd / sqrt(out->n) : (double)NAN;
+    struct cr_regression lines = {
+        .x = z, .y = y, .n = out->n, .dims = mc->dims, .b = out->effect, .r2 = (double)NAN};
+    code = cr_draw_regress(&lines, err);
+    out->explained = lines.r2;
+    out->moved = out->n > 3 ? outer_move(y, out->n) : (double)NAN; /* sorts y */
+    for (int q = 0; q < CR_MC_QUANTILES; q++) {
+        out->quantile[q] = cr_stats_quantile(y, out->n, cr_mc_quantiles[q]);
+    }
+    if (out->n > 0) {
+        make_histogram(y, out->n, out);
+    }
+out:
+    free(y);
+    free(z);
+    return code;
+}

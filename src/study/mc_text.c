@@ -1,0 +1,175 @@
+/* The report of mc in lines: inputs, results with their quantiles, histogram, ranked effects. */
+#include "study/study.h"
+
+#include "study/draw.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { BAR = 30, NAME_COLUMNS = 34 };
+
+static double shown(const struct cr_measure *m, double si) {
+    const struct cr_unit *unit = cr_measure_unit(m);
+    return si * unit->div / unit->mul;
+}
+
+static void say_number(struct cr_str *out, const struct cr_measure *m, double si, int columns) {
+    char buf[40];
+    if (isnan(si)) {
+        cr_str_addf(out, "%*s", columns, "-");
+    } else {
+        cr_str_addf(out, "%*s", columns, cr_measure_text(m, shown(m, si), buf, sizeof buf));
+    }
+}
+
+static void say_inputs(const struct cr_mc *mc, struct cr_str *out) {
+    cr_str_add(out, "inputs (normal: 95 % within +-; else the whole range)\n");
+    for (int i = 0; i < mc->study.n; i++) {
+        const struct cr_study_input *in = &mc->study.in[i];
+        cr_str_addf(out, "  %-*s ", NAME_COLUMNS, in->key);
+        if (in->factor) {
+            cr_str_addf(out, "%.4g times or by exp(%.2g), scatter of the type\n", in->value,
+                        in->half);
+            continue;
+        }
+        cr_str_addf(out, "%.6g +- %.4g %s %s%s%s\n", cr_unit_from_si(in->unit, in->value),
+                    cr_unit_from_si(in->unit, in->half), in->unit->name, cr_spread_word(in->spread),
+                    in->group[0] != '\0' ? " @" : "", in->group);
+    }
+}
+
+/* what the table shows of each participant */
+static const char *const in_table[] = {
+    "ees", "delta_v", "pdof", "deformation_max", "acceleration_max", "speed_after"};
+
+static enum cr_err say_results(const struct cr_mc *mc, struct cr_str *out, struct cr_error *err) {
+    int names;
+    const struct cr_measure *table = cr_measures(&names);
+    cr_str_addf(out, "%-26s%8s%8s%7s%8s%8s%8s%8s%8s\n", "results", "given", "mean", "SD", "2.5 %",
+                "25 %", "50 %", "75 %", "97.5 %");
+    for (int p = 0; p < mc->participants; p++) {
+        for (size_t k = 0; k < sizeof in_table / sizeof in_table[0]; k++) {
+            const struct cr_measure *m = cr_measure_find(in_table[k]);
+            struct cr_mc_stats s;
+            char name[64];
+            enum cr_err code = cr_mc_stats(mc, p, (int)(m - table), &s, err);
+            if (code != CR_ERR_OK) {
+                return code;
+            }
+            if (s.n == 0 || (s.sd == 0 && s.mean == 0)) {
+                continue; /* a fixed object has none of these */
+            }
+            snprintf(name, sizeof name, "%s.%s", mc->id[p], m->key);
+            cr_str_addf(out, "  %-24.24s", name);
+            say_number(out, m, s.nominal, 8);
+            say_number(out, m, s.mean, 8);
+            say_number(out, m, s.sd, 7);
+            for (int q = 0; q < CR_MC_QUANTILES; q++) {
+                say_number(out, m, s.quantile[q], 8);
+            }
+            cr_str_add(out, "\n");
+        }
+    }
+    return CR_ERR_OK;
+}
+
+static void bar(struct cr_str *out, int n, const char *block) {
+    for (int i = 0; i < n; i++) {
+        cr_str_add(out, block);
+    }
+}
+
+static void say_histogram(const struct cr_mc_stats *s, const struct cr_measure *m, bool ascii,
+                          struct cr_str *out) {
+    int most = 1;
+    for (int b = 0; b < CR_MC_BINS; b++) {
+        most = s->bin[b] > most ? s->bin[b] : most;
+    }
+    for (int b = 0; b < CR_MC_BINS && s->hi > s->lo; b++) {
+        double from = s->lo + (s->hi - s->lo) * b / CR_MC_BINS;
+        cr_str_add(out, "  ");
+        say_number(out, m, from, 8);
+        cr_str_addf(out, " %6d ", s->bin[b]);
+        bar(out, (s->bin[b] * BAR + most / 2) / most, ascii ? "#" : "\xe2\x96\x88");
+        cr_str_add(out, "\n");
+    }
+}
+
+struct ranked {
+    int d;
+    double size;
+};
+
+static int larger_first(const void *a, const void *b) {
+    const struct ranked *x = a, *y = b;
+    return x->size != y->size ? (x->size < y->size) - (x->size > y->size) : x->d - y->d;
+}
+
+static void say_effects(const struct cr_mc *mc, const struct cr_mc_stats *s,
+                        const struct cr_measure *m, struct cr_str *out) {
+    struct ranked rank[CR_STUDY_INPUTS];
+    for (int d = 0; d < s->effects; d++) {
+        rank[d] = (struct ranked){d, isnan(s->effect[d]) ? -1 : fabs(s->effect[d])};
+    }
+    qsort(rank, (size_t)s->effects, sizeof *rank, larger_first);
+    cr_str_addf(out, "  effect of + one tolerance, %s; lines explain %.0f %% of the variance\n",
+                m->unit[0] != '\0' ? m->unit : "1", 100 * s->explained);
+    for (int r = 0; r < s->effects; r++) {
+        char name[200];
+        double x = s->effect[rank[r].d];
+        int n = rank[0].size > 0 ? (int)lround(BAR / 2.0 * rank[r].size / rank[0].size) : 0;
+        cr_mc_dim_name(mc, rank[r].d, name, sizeof name);
+        cr_str_addf(out, "  %-*s %+9.*f ", NAME_COLUMNS, name, m->decimals + 1, shown(m, x));
+        cr_str_fill(out, ' ', x < 0 ? BAR / 2 - n : BAR / 2);
+        cr_str_fill(out, x < 0 ? '-' : '+', n);
+        cr_str_add(out, "\n");
+    }
+}
+
+static enum cr_err say_one(const struct cr_mc *mc, int part, int measure, bool ascii,
+                           struct cr_str *out, struct cr_error *err) {
+    int names;
+    const struct cr_measure *m = &cr_measures(&names)[measure];
+    struct cr_mc_stats s;
+    enum cr_err code = cr_mc_stats(mc, part, measure, &s, err);
+    if (code != CR_ERR_OK || s.n == 0) {
+        return code;
+    }
+    cr_str_addf(out, "%s.%s\n", mc->id[part], m->key);
+    say_histogram(&s, m, ascii, out);
+    say_effects(mc, &s, m, out);
+    /* three standard errors and a tenth of the spread: what more draws would still change */
+    bool settled = 3 * s.mean_error < 0.1 * s.sd && s.moved < 0.3 * s.sd;
+    cr_str_addf(out, "  mean +- %.2g, outer points moved by %.2g from half of the draws: %s\n",
+                1.96 * shown(m, s.mean_error), shown(m, s.moved),
+                s.sd == 0 ? "constant"
+                : settled ? "converged"
+                          : "not converged, take more draws");
+    return CR_ERR_OK;
+}
+
+enum cr_err cr_mc_text(const struct cr_mc *mc, const struct cr_mc_plot *plot, bool ascii,
+                       struct cr_str *out, struct cr_error *err) {
+    int names;
+    const struct cr_measure *table = cr_measures(&names);
+    int measure = plot != NULL ? plot->measure : (int)(cr_measure_find("ees") - table);
+    cr_str_addf(out, "%d draws, %s, seed %lu\n", mc->done, cr_draw_generator(mc->opts.sampling),
+                mc->opts.seed);
+    if (mc->failed > 0) {
+        cr_str_addf(out, "%d of them have no result and are left out, the first: %s\n", mc->failed,
+                    mc->failure);
+    }
+    say_inputs(mc, out);
+    enum cr_err code = say_results(mc, out, err);
+    for (int p = 0; p < mc->participants && code == CR_ERR_OK; p++) {
+        bool wanted = plot == NULL || plot->participant < 0 || plot->participant == p;
+        if (wanted && cr_measure_get(&table[measure], &mc->nominal[p]) != 0) {
+            code = say_one(mc, p, measure, ascii, out, err);
+        }
+    }
+    return code == CR_ERR_OK && out->failed
+               ? cr_err_set(err, CR_ERR_MEMORY, "no memory for the report")
+               : code;
+}

@@ -1,0 +1,55 @@
+#!/bin/sh
+# crumple mc: tolerances in the scene and on the command line, forms, bytes, faults.
+. "$SRC/tests/cli/cli.sh"
+
+run mc "$demo" --draws 10 --set A.speed_kmh=56+-3
+case $errs in
+*"no GSL"*)
+    skip "mc" "built without GSL"
+    finish
+    exit
+    ;;
+esac
+same "a scene is drawn and solved" "$status:$errs" "0:"
+has "with its generator and seed" "$out" '^10 draws, latin hypercube by mt19937 of GSL, seed 1$'
+has "the input" "$out" 'A\.speed_kmh +56 \+- 3 km/h normal$'
+has "the scatter of the type" "$out" 'B\.model\.energy_factor .* scatter of the type$'
+has "results with quantiles" "$out" '^  A\.ees_kmh( +[0-9.]+){8}$'
+has "ranked inputs" "$out" '^  A\.speed_kmh +[+-][0-9.]+ '
+
+spread='{"value": 0, "tolerance": 5, "distribution": "uniform"}'
+wall_scene '' "\"yaw_rate_deg_s\": $spread" >"$tmp/w.json"
+for jobs in 1 3; do
+    run mc "$tmp/w.json" --draws 30 --no-scatter --sampling sobol --seed 5 -f json --jobs $jobs
+    cksum <"$tmp/out" >"$tmp/sum$jobs"
+done
+same "the same bytes for every number of jobs" "$(cat "$tmp/sum1")" "$(cat "$tmp/sum3")"
+run mc "$tmp/w.json" --draws 30 --no-scatter --sampling sobol --seed 6 -f json
+hasnt() { ! printf '%s' "$2" | grep -q "$3"; report $? "$1"; }
+[ "$(cksum <"$tmp/out")" != "$(cat "$tmp/sum1")" ]
+report $? "another seed gives others"
+if command -v python3 >/dev/null 2>&1; then
+    same "JSON has what was asked" "$(python3 -c 'import json, sys
+d = json.load(open(sys.argv[1])); r = d["results"]["A"]["ees_kmh"]
+print(d["class"], d["draws"], d["seed"], d["inputs"][0]["distribution"],
+      sum(r["histogram"]["counts"]),
+      r["q2_5"] <= r["q25"] <= r["q50"] <= r["q75"] <= r["q97_5"])' "$tmp/out")" \
+        "mc 30 6 uniform 30 True"
+else
+    skip "JSON has what was asked" "no python3"
+fi
+run mc "$tmp/w.json" --draws 12 --no-scatter -f csv
+same "CSV has a row per draw" "$(printf '%s\n' "$out" | grep -c '^[0-9]')" 12
+has "with inputs and results" "$out" '^draw,A\.yaw_rate_deg_s,A\.ees_kmh,'
+hasnt "scatter can be left out" "$out" energy_factor
+
+wall_scene >"$tmp/plain.json"
+refused "nothing varies" 3 'nothing varies.*56\+-3km/h' mc "$tmp/plain.json" --no-scatter
+refused "a result that is none" 2 'no such result' mc "$demo" --draws 10 --plot A.colour
+refused "too few draws" 2 'draws' mc "$demo" --draws 3
+refused "a tolerance of another unit" 3 'kg' mc "$demo" --set A.speed_kmh=56+-3kg
+wall_scene '' '"yaw_rate_deg_s": {"value": 0, "tolerance": -5}' >"$tmp/bad.json"
+refused "a bad tolerance has its place" 3 'bad\.json:[0-9]+:[0-9]+: .*above zero' mc "$tmp/bad.json"
+wall_scene '' '"yaw_rate_deg_s": {"value": 0, "width": 5}' >"$tmp/bad.json"
+refused "a key that is none" 3 'unknown key "width"' mc "$tmp/bad.json"
+finish
