@@ -11,7 +11,7 @@ libbase_a_SOURCES = \
 	src/base/records.c src/base/records.h \
 	src/base/stats.c src/base/stats.h \
 	src/base/str.c src/base/str.h \
-	src/base/unit_words.c \
+	src/base/unit_table.c src/base/unit_words.c \
 	src/base/units.c src/base/units.h \
 	src/base/vec.h
 libbase_a_CFLAGS = $(CR_CFLAGS) $(NETTLE_CFLAGS) $(CJSON_CFLAGS)

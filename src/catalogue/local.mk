@@ -3,5 +3,5 @@ libmodel_a_SOURCES += \
 	src/catalogue/catalogue.c src/catalogue/catalogue.h src/catalogue/catalogue_priv.h \
 	src/catalogue/search.c
 cataloguedir = $(pkgdatadir)/catalogue
-dist_catalogue_DATA = share/catalogue/cars.csv share/catalogue/LICENSE
-EXTRA_DIST += share/catalogue/make-catalogue.py
+dist_catalogue_DATA = \
+	share/catalogue/LICENSE share/catalogue/cars.csv share/catalogue/make-catalogue.py

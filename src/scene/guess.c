@@ -6,6 +6,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Relative standard deviation of kerb mass + driver about mass of the type x volume over that of
@@ -17,6 +18,24 @@ static const double spread_by_volume = 0.11, spread_by_type = 0.15;
 /* of the kerb mass within a row of the catalogue and of what was loaded (CISS: least to greatest
  * within 5 % for most rows, a second occupant and luggage 100 kg of 1600) */
 static const double spread_by_row = 0.06;
+
+enum cr_err cr_scene_assume(struct cr_assuming *how, const char *id, const char *key,
+                            struct cr_error *err) {
+    struct cr_assumed *a = how->list;
+    if (a == NULL) {
+        return CR_ERR_OK;
+    }
+    void *keys = realloc(a->key, ((size_t)a->n + 1) * sizeof *a->key);
+    a->key = keys != NULL ? keys : a->key;
+    void *from = realloc(a->from, ((size_t)a->n + 1) * sizeof *a->from);
+    a->from = from != NULL ? from : a->from;
+    if (keys == NULL || from == NULL) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory to resolve the scene");
+    }
+    snprintf(a->from[a->n], sizeof *a->from, "%s", how->from);
+    snprintf(a->key[a->n++], sizeof *a->key, "%s.%s", id, key);
+    return CR_ERR_OK;
+}
 
 static double middle(double a, double b) {
     return (a + b) / 2;
@@ -94,8 +113,6 @@ double cr_scene_guess_mass(const struct cr_participant *p, const struct cr_model
 }
 
 /* ---- the catalogue ---- */
-
-#define IN(field) offsetof(struct cr_participant, field)
 
 static enum cr_err take(struct cr_participant *p, const char *key, double value,
                         struct cr_assuming *a, struct cr_error *err) {

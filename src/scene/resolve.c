@@ -113,24 +113,6 @@ void cr_assumed_fini(struct cr_assumed *assumed) {
     *assumed = (struct cr_assumed){0};
 }
 
-enum cr_err cr_scene_assume(struct cr_assuming *how, const char *id, const char *key,
-                            struct cr_error *err) {
-    struct cr_assumed *a = how->list;
-    if (a == NULL) {
-        return CR_ERR_OK;
-    }
-    void *keys = realloc(a->key, ((size_t)a->n + 1) * sizeof *a->key);
-    a->key = keys != NULL ? keys : a->key;
-    void *from = realloc(a->from, ((size_t)a->n + 1) * sizeof *a->from);
-    a->from = from != NULL ? from : a->from;
-    if (keys == NULL || from == NULL) {
-        return cr_err_set(err, CR_ERR_MEMORY, "no memory to resolve the scene");
-    }
-    snprintf(a->from[a->n], sizeof *a->from, "%s", how->from);
-    snprintf(a->key[a->n++], sizeof *a->key, "%s.%s", id, key);
-    return CR_ERR_OK;
-}
-
 /* Type and mass, which all other rules start from: by the car of the catalogue, else by size. */
 static enum cr_err resolve_kind(struct cr_participant *p, const struct cr_model_lib *lib,
                                 struct cr_assuming *a, struct cr_error *err) {
