@@ -3,15 +3,18 @@
 #include "config.h"
 
 #include "base/arena.h"
+#include "base/show.h"
 #include "base/str.h"
 #include "cli/cli.h"
 #include "repl/repl.h"
 #include "trial/trial.h"
 #include "tui/tui.h"
 
+#include <fcntl.h>
 #include <locale.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 static const char help[] =
     "usage: crumple                          full screen on a terminal, else commands from stdin\n"
@@ -20,6 +23,7 @@ static const char help[] =
     "       crumple --repl                   commands at a plain prompt\n"
     "       crumple run SCENE.json           solve one scene\n"
     "       crumple stack INPUT ...          solve many, one result per line\n"
+    "       crumple merge PART ...           put the parts of a stack in order\n"
     "       crumple validate [CLASS ...]     compare with crash tests\n"
     "       crumple mc SCENE.json            solve many draws of its uncertain inputs\n"
     "       crumple models [NAME]            list, show or export the models\n"
@@ -42,8 +46,13 @@ struct word {
     int (*run)(int argc, char **argv);
 };
 static const struct word words[] = {
-    {"run", cr_cli_run}, {"stack", cr_cli_stack},   {"validate", cr_trial_validate},
-    {"mc", cr_cli_mc},   {"models", cr_cli_models}, {"calibrate", cr_trial_calibrate},
+    {"run", cr_cli_run},
+    {"stack", cr_cli_stack},
+    {"merge", cr_cli_merge},
+    {"mc", cr_cli_mc},
+    {"validate", cr_trial_validate},
+    {"models", cr_cli_models},
+    {"calibrate", cr_trial_calibrate},
 };
 enum { WORDS = sizeof words / sizeof *words };
 
@@ -61,10 +70,24 @@ static int unknown(const char *what, const char *given) {
         known[i + 2] = words[i].name;
     }
     const char *near = cr_str_nearest(given, known, WORDS + 2);
-    fprintf(stderr, "crumple: error: unknown %s %s (%s%s%s)\n", what, given,
+    char shown[256];
+    fprintf(stderr, "crumple: error: unknown %s %s (%s%s%s)\n", what,
+            cr_show(given, shown, sizeof shown),
             near != NULL ? "did you mean " : "crumple --help lists them", near != NULL ? near : "",
             near != NULL ? "?" : "");
     return 2;
+}
+
+/* With one of the first three descriptors closed, the next file that is opened would get its
+ * number, and what is meant for the user would go there. What takes its place fails like what is
+ * closed. */
+static void keep_descriptors(void) {
+    for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++) {
+        if (fcntl(fd, F_GETFD) == -1 &&
+            open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY) != fd) {
+            _exit(2);
+        }
+    }
 }
 
 static int interactive(int argc, char **argv, const char *data_dir) {
@@ -80,10 +103,11 @@ static int interactive(int argc, char **argv, const char *data_dir) {
 }
 
 int main(int argc, char **argv) {
+    keep_descriptors();
     cr_arena_keep();
-    setlocale(LC_ALL, "");
-    /* JSON and command files have a decimal point wherever the program runs */
-    setlocale(LC_NUMERIC, "C");
+    /* Characters are those of the terminal. All else is the same everywhere: the decimal point, the
+     * order of the files of a folder, the language of messages that stand in results. */
+    setlocale(LC_CTYPE, "");
     const char *word = argc > 1 ? argv[1] : "";
     if (strcmp(word, "--version") == 0 || strcmp(word, "-V") == 0) {
         return print(version);

@@ -1,12 +1,12 @@
 # checks of the tree as a whole
 tree_checks = tests/check_bootstrap.sh tests/check_circles.sh tests/check_examples.sh \
-	tests/check_includes.sh \
-	tests/check_manual.sh tests/check_map.sh tests/check_style.sh tests/check_symbols.sh
+	tests/check_includes.sh tests/check_manual.sh tests/check_map.sh tests/check_sources.sh \
+	tests/check_style.sh tests/check_symbols.sh
 cli_checks = tests/cli/bad_scene.sh tests/cli/completion.sh tests/cli/files.sh \
-	tests/cli/install.sh tests/cli/interrupt.sh tests/cli/run.sh tests/cli/same_bits.sh \
+	tests/cli/hostile.sh tests/cli/install.sh tests/cli/interrupt.sh tests/cli/run.sh tests/cli/same_bits.sh \
 	tests/cli/usage.sh
 TESTS += $(tree_checks) $(cli_checks)
-EXTRA_DIST += $(tree_checks) $(cli_checks) tests/tap.sh tests/terminal.sh tests/cli/cli.sh
+EXTRA_DIST += $(tree_checks) $(cli_checks) tests/cases/hostile tests/tap.sh tests/terminal.sh tests/cli/cli.sh
 
 # the examples of README.md as the program prints them today; review the difference
 update-examples: crumple$(EXEEXT)

@@ -1,6 +1,7 @@
 /* Reads tables as text: records from a buffer that is filled again and again, cut into fields. */
 #include "base/csv.h"
 
+#include "base/show.h"
 #include "base/str.h"
 
 #include <errno.h>

@@ -1,6 +1,8 @@
 /* Texts, exit statuses and places of errors, as the one line that a user reads. */
 #include "base/err.h"
 
+#include "base/show.h"
+
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -14,6 +16,13 @@ static const struct {
 #undef X
 };
 
+/* texts quote what was read and typed: they are made fit to show here, where all of them pass */
+static void fill(char *to, size_t size, const char *fmt, va_list ap) {
+    char raw[1024];
+    vsnprintf(raw, sizeof raw, fmt, ap);
+    cr_show(raw, to, size);
+}
+
 enum cr_err cr_err_set(struct cr_error *err, enum cr_err code, const char *fmt, ...) {
     if (err == NULL) {
         return code;
@@ -22,7 +31,7 @@ enum cr_err cr_err_set(struct cr_error *err, enum cr_err code, const char *fmt, 
     err->code = code;
     va_list ap;
     va_start(ap, fmt);
-    vsnprintf(err->text, sizeof err->text, fmt, ap);
+    fill(err->text, sizeof err->text, fmt, ap);
     va_end(ap);
     return code;
 }
@@ -33,7 +42,7 @@ void cr_err_hint(struct cr_error *err, const char *fmt, ...) {
     }
     va_list ap;
     va_start(ap, fmt);
-    vsnprintf(err->hint, sizeof err->hint, fmt, ap);
+    fill(err->hint, sizeof err->hint, fmt, ap);
     va_end(ap);
 }
 
@@ -42,7 +51,7 @@ void cr_err_place(struct cr_error *err, const char *src, int line, int col) {
         return;
     }
     if (src != NULL) {
-        snprintf(err->src, sizeof err->src, "%s", src);
+        cr_show(src, err->src, sizeof err->src);
     }
     err->line = line;
     err->col = col;
@@ -57,14 +66,15 @@ const char *cr_err_word(enum cr_err code) {
 }
 
 char *cr_err_format(const struct cr_error *err, char *buf, int size) {
-    char place[320] = "";
+    char place[320] = "", where[4 * sizeof err->where];
+    cr_show(err->where, where, sizeof where);
     if (err->src[0] != '\0' && err->line > 0) {
         snprintf(place, sizeof place, "%s:%d:%d: ", err->src, err->line, err->col);
     } else if (err->src[0] != '\0') {
         snprintf(place, sizeof place, "%s: ", err->src);
     }
-    snprintf(buf, (size_t)size, "%serror: %s%s%s%s%s%s", place,
-             err->where[0] != '\0' ? err->where : "", err->where[0] != '\0' ? ": " : "", err->text,
-             err->hint[0] != '\0' ? " (" : "", err->hint, err->hint[0] != '\0' ? ")" : "");
+    snprintf(buf, (size_t)size, "%serror: %s%s%s%s%s%s", place, where, where[0] != '\0' ? ": " : "",
+             err->text, err->hint[0] != '\0' ? " (" : "", err->hint,
+             err->hint[0] != '\0' ? ")" : "");
     return buf;
 }

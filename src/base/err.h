@@ -13,7 +13,7 @@
 #define CR_PRINTF(fmt, args)
 #endif
 
-/* X(name, exit status of formats.md, machine-readable code in result JSON) */
+/* X(name, exit status of crumple(1), machine-readable code in result JSON) */
 #define CR_ERR_LIST(X)                                                                             \
     X(OK, 0, "ok")                                                                                 \
     X(MISSED, 1, "tolerance-missed")                                                               \
@@ -31,6 +31,7 @@
     X(NO_CONTACT, 4, "no-contact")                                                                 \
     X(SOLVER, 4, "solver")                                                                         \
     X(MEMORY, 4, "memory")                                                                         \
+    X(EXPENSIVE, 4, "too-expensive")                                                               \
     X(INTERRUPTED, 130, "interrupted")
 
 enum cr_err {
@@ -44,12 +45,13 @@ struct cr_error {
     enum cr_err code;
     char src[256];   /* file the fault is in, "" if none */
     int line, col;   /* 1-based place in src, 0 if unknown */
-    char where[128]; /* JSON pointer of the value at fault, "" if none */
+    char where[128]; /* JSON pointer of the value at fault as it is, "" if none; show it escaped */
     char text[256];  /* what is wrong, one line, no full stop */
     char hint[192];  /* the way out, "" if there is none to name */
 };
 
-/* Fill in *err (nullable) with a formatted text; clears place and hint; returns code. */
+/* Fill in *err (nullable) with a formatted text; clears place and hint; returns code. Text, hint
+ * and src are made fit to show (base/show.h), and cut between two characters. */
 enum cr_err cr_err_set(struct cr_error *err, enum cr_err code, const char *fmt, ...)
     CR_PRINTF(3, 4);
 

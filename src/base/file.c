@@ -1,6 +1,6 @@
-/* Reads files whole, and writes them whole or not at all: into a temporary file beside the target,
- * which is then renamed. */
-#define _XOPEN_SOURCE 700 /* realpath */
+/* Reads files whole, and writes them whole or not at all: into a file without a name, or with one
+ * of its own beside the target, whose place it takes when it is complete. */
+#define _GNU_SOURCE /* O_TMPFILE, realpath */
 #include "base/file.h"
 
 #include <dirent.h>
@@ -14,10 +14,16 @@
 
 static enum cr_err io_error(struct cr_error *err, const char *path, const char *what) {
     int code = errno;
-    cr_err_set(err, CR_ERR_IO, "cannot %s: %s", what, strerror(code));
+    if (code == EINTR) { /* handlers of ^C and SIGTERM are set so that nothing waits on */
+        cr_err_set(err, CR_ERR_INTERRUPTED, "interrupted");
+    } else {
+        cr_err_set(err, CR_ERR_IO, "cannot %s: %s", what, strerror(code));
+    }
     cr_err_place(err, path, 0, 0);
-    return CR_ERR_IO;
+    return code == EINTR ? CR_ERR_INTERRUPTED : CR_ERR_IO;
 }
+
+/* ---- reading ---- */
 
 static enum cr_err read_all(int fd, const char *path, char **text, size_t *len,
                             struct cr_error *err) {
@@ -25,12 +31,10 @@ static enum cr_err read_all(int fd, const char *path, char **text, size_t *len,
     char *buf = malloc(size + 1);
     while (buf != NULL) {
         ssize_t n = read(fd, buf + used, size - used);
-        if (n < 0 && errno == EINTR) {
-            continue;
-        }
         if (n < 0) {
+            enum cr_err code = io_error(err, path, "read");
             free(buf);
-            return io_error(err, path, "read");
+            return code;
         }
         if (n == 0) {
             buf[used] = '\0';
@@ -56,18 +60,61 @@ static enum cr_err read_all(int fd, const char *path, char **text, size_t *len,
     return cr_err_set(err, CR_ERR_MEMORY, "no memory to read the file");
 }
 
+static enum cr_err read_and_close(int fd, const char *path, char **text, size_t *len,
+                                  struct cr_error *err) {
+    enum cr_err code = read_all(fd, path, text, len, err);
+    close(fd);
+    return code;
+}
+
 enum cr_err cr_file_read(const char *path, char **text, size_t *len, struct cr_error *err) {
     if (strcmp(path, "-") == 0) {
         return read_all(STDIN_FILENO, "standard input", text, len, err);
     }
     int fd = open(path, O_RDONLY | O_CLOEXEC);
-    if (fd < 0) {
+    return fd < 0 ? io_error(err, path, "open") : read_and_close(fd, path, text, len, err);
+}
+
+static enum cr_err irregular(const struct stat *st, const char *path, struct cr_error *err) {
+    const char *kind = S_ISDIR(st->st_mode)    ? "a folder"
+                       : S_ISFIFO(st->st_mode) ? "a pipe"
+                       : S_ISSOCK(st->st_mode) ? "a socket"
+                                               : "a device";
+    cr_err_set(err, CR_ERR_IO, "this is %s, not a file", kind);
+    cr_err_place(err, path, 0, 0);
+    if (!S_ISDIR(st->st_mode)) {
+        cr_err_hint(err, "copy what it gives into a file first");
+    }
+    return CR_ERR_IO;
+}
+
+enum cr_err cr_file_check_regular(const char *path, struct cr_error *err) {
+    struct stat st;
+    if (stat(path, &st) != 0) {
         return io_error(err, path, "open");
     }
-    enum cr_err code = read_all(fd, path, text, len, err);
-    close(fd);
-    return code;
+    return S_ISREG(st.st_mode) ? CR_ERR_OK : irregular(&st, path, err);
 }
+
+enum cr_err cr_file_read_regular(const char *path, char **text, size_t *len, struct cr_error *err) {
+    struct stat st;
+    /* a pipe without a writer must not be waited for */
+    int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (fd < 0 || fstat(fd, &st) != 0) {
+        enum cr_err code = io_error(err, path, "open");
+        if (fd >= 0) {
+            close(fd);
+        }
+        return code;
+    }
+    if (!S_ISREG(st.st_mode)) {
+        close(fd);
+        return irregular(&st, path, err);
+    }
+    return read_and_close(fd, path, text, len, err);
+}
+
+/* ---- writing ---- */
 
 static int write_all(int fd, const char *text, size_t n) {
     while (n > 0) {
@@ -119,8 +166,73 @@ static void keep_mode(int fd, const char *path) {
     }
 }
 
-static enum cr_err write_whole(const char *path, const char *text, size_t n, struct cr_error *err) {
-    char tmp[4096];
+/* A name is as lasting as its folder. A file system that keeps no folders (EINVAL) has no say. */
+static enum cr_err sync_folder(const char *path, struct cr_error *err) {
+    char folder[4096];
+    cr_file_dir(path, folder, sizeof folder);
+    int fd = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (fd < 0) { /* one may write in a folder without being allowed to read it */
+        return CR_ERR_OK;
+    }
+    int failed = fsync(fd) != 0 && errno != EINVAL && errno != EROFS;
+    int code = errno;
+    close(fd);
+    if (failed) {
+        cr_err_set(err, CR_ERR_IO, "written, but it may not outlast a loss of power: %s",
+                   strerror(code));
+        cr_err_place(err, path, 0, 0);
+    }
+    return failed ? CR_ERR_IO : CR_ERR_OK;
+}
+
+enum { TEMPORARY_SIZE = 4096, TEMPORARY_TRIES = 100 };
+
+/* a file without a name in the folder of path: nothing is left of it should we be killed; -1 where
+ * there is no such thing */
+static int open_unnamed(const char *path) {
+#ifdef O_TMPFILE
+    char folder[TEMPORARY_SIZE];
+    cr_file_dir(path, folder, sizeof folder);
+    return open(folder, O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
+#else
+    (void)path;
+    return -1;
+#endif
+}
+
+/* Give the file without a name its own. Over a file that is there only a rename goes, so that it
+ * has another one for that moment. Returns 0, or -1 with tmp the name that is left, or "". */
+static int name_it(int fd, const char *path, char tmp[TEMPORARY_SIZE]) {
+    char self[64];
+    snprintf(self, sizeof self, "/proc/self/fd/%d", fd);
+    tmp[0] = '\0';
+    if (linkat(AT_FDCWD, self, AT_FDCWD, path, AT_SYMLINK_FOLLOW) == 0) {
+        return 0;
+    }
+    for (unsigned i = 0; errno == EEXIST && i < TEMPORARY_TRIES; i++) {
+        unsigned number = ((unsigned)getpid() * 257U + i) & 0xFFFFFF;
+        if (snprintf(tmp, TEMPORARY_SIZE, "%s.%06x", path, number) >= TEMPORARY_SIZE) {
+            tmp[0] = '\0';
+            errno = ENAMETOOLONG;
+            return -1;
+        }
+        if (linkat(AT_FDCWD, self, AT_FDCWD, tmp, AT_SYMLINK_FOLLOW) == 0) {
+            return rename(tmp, path);
+        }
+    }
+    tmp[0] = '\0';
+    return -1;
+}
+
+/* write and make lasting what a temporary file is to hold; closes nothing */
+static int fill(int fd, const char *path, const char *text, size_t n) {
+    keep_mode(fd, path);
+    return write_all(fd, text, n) != 0 || fsync(fd) != 0 ? -1 : 0;
+}
+
+/* by way of a named file, where there are none without a name */
+static enum cr_err write_named(const char *path, const char *text, size_t n, struct cr_error *err) {
+    char tmp[TEMPORARY_SIZE];
     if (snprintf(tmp, sizeof tmp, "%s.XXXXXX", path) >= (int)sizeof tmp) {
         errno = ENAMETOOLONG;
         return io_error(err, path, "write");
@@ -129,20 +241,44 @@ static enum cr_err write_whole(const char *path, const char *text, size_t n, str
     if (fd < 0) {
         return io_error(err, path, "write");
     }
-    keep_mode(fd, path);
-    int failed = write_all(fd, text, n) != 0 || fsync(fd) != 0;
+    int failed = fill(fd, path, text, n);
     int code = errno;
     if (close(fd) != 0 && !failed) {
         failed = 1;
         code = errno;
     }
     if (!failed && rename(tmp, path) == 0) {
-        return CR_ERR_OK;
+        return sync_folder(path, err);
     }
     code = failed ? code : errno;
     unlink(tmp);
     errno = code;
     return io_error(err, path, "write");
+}
+
+static enum cr_err write_whole(const char *path, const char *text, size_t n, struct cr_error *err) {
+    char tmp[TEMPORARY_SIZE] = "";
+    struct stat st;
+    if (stat(path, &st) == 0 && S_ISDIR(st.st_mode)) {
+        errno = EISDIR;
+        return io_error(err, path, "write");
+    }
+    int fd = open_unnamed(path);
+    if (fd < 0) {
+        return write_named(path, text, n, err);
+    }
+    int failed = fill(fd, path, text, n);
+    bool filled = failed == 0;
+    failed = filled ? name_it(fd, path, tmp) : failed;
+    int code = errno;
+    close(fd);
+    if (failed && tmp[0] != '\0') {
+        unlink(tmp);
+    } else if (failed && filled) { /* for instance without /proc */
+        return write_named(path, text, n, err);
+    }
+    errno = code;
+    return failed ? io_error(err, path, "write") : sync_folder(path, err);
 }
 
 enum cr_err cr_file_write(const char *path, const char *text, size_t n, struct cr_error *err) {
@@ -155,6 +291,65 @@ enum cr_err cr_file_write(const char *path, const char *text, size_t n, struct c
     enum cr_err code = write_whole(target != NULL ? target : path, text, n, err);
     free(target);
     return code;
+}
+
+/* ---- writing piece by piece ---- */
+
+enum cr_err cr_file_out_open(const char *path, struct cr_file_out *out, struct cr_error *err) {
+    struct stat st;
+    *out = (struct cr_file_out){.fd = -1};
+    char *real = lstat(path, &st) == 0 && S_ISLNK(st.st_mode) ? realpath(path, NULL) : NULL;
+    const char *target = real != NULL ? real : path;
+    size_t size = strlen(target) + sizeof ".part";
+    out->target = malloc(size);
+    out->part = malloc(size);
+    if (out->target == NULL || out->part == NULL) {
+        free(real);
+        cr_file_out_close(out);
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for a name");
+    }
+    snprintf(out->target, size, "%s", target);
+    snprintf(out->part, size, "%s.part", target);
+    free(real);
+    if (stat(out->target, &st) == 0 && S_ISDIR(st.st_mode)) {
+        errno = EISDIR;
+        enum cr_err code = io_error(err, path, "write");
+        cr_file_out_close(out);
+        return code;
+    }
+    /* a link or pipe that somebody else has put there is not written through */
+    out->fd =
+        open(out->part, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
+    if (out->fd >= 0 && fstat(out->fd, &st) == 0 && S_ISREG(st.st_mode)) {
+        keep_mode(out->fd, out->target);
+        return CR_ERR_OK;
+    }
+    enum cr_err code =
+        out->fd >= 0 ? irregular(&st, out->part, err) : io_error(err, out->part, "write");
+    if (out->fd < 0 && lstat(out->part, &st) == 0 && S_ISLNK(st.st_mode)) {
+        cr_err_hint(err, "it is a link: take it away, or give -o another name");
+    }
+    cr_file_out_close(out);
+    return code;
+}
+
+enum cr_err cr_file_out_done(struct cr_file_out *p, struct cr_error *err) {
+    if (fsync(p->fd) != 0) {
+        return io_error(err, p->part, "write");
+    }
+    if (rename(p->part, p->target) != 0) {
+        return io_error(err, p->target, "rename to it");
+    }
+    return sync_folder(p->target, err);
+}
+
+void cr_file_out_close(struct cr_file_out *p) {
+    if (p->fd >= 0) {
+        close(p->fd);
+    }
+    free(p->target);
+    free(p->part);
+    *p = (struct cr_file_out){.fd = -1};
 }
 
 char *cr_file_part(const char *data_dir, const char *part, char *buf, size_t size) {

@@ -10,18 +10,41 @@
 enum { CR_FILE_MAX_MB = 1024 };
 
 /* Read a whole file ("-" is standard input) into *text, terminated, to be freed by the caller.
- * Errors: IO for what cannot be opened or read, is a directory or exceeds CR_FILE_MAX_MB. */
+ * Errors: IO for what cannot be opened or read, is a directory or exceeds CR_FILE_MAX_MB;
+ * INTERRUPTED when a signal comes whose handler does not restart system calls. */
 CR_MUST_CHECK enum cr_err cr_file_read(const char *path, char **text, size_t *len,
                                        struct cr_error *err);
 
-/* Write n bytes to path by way of a temporary file beside it, fsync and rename: after a failure
- * the old file is as it was. Errors: IO. */
+/* The same for data that a scene, a setting or the installation names: only a regular file will do,
+ * so that neither a pipe nor a device is waited for or read without end. Errors: IO. */
+CR_MUST_CHECK enum cr_err cr_file_read_regular(const char *path, char **text, size_t *len,
+                                               struct cr_error *err);
+/* Whether a path leads to a regular file. Errors: IO, with what it is instead. */
+CR_MUST_CHECK enum cr_err cr_file_check_regular(const char *path, struct cr_error *err);
+
+/* Write n bytes to path by way of a temporary file in its folder, fsync and rename: after a failure
+ * the old file is as it was, and nothing is beside it, also after kill -9 where the system has
+ * files without a name (O_TMPFILE). A link stays one: what it leads to is replaced. The folder is
+ * made lasting too; a failure of that alone leaves the new file. Errors: IO. */
 CR_MUST_CHECK enum cr_err cr_file_write(const char *path, const char *text, size_t n,
                                         struct cr_error *err);
 
 /* Whether a path is a pipe or device such as /dev/stdout: it is written in place, a rename would
  * put a file where it was. */
 bool cr_file_in_place(const char *path);
+
+/* A file that is written piece by piece into PATH.part, which becomes PATH when it is complete.
+ * Links and modes are treated as by cr_file_write; PATH.part itself must be a regular file or be
+ * none. */
+struct cr_file_out {
+    char *target, *part; /* paths, owned; target is where a link leads to */
+    int fd;              /* of part, -1: not open */
+};
+CR_MUST_CHECK enum cr_err cr_file_out_open(const char *path, struct cr_file_out *out,
+                                           struct cr_error *err);
+/* fsync, rename, fsync of the folder. Errors: IO; part is then still there. */
+CR_MUST_CHECK enum cr_err cr_file_out_done(struct cr_file_out *p, struct cr_error *err);
+void cr_file_out_close(struct cr_file_out *p); /* leaves the file as it is */
 
 /* Where a part of a data folder ("irf", "validation/data") lies: below share/ in a source tree, at
  * its top once installed. "share/irf" is the same, and "models" has one place. Returns buf. */

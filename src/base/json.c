@@ -2,6 +2,7 @@
  * pointer. */
 #include "base/json.h"
 
+#include "base/show.h"
 #include "base/str.h"
 
 #include <ctype.h>
@@ -174,7 +175,7 @@ static enum cr_err scan_word(struct scan *s) {
         }
     }
     char text[80], hint[80] = "text stands in double quotes";
-    if (strcmp(word, "NaN") == 0 || strncmp(word, "Inf", 3) == 0) {
+    if (strcmp(word, "NaN") == 0 || strcmp(word, "Infinity") == 0 || strcmp(word, "Inf") == 0) {
         snprintf(text, sizeof text, "%s is not a JSON number", word);
         snprintf(hint, sizeof hint, "leave the key out for a value that is not known");
     } else {
@@ -332,27 +333,57 @@ static void skip_value(struct scan *s) {
         } else if (c == ',' || c == ':') {
             s->at++;
         } else {
-            while (s->at < s->len && strchr(",:]} \t\r\n", s->text[s->at]) == NULL) {
+            do { /* one at least: also over what no checked text holds */
                 s->at++;
-            }
+            } while (s->at < s->len && memchr(",:]} \t\r\n", s->text[s->at], 8) == NULL);
         }
         skip_space(s);
     } while (depth > 0 && s->at < s->len);
 }
 
+/* the character at *i of a checked string, with its escapes undone, as UTF-8; returns its bytes */
+static size_t unescape(const struct scan *s, size_t *i, char out[4]) {
+    static const char from[] = "bfnrt", to[] = "\b\f\n\r\t";
+    if (s->text[*i] != '\\') {
+        out[0] = s->text[(*i)++];
+        return 1;
+    }
+    char c = s->text[*i + 1];
+    *i += 2;
+    if (c != 'u') {
+        const char *p = strchr(from, c);
+        out[0] = p != NULL ? to[p - from] : c;
+        return 1;
+    }
+    long x = hex4(s, *i);
+    *i += 4;
+    if (x >= 0xD800 && x <= 0xDBFF) {
+        x = 0x10000 + ((x - 0xD800) << 10) + (hex4(s, *i + 2) - 0xDC00);
+        *i += 6;
+    }
+    return cr_utf8_put((uint32_t)x, out);
+}
+
 /* the raw key text[at..end) with its quotes, against a pointer token with ~0 and ~1 */
-static bool key_is(const char *text, size_t at, size_t end, const char *token, size_t n) {
+static bool key_is(const struct scan *s, size_t at, size_t end, const char *token, size_t n) {
     size_t i = at + 1, k = 0;
-    while (i + 1 < end && k < n) {
-        char want = token[k++];
-        if (want == '~' && k < n) {
-            want = token[k++] == '1' ? '/' : '~';
-        }
-        if (text[i++] != want) {
-            return false;
+    while (i + 1 < end) {
+        char got[4];
+        size_t bytes = unescape(s, &i, got);
+        for (size_t b = 0; b < bytes; b++) {
+            if (k == n) {
+                return false;
+            }
+            char want = token[k++];
+            if (want == '~' && k < n) {
+                want = token[k++] == '1' ? '/' : '~';
+            }
+            if (got[b] != want) {
+                return false;
+            }
         }
     }
-    return i + 1 == end && k == n;
+    return k == n;
 }
 
 struct place {
@@ -376,7 +407,7 @@ static bool find_member(struct scan *s, const char *token, size_t n, bool last, 
             if (scan_string(s) != CR_ERR_OK) {
                 return found;
             }
-            match = key_is(s->text, key, s->at, token, n);
+            match = key_is(s, key, s->at, token, n);
             skip_space(s);
             s->at++;
             skip_space(s);

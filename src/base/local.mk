@@ -9,9 +9,11 @@ libbase_a_SOURCES = \
 	src/base/number.c src/base/number.h \
 	src/base/pool.c src/base/pool.h \
 	src/base/records.c src/base/records.h \
+	src/base/quantity.c \
+	src/base/show.c src/base/show.h \
 	src/base/stats.c src/base/stats.h \
 	src/base/str.c src/base/str.h \
-	src/base/unit_table.c src/base/unit_words.c \
+	src/base/unit_words.c \
 	src/base/units.c src/base/units.h \
 	src/base/vec.h
 libbase_a_CFLAGS = $(CR_CFLAGS) $(NETTLE_CFLAGS) $(CJSON_CFLAGS)

@@ -2,6 +2,7 @@
  * else 17; here every number reads back to the same bits, in the shortest text that does. */
 #include "base/json.h"
 #include "base/number.h"
+#include "base/show.h"
 
 #include <cjson/cJSON.h>
 #include <math.h>
@@ -27,6 +28,29 @@ static bool spell(cJSON *json) {
     return true;
 }
 
+/* The text with what would act on a terminal (base/show.h) as \\u escapes, which are the same value
+ * to a reader. Only strings hold such characters: cJSON has escaped those below a blank itself. */
+static void add_escaped(struct cr_str *out, const char *text) {
+    size_t from = 0, len = strlen(text);
+    for (size_t at = 0, n; at < len; at += n) {
+        n = cr_utf8_length(text + at, len - at);
+        n = n > 0 ? n : 1;
+        uint32_t ch = cr_utf8_get(text + at, n);
+        if (ch < 0x7F || !cr_show_acts(ch)) {
+            continue;
+        }
+        cr_str_addn(out, text + from, at - from);
+        if (ch >= 0x10000) {
+            cr_str_addf(out, "\\u%04x\\u%04x", (unsigned)(0xD800 + ((ch - 0x10000) >> 10)),
+                        (unsigned)(0xDC00 + (ch & 0x3FF)));
+        } else {
+            cr_str_addf(out, "\\u%04x", (unsigned)ch);
+        }
+        from = at + n;
+    }
+    cr_str_addn(out, text + from, len - from);
+}
+
 bool cr_json_add(struct cJSON *json, bool pretty, struct cr_str *out) {
     char *text = NULL;
     if (json != NULL && spell(json)) {
@@ -34,7 +58,7 @@ bool cr_json_add(struct cJSON *json, bool pretty, struct cr_str *out) {
     }
     bool done = text != NULL;
     if (done) {
-        cr_str_add(out, text);
+        add_escaped(out, text);
     }
     cJSON_free(text);
     cJSON_Delete(json);

@@ -70,6 +70,17 @@ void cr_str_fill(struct cr_str *str, char c, int n) {
     }
 }
 
+void cr_str_csv(struct cr_str *str, const char *text) {
+    bool formula = text[0] != '\0' && strchr("=+-@\t\r", text[0]) != NULL;
+    const char *quote = strpbrk(text, ",;\"\r\n") != NULL ? "\"" : "";
+    cr_str_add(str, quote);
+    cr_str_add(str, formula ? "'" : "");
+    for (; *text != '\0'; text++) {
+        cr_str_addn(str, *text == '"' ? "\"\"" : text, *text == '"' ? 2 : 1);
+    }
+    cr_str_add(str, quote);
+}
+
 void cr_str_clear(struct cr_str *str) {
     str->len = 0;
     if (str->s != NULL) {
@@ -130,29 +141,4 @@ const char *cr_str_nearest(const char *word, const char *const *list, int n) {
         }
     }
     return best;
-}
-
-size_t cr_utf8_length(const char *text, size_t left) {
-    const unsigned char *p = (const unsigned char *)text;
-    static const struct {
-        unsigned char lo, hi, second_lo, second_hi;
-        size_t n;
-    } row[] = {{0xC2, 0xDF, 0x80, 0xBF, 2}, {0xE0, 0xE0, 0xA0, 0xBF, 3},
-               {0xE1, 0xEC, 0x80, 0xBF, 3}, {0xED, 0xED, 0x80, 0x9F, 3},
-               {0xEE, 0xEF, 0x80, 0xBF, 3}, {0xF0, 0xF0, 0x90, 0xBF, 4},
-               {0xF1, 0xF3, 0x80, 0xBF, 4}, {0xF4, 0xF4, 0x80, 0x8F, 4}};
-    if (p[0] < 0x80) {
-        return 1;
-    }
-    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
-        if (p[0] < row[i].lo || p[0] > row[i].hi || row[i].n > left) {
-            continue;
-        }
-        bool good = p[1] >= row[i].second_lo && p[1] <= row[i].second_hi;
-        for (size_t k = 2; k < row[i].n; k++) {
-            good = good && (p[k] & 0xC0) == 0x80;
-        }
-        return good ? row[i].n : 0;
-    }
-    return 0;
 }

@@ -20,7 +20,10 @@ void cr_str_addn(struct cr_str *str, const char *text, size_t n);
 void cr_str_addf(struct cr_str *str, const char *fmt, ...) CR_PRINTF(2, 3);
 void cr_str_number(struct cr_str *str, double x);    /* shortest exact text, base/number.h */
 void cr_str_fill(struct cr_str *str, char c, int n); /* n times c */
-void cr_str_clear(struct cr_str *str);               /* keeps the memory */
+/* A field of a CSV: quoted where its text needs it; what a spreadsheet would take for a formula
+ * (text that begins with = + - @, tab or CR) gets a ' before it. Not for numbers. */
+void cr_str_csv(struct cr_str *str, const char *text);
+void cr_str_clear(struct cr_str *str); /* keeps the memory */
 void cr_str_fini(struct cr_str *str);
 /* The text, "" while empty; valid until the next change. */
 const char *cr_str_get(const struct cr_str *str);
@@ -28,9 +31,5 @@ const char *cr_str_get(const struct cr_str *str);
 /* Word of the list nearest to `word` in edit distance (transpositions count one), or NULL when
  * none is nearer than about a third of its length. */
 const char *cr_str_nearest(const char *word, const char *const *list, int n);
-
-/* Bytes of the UTF-8 character that begins a text of `left` > 0 bytes, 0 if it is none (RFC 3629).
- */
-size_t cr_utf8_length(const char *text, size_t left);
 
 #endif

@@ -1,14 +1,31 @@
 /* Reads scene texts one after the other from files, folders, JSON arrays and JSON Lines. */
 #include "cli/feed.h"
 
+#include "base/file.h"
 #include "base/str.h"
 
 #include <dirent.h>
 #include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
+
+/* A scene is never that long; what is, as a device that gives zeroes for ever, is given up. */
+enum { TEXT_MAX = 256 << 20, POLL_MS = 100 };
+
+/* Bytes of a file. Between pieces it is asked whether to go on: a thread of a pool takes no
+ * signals, and a pipe may say nothing for a long time. */
+struct bytes {
+    int fd;
+    unsigned char piece[1 << 16];
+    size_t from, to;
+    bool end, stopped; /* stopped: by who was asked */
+    int error;         /* errno of a read that failed */
+};
 
 enum form { FORM_ARRAY, FORM_LINES, FORM_DOCUMENT };
 
@@ -19,8 +36,11 @@ struct cr_feed {
     struct dirent **entry;
     int entries, next_entry;
     char *folder;
+    int (*cancel)(void *user);
+    void *user;
     /* the file that is being read */
-    FILE *file;
+    bool open, standard; /* standard: input of the process, which is not ours to close */
+    struct bytes in;
     char *src;
     enum form form;
     int line;              /* line that the next character belongs to */
@@ -35,21 +55,24 @@ void cr_feed_item_fini(struct cr_feed_item *item) {
     memset(item, 0, sizeof *item);
 }
 
-enum cr_err cr_feed_new(char *const *input, int n, struct cr_feed **out, struct cr_error *err) {
+enum cr_err cr_feed_new(char *const *input, int n, int (*cancel)(void *user), void *user,
+                        struct cr_feed **out, struct cr_error *err) {
     *out = calloc(1, sizeof **out);
     if (!*out) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory to read scenes");
     }
     (*out)->input = input;
     (*out)->inputs = n;
+    (*out)->cancel = cancel;
+    (*out)->user = user;
     return CR_ERR_OK;
 }
 
 static void close_file(struct cr_feed *f) {
-    if (f->file && f->file != stdin) {
-        fclose(f->file);
+    if (f->open && !f->standard) {
+        close(f->in.fd);
     }
-    f->file = NULL;
+    f->open = false;
     free(f->src);
     f->src = NULL;
     f->held_n = 0;
@@ -108,11 +131,45 @@ static int is_scene_file(const struct dirent *e) {
     return e->d_name[0] != '.' && (ends_in(e->d_name, ".json") || is_lines(e->d_name));
 }
 
+/* the next piece of the file; false at its end, after an error and when told to stop */
+static bool fill(struct cr_feed *f) {
+    struct bytes *in = &f->in;
+    struct pollfd fd = {.fd = in->fd, .events = POLLIN};
+    while (!in->end) {
+        in->stopped = f->cancel != NULL && f->cancel(f->user) != 0;
+        in->end = in->stopped;
+        if (!in->end && poll(&fd, 1, POLL_MS) != 0) {
+            ssize_t n = read(in->fd, in->piece, sizeof in->piece);
+            in->error = n < 0 && errno != EINTR && errno != EAGAIN ? errno : 0;
+            in->end = n == 0 || in->error != 0;
+            in->from = 0;
+            in->to = n > 0 ? (size_t)n : 0;
+            if (n > 0) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+static bool broken(const struct cr_feed *f) {
+    return f->in.error != 0 || f->in.stopped;
+}
+
 /* next character, counting lines; EOF also for an error of the file */
 static int next_char(struct cr_feed *f) {
-    int c = getc_unlocked(f->file);
+    if (f->in.from == f->in.to && !fill(f)) {
+        return EOF;
+    }
+    int c = f->in.piece[f->in.from++];
     f->line += c == '\n';
     return c;
+}
+
+/* the character that was read last is not taken yet; lines are counted when it is */
+static void put_back(struct cr_feed *f) {
+    f->in.from--;
+    f->line -= f->in.piece[f->in.from] == '\n';
 }
 
 static bool blank(int c) {
@@ -126,7 +183,7 @@ static int skip_blanks(struct cr_feed *f) {
         c = next_char(f);
     } while (blank(c));
     if (c != EOF) {
-        ungetc(c, f->file);
+        put_back(f);
     }
     return c;
 }
@@ -135,7 +192,7 @@ static void read_line(struct cr_feed *f, struct cr_str *to) {
     char buf[4096];
     size_t n = 0;
     int c;
-    while ((c = next_char(f)) != EOF) {
+    while (to->len < TEXT_MAX && (c = next_char(f)) != EOF) {
         buf[n++] = (char)c;
         if (c == '\n' || n == sizeof buf) {
             cr_str_addn(to, buf, n);
@@ -202,15 +259,30 @@ static void tell_form(struct cr_feed *f) {
     f->form = cr_str_get(&f->held[1])[0] == '{' ? FORM_LINES : FORM_DOCUMENT;
 }
 
+static bool cannot(struct cr_feed_item *out, const char *src, const char *what, int code) {
+    char text[160];
+    snprintf(text, sizeof text, "cannot %s: %s", what, strerror(code));
+    return fault(out, src, CR_ERR_IO, text, NULL);
+}
+
 /* open a file (or standard input); false if that is not possible, with the item's fault */
 static bool open_file(struct cr_feed *f, const char *path, struct cr_feed_item *out) {
     bool standard = !strcmp(path, "-");
+    struct stat st;
     f->src = copy(standard ? "standard input" : path);
-    f->file = standard ? stdin : fopen(path, "r");
-    if (!f->file || !f->src) {
-        char text[128];
-        snprintf(text, sizeof text, "cannot open: %s", strerror(errno));
-        fault(out, path, CR_ERR_IO, text, NULL);
+    /* a pipe is opened at once, and waited for where that can be given up */
+    int fd = standard ? STDIN_FILENO : open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    f->in = (struct bytes){.fd = fd};
+    f->open = fd >= 0;
+    f->standard = standard;
+    if (fd < 0 || fstat(fd, &st) != 0 || f->src == NULL) {
+        cannot(out, path, "open", f->src == NULL ? ENOMEM : errno);
+        close_file(f);
+        return false;
+    }
+    if (S_ISDIR(st.st_mode)) {
+        cannot(out, path, "read", EISDIR);
+        cr_err_hint(&out->fault, "folders in a folder are not looked into: name it by itself");
         close_file(f);
         return false;
     }
@@ -220,12 +292,11 @@ static bool open_file(struct cr_feed *f, const char *path, struct cr_feed_item *
 
 static bool open_folder(struct cr_feed *f, const char *path, struct cr_feed_item *out) {
     f->folder = copy(path);
-    f->entries = scandir(path, &f->entry, is_scene_file, alphasort);
+    f->entries = scandir(path, &f->entry, is_scene_file, cr_file_by_bytes);
     if (f->entries < 0 || !f->folder) {
-        char text[128];
-        snprintf(text, sizeof text, "cannot list the folder: %s", strerror(errno));
-        f->entries = 0;
-        return !fault(out, path, CR_ERR_IO, text, NULL);
+        int code = f->entries < 0 ? errno : ENOMEM;
+        f->entries = f->entries < 0 ? 0 : f->entries;
+        return !cannot(out, path, "list the folder", code);
     }
     return f->entries > 0 || !fault(out, path, CR_ERR_MISSING, "no scenes in this folder",
                                     "their names must end in .json, .jsonl or .ndjson");
@@ -260,10 +331,15 @@ static bool open_next(struct cr_feed *f, struct cr_feed_item *out, bool *end) {
 static bool give(struct cr_feed *f, struct cr_str *text, int line, int col,
                  struct cr_feed_item *out) {
     out->src = copy(f->src);
-    if (text->failed || !text->s || !out->src) {
+    if (text->failed || !text->s || !out->src || text->len >= TEXT_MAX) {
+        bool long_text = text->len >= TEXT_MAX;
         cr_str_fini(text);
         free(out->src);
-        return fault(out, f->src, CR_ERR_MEMORY, "no memory for a scene", NULL);
+        f->in.end = f->in.end || long_text; /* what follows is in the middle of it */
+        f->in.from = long_text ? f->in.to : f->in.from;
+        f->given += long_text && f->given >= 0;
+        return fault(out, f->src, long_text ? CR_ERR_EXPENSIVE : CR_ERR_MEMORY,
+                     long_text ? "a scene of more than 256 MB" : "no memory for a scene", NULL);
     }
     out->text = text->s;
     out->len = text->len;
@@ -288,7 +364,7 @@ static bool next_line(struct cr_feed *f, struct cr_feed_item *out) {
         } else {
             read_line(f, &text);
         }
-        if (text.len == 0 && feof(f->file)) {
+        if (broken(f) || (text.len == 0 && f->in.end)) {
             cr_str_fini(&text);
             return false;
         }
@@ -308,9 +384,13 @@ static bool next_document(struct cr_feed *f, struct cr_feed_item *out) {
     memset(&f->held[0], 0, sizeof f->held[0]);
     int line = f->held_line[0];
     f->held_n = 0;
-    char buf[4096];
-    for (size_t n; (n = fread(buf, 1, sizeof buf, f->file)) > 0;) {
-        cr_str_addn(&text, buf, n);
+    while (text.len < TEXT_MAX && (f->in.from < f->in.to || fill(f))) {
+        cr_str_addn(&text, (const char *)f->in.piece + f->in.from, f->in.to - f->in.from);
+        f->in.from = f->in.to;
+    }
+    if (broken(f)) {
+        cr_str_fini(&text);
+        return false;
     }
     return give(f, &text, line, 1, out);
 }
@@ -318,7 +398,7 @@ static bool next_document(struct cr_feed *f, struct cr_feed_item *out) {
 /* nothing may follow the array, and it must have an end; reads the rest of the file */
 static bool end_array(struct cr_feed *f, int c, struct cr_feed_item *out) {
     const char *text = "the array has no end";
-    if (feof(f->file) && f->given < 0) {
+    if (broken(f) || f->given < 0) {
         return false;
     }
     if (c == ']') {
@@ -329,7 +409,7 @@ static bool end_array(struct cr_feed *f, int c, struct cr_feed_item *out) {
     while (next_char(f) != EOF) {
     }
     f->given = -1;
-    if (!text || ferror(f->file)) {
+    if (text == NULL || broken(f)) {
         return false;
     }
     fault(out, f->src, CR_ERR_SYNTAX, text, NULL);
@@ -351,9 +431,9 @@ static bool next_element(struct cr_feed *f, struct cr_feed_item *out) {
     char buf[4096];
     size_t n = 0;
     int line = f->line;
-    while ((c = next_char(f)) != EOF) {
+    while (text.len < TEXT_MAX && (c = next_char(f)) != EOF) {
         if (s.depth == 0 && !s.string && (c == ',' || c == ']')) {
-            ungetc(c, f->file);
+            put_back(f);
             break;
         }
         nest(&s, c);
@@ -364,6 +444,10 @@ static bool next_element(struct cr_feed *f, struct cr_feed_item *out) {
         }
     }
     cr_str_addn(&text, buf, n);
+    if (broken(f)) {
+        cr_str_fini(&text);
+        return false;
+    }
     return give(f, &text, line, 1, out);
 }
 
@@ -372,15 +456,19 @@ bool cr_feed_next(struct cr_feed *f, struct cr_feed_item *out) {
         [FORM_ARRAY] = next_element, [FORM_LINES] = next_line, [FORM_DOCUMENT] = next_document};
     memset(out, 0, sizeof *out);
     for (;;) {
-        if (f->file && NEXT[f->form](f, out)) {
+        if (f->open && NEXT[f->form](f, out)) {
             return true;
         }
-        if (f->file && ferror(f->file)) {
-            bool got = fault(out, f->src, CR_ERR_IO, "cannot read", "is it a file?");
+        if (f->open && f->in.stopped) {
             close_file(f);
-            return got;
+            return false;
         }
-        if (f->file && f->given == 0 && f->form != FORM_ARRAY) {
+        if (f->open && f->in.error != 0) {
+            cannot(out, f->src, "read", f->in.error);
+            close_file(f);
+            return true;
+        }
+        if (f->open && f->given == 0 && f->form != FORM_ARRAY) {
             bool got = fault(out, f->src, CR_ERR_MISSING, "no scene in this input", NULL);
             close_file(f);
             return got;

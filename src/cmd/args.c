@@ -1,6 +1,7 @@
 /* Binds the words of a statement to the arguments of its command and checks their values. */
 #include "cmd/cmd_priv.h"
 
+#include "base/show.h"
 #include "base/units.h"
 
 #include <assert.h>
@@ -131,9 +132,10 @@ static enum cr_err parse_point(const struct cr_arg *arg, struct cr_value *v, str
 
 static enum cr_err check_new_name(const struct cr_value *v, struct cr_error *err) {
     size_t n = strlen(v->text);
-    if (n == 0 || n >= CR_NAME_MAX || strcspn(v->text, " .=:,;#\"'\\|/") != n) {
+    if (n == 0 || cr_utf8_chars(v->text) > CR_NAME_CHARS || !cr_show_fits(v->text) ||
+        strcspn(v->text, " .=:,;#\"'\\|/") != n) {
         cr_err_set(err, CR_ERR_NAME, "'%.40s' cannot be a name", v->text);
-        cr_err_hint(err, "letters, digits, - and _, at most %d", CR_NAME_MAX - 1);
+        cr_err_hint(err, "letters, digits, - and _, at most %d", CR_NAME_CHARS);
         return CR_ERR_NAME;
     }
     return CR_ERR_OK;

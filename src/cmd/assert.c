@@ -293,7 +293,7 @@ enum cr_err cr_cmd_compare(struct cr_call *call, struct cr_error *err) {
         return cr_cmd_compare_pulse(call, path, err);
     }
     if (code == CR_ERR_OK) {
-        code = cr_file_read(path, &text, &len, err);
+        code = cr_file_read_regular(path, &text, &len, err);
     }
     if (code == CR_ERR_OK) {
         code = cr_json_check(text, len, path, err);

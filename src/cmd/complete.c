@@ -1,6 +1,8 @@
 /* Completion: what may stand at the cursor, from the command table and the live session. */
 #include "cmd/cmd_priv.h"
 
+#include "base/show.h"
+
 #include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -117,7 +119,7 @@ static void add_file(struct cursor *c, const char *folder, const char *name, con
     struct stat st;
     snprintf(word, sizeof word, "%s%s", folder, name);
     snprintf(path, sizeof path, "%s%s", folder[0] != '\0' ? folder : "./", name);
-    if (strpbrk(word, " \t\"#;=\\") != NULL || stat(path, &st) != 0) {
+    if (strpbrk(word, " \t\"#;=\\") != NULL || !cr_show_fits(word) || stat(path, &st) != 0) {
         return; /* it could not be typed as one word */
     }
     if (S_ISDIR(st.st_mode)) {

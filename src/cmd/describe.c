@@ -7,7 +7,7 @@
 #include <string.h>
 
 void cr_cmd_describe(const struct cr_participant *p, char *buf, int size) {
-    char what[160], mass[40] = "fixed";
+    char what[CR_NAME_MAX + 160], mass[40] = "fixed";
     if (p->kind == CR_KIND_VEHICLE && !isfinite(p->mass)) {
         snprintf(mass, sizeof mass, "%s", p->car[0] != '\0' ? "" : "of unknown mass");
     } else if (isfinite(p->mass)) {

@@ -72,9 +72,9 @@ static enum cr_err export_field(struct cr_export *x, struct cr_error *err) {
             if (g->fill[i] <= 0) {
                 continue;
             }
-            cr_str_addf(out, "%s,%.6g,%.6g,%.6g,%.6g,%.6g,", r->resolved.part[b].id,
-                        g->x0 + (i % g->nx + 0.5) * g->h, g->y0 + (i / g->nx + 0.5) * g->h,
-                        g->energy[i], g->fill[i], o->left[i]);
+            cr_str_csv(out, r->resolved.part[b].id);
+            cr_str_addf(out, ",%.6g,%.6g,%.6g,%.6g,%.6g,", g->x0 + (i % g->nx + 0.5) * g->h,
+                        g->y0 + (i / g->nx + 0.5) * g->h, g->energy[i], g->fill[i], o->left[i]);
             if (isfinite((double)o->t_crushed[i])) {
                 cr_str_addf(out, "%.6g", (double)o->t_crushed[i]);
             }
@@ -95,12 +95,14 @@ static enum cr_err export_steps(struct cr_export *x, struct cr_error *err) {
     for (int i = 0; i < sol->slices; i++) {
         const struct cr_slice *c = &sol->slice[i];
         const struct cr_contact *pair = &sol->contact[c->contact];
-        cr_str_addf(out,
-                    "%d,%.9g,%s,%s,%d,%d,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n",
-                    c->sample + 1, sol->t[c->sample], r->resolved.part[pair->a].id,
-                    r->resolved.part[pair->b].id, c->deformed[0], c->deformed[1], c->energy[0],
-                    c->energy[1], c->induced, c->path, c->force, c->impulse, c->mass_eff,
-                    c->approach, c->friction, c->coe.x, c->coe.y);
+        cr_str_addf(out, "%d,%.9g,", c->sample + 1, sol->t[c->sample]);
+        cr_str_csv(out, r->resolved.part[pair->a].id);
+        cr_str_add(out, ",");
+        cr_str_csv(out, r->resolved.part[pair->b].id);
+        cr_str_addf(out, ",%d,%d,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n",
+                    c->deformed[0], c->deformed[1], c->energy[0], c->energy[1], c->induced, c->path,
+                    c->force, c->impulse, c->mass_eff, c->approach, c->friction, c->coe.x,
+                    c->coe.y);
     }
     return CR_ERR_OK;
 }

@@ -33,9 +33,12 @@ enum cr_err cr_cmd_load(struct cr_call *call, struct cr_error *err) {
         return code;
     }
     const char *from = recover ? left : cr_session_find_file(s, path, buf, sizeof buf);
-    cr_scene_fini(&draft->scene);
-    memset(draft->placed, 0, sizeof draft->placed);
-    code = cr_scene_load_draft(from, &draft->scene, err);
+    code = cr_file_check_regular(from, err); /* a session must not wait for a pipe */
+    if (code == CR_ERR_OK) {
+        cr_scene_fini(&draft->scene);
+        memset(draft->placed, 0, sizeof draft->placed);
+        code = cr_scene_load_draft(from, &draft->scene, err);
+    }
     if (code != CR_ERR_OK) {
         cr_cmd_guess_file(from, ".json", err);
         return recover ? code : cr_cmd_blame(call, "FILE", code);
@@ -117,7 +120,7 @@ enum cr_err cr_cmd_source(struct cr_call *call, struct cr_error *err) {
         cr_err_hint(err, "does one source itself?");
         return cr_cmd_blame(call, "FILE", CR_ERR_RANGE);
     }
-    enum cr_err code = cr_file_read(path, &text, &len, err);
+    enum cr_err code = cr_file_read_regular(path, &text, &len, err);
     if (code != CR_ERR_OK) {
         return cr_cmd_blame(call, "FILE", code);
     }

@@ -1,6 +1,8 @@
 /* Runs lines and command files: statement by statement through the table, errors with place. */
 #include "cmd/cmd_priv.h"
 
+#include "base/show.h"
+
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -51,7 +53,8 @@ static void message(const struct cr_error *err, struct cr_str *out) {
         cr_str_addf(out, "%s: ", err->src);
     }
     if (err->where[0] != '\0') {
-        cr_str_addf(out, "%s: ", err->where);
+        cr_show_add(out, err->where);
+        cr_str_add(out, ": ");
     }
     cr_str_add(out, err->text);
 }
@@ -59,7 +62,8 @@ static void message(const struct cr_error *err, struct cr_str *out) {
 void cr_fault_text(const struct cr_fault *fault, int prompt, struct cr_str *out) {
     const struct cr_error *err = &fault->err;
     if (fault->src != NULL) {
-        cr_str_addf(out, "%s:%d:%d: error: ", fault->src, fault->line, fault->col);
+        cr_show_add(out, fault->src);
+        cr_str_addf(out, ":%d:%d: error: ", fault->line, fault->col);
         message(err, out);
         cr_str_addf(out, "\n  %s\n", fault->text);
         caret(out, 2, fault->col, fault->len);
@@ -103,11 +107,8 @@ static void show_fault(struct cr_session *s, const struct source *src, const str
     if (text == NULL) {
         return;
     }
-    for (int i = 0; i < width; i++) { /* so that the caret is below what it means */
-        unsigned char c = (unsigned char)src->text[start + i];
-        text[i] = c < 0x20 || c == 0x7F ? ' ' : (char)c;
-    }
-    text[width] = '\0';
+    snprintf(text, (size_t)width + 1, "%.*s", width, src->text + start);
+    cr_show_mask(text); /* the caret stays below what it means */
     len = len < start + width - at ? len : start + width - at;
     struct cr_fault fault = {.err = *err,
                              .src = src->name,
@@ -270,6 +271,10 @@ enum cr_err cr_session_script(struct cr_session *s, const char *text, const char
     }
     while (text[at] != '\0' && code == CR_ERR_OK && !s->over) {
         int end = line_end(text, at);
+        if (at > 0 && cr_work_cancelled(s)) { /* of long work or not: ^C ends the file */
+            cr_warn(s, "interrupted: the rest of %s was not run", src);
+            return CR_ERR_INTERRUPTED;
+        }
         if (s->echo) {
             echo(s, text + at, end - at);
         }

@@ -2,6 +2,8 @@
 #include "base/file.h"
 #include "cmd/sweep.h"
 
+#include "base/show.h"
+
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -145,10 +147,16 @@ static void log_add(struct cr_session *s, enum cr_tone tone, const char *line) {
 }
 
 void cr_session_text(struct cr_session *s, enum cr_tone tone, const char *line) {
+    struct cr_str shown = {0};
+    if (!cr_show_fits(line)) { /* what a file or a name holds must not act on the terminal */
+        cr_show_add(&shown, line);
+        line = cr_str_get(&shown);
+    }
     log_add(s, tone, line);
     if (s->opts.out.text != NULL) {
         s->opts.out.text(s->opts.out.user, tone, line);
     }
+    cr_str_fini(&shown);
 }
 
 void cr_say(struct cr_session *s, const char *fmt, ...) {

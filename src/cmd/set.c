@@ -31,7 +31,7 @@ static enum cr_err say_setting(struct cr_session *s, const struct cr_scene *scen
                                const struct cr_arg *arg, struct cr_error *err) {
     const struct cr_key *key = cr_arg_key(arg);
     struct cr_str help = {0}, value = {0};
-    char text[120] = "";
+    char text[CR_NAME_MAX + 8] = "";
     enum cr_err code = CR_ERR_OK;
     if (key != NULL) {
         code = cr_scene_get(scene, key->name, &value, err);

@@ -20,8 +20,10 @@ void cr_model_json_fail(struct cr_model_json *j, enum cr_err code, const char *k
     char where[128];
     int line = 0, col = 0;
     bool missing = code == CR_ERR_MISSING;
-    snprintf(where, sizeof where, "%s%s%s", j->where, key != NULL ? "/" : "",
-             key != NULL ? key : "");
+    snprintf(where, sizeof where, "%s", j->where);
+    if (key != NULL) {
+        cr_json_pointer_add(where, sizeof where, key);
+    }
     enum cr_json_part part = code == CR_ERR_KEY ? CR_JSON_KEY : CR_JSON_VALUE;
     cr_json_locate(j->text, j->len, missing ? j->where : where, part, &line, &col);
     j->failed = true;
@@ -33,14 +35,11 @@ void cr_model_json_fail(struct cr_model_json *j, enum cr_err code, const char *k
 }
 
 struct cJSON *cr_model_json_parse(struct cr_model_json *j, const char *text, size_t len,
-                                  const char *src, bool strict, struct cr_error *err) {
+                                  const char *src, struct cr_error *err) {
     *j = (struct cr_model_json){.err = err, .src = src, .text = text, .len = len};
-    cJSON *root = strict ? NULL : cJSON_ParseWithLength(text, len);
-    if (root == NULL) {
-        j->code = cr_json_check(text, len, src, err);
-        j->failed = j->code != CR_ERR_OK;
-        root = j->failed ? NULL : cJSON_ParseWithLength(text, len);
-    }
+    j->code = cr_json_check(text, len, src, err);
+    j->failed = j->code != CR_ERR_OK;
+    cJSON *root = j->failed ? NULL : cJSON_ParseWithLength(text, len);
     if (root == NULL) {
         cr_model_json_fail(j, CR_ERR_MEMORY, NULL, "no memory to read it");
     } else if (!cJSON_IsObject(root)) {

@@ -18,10 +18,9 @@ struct cr_model_json {
 };
 
 /* The root object of a text, owned by the caller, NULL after a fault (see code). The text is
- * borrowed until the last value is read. strict: refuse also what cJSON lets pass (base/json.h);
- * the program's own recipes do without, for speed. */
+ * borrowed until the last value is read. What cJSON lets pass is refused too (base/json.h). */
 struct cJSON *cr_model_json_parse(struct cr_model_json *j, const char *text, size_t len,
-                                  const char *src, bool strict, struct cr_error *err);
+                                  const char *src, struct cr_error *err);
 
 /* Note a fault at a key of the present container (NULL: the container). */
 void cr_model_json_fail(struct cr_model_json *j, enum cr_err code, const char *key,

@@ -66,7 +66,7 @@ static enum cr_err read_recipe(const char *dir, enum cr_type type, struct cr_mod
     struct cr_model_recipe *r = malloc(sizeof *r);
     enum cr_err rc = r == NULL || path.failed
                          ? cr_err_set(err, CR_ERR_MEMORY, "no memory for the models")
-                         : cr_file_read(path.s, &text, &len, err);
+                         : cr_file_read_regular(path.s, &text, &len, err);
     if (!rc) {
         rc = cr_model_recipe_read(text, len, path.s, r, err);
     }

@@ -7,6 +7,7 @@
 #include "base/vec.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -198,11 +199,24 @@ enum cr_err cr_voxels_substitute(const struct cr_voxels *v, const struct cr_mode
     return rc;
 }
 
+/* A scene from elsewhere may name any file as a model. Its words must not come back in the error to
+ * whoever reads the result: the place is enough. All other messages are made of our own words. */
+static void hide_words(enum cr_err code, struct cr_error *err) {
+    if (err == NULL) {
+        return;
+    }
+    if (code == CR_ERR_SYNTAX && strncmp(err->text, "unknown word", 12) == 0) {
+        snprintf(err->text, sizeof err->text, "unknown word");
+    } else if (code == CR_ERR_KEY) { /* that is its pointer */
+        err->where[0] = '\0';
+    }
+}
+
 enum cr_err cr_voxels_read(const char *path, struct cr_arena *arena, struct cr_voxels *out,
                            char hash[CR_HASH_SIZE], struct cr_error *err) {
     char *text = NULL;
     size_t len = 0, n = strlen(path);
-    enum cr_err rc = cr_file_read(path, &text, &len, err);
+    enum cr_err rc = cr_file_read_regular(path, &text, &len, err);
     if (rc) {
         return rc;
     }
@@ -213,6 +227,7 @@ enum cr_err cr_voxels_read(const char *path, struct cr_arena *arena, struct cr_v
         rc = cr_voxels_read_csv(text, path, arena, out, err);
     } else {
         rc = cr_voxels_read_json(text, len, path, arena, out, err);
+        hide_words(rc, err);
     }
     free(text);
     return rc;

@@ -264,7 +264,7 @@ enum cr_err cr_voxels_read_json(char *text, size_t len, const char *src, struct 
             header[p - text] = *p == '\n' ? '\n' : ' '; /* lines stay lines */
         }
     }
-    cJSON *root = cr_model_json_parse(&j, header, len, src, true, err);
+    cJSON *root = cr_model_json_parse(&j, header, len, src, err);
     if (root != NULL) {
         read_header(&j, root, out);
     }

@@ -127,7 +127,7 @@ enum cr_err cr_model_recipe_read(const char *text, size_t len, const char *src,
                                         "calibration",    "provenance"};
     *r = (struct cr_model_recipe){.boxes = 0};
     struct cr_model_json j;
-    cJSON *root = cr_model_json_parse(&j, text, len, src, false, err);
+    cJSON *root = cr_model_json_parse(&j, text, len, src, err);
     if (root == NULL) {
         return j.code;
     }

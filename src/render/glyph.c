@@ -1,6 +1,7 @@
 /* Characters: reading UTF-8, their widths, stand-ins in ASCII, shades and arrows. */
 #include "render/render_priv.h"
 
+#include "base/show.h"
 #include "base/vec.h"
 
 #include <math.h>
@@ -30,7 +31,7 @@ uint32_t cr_glyph_next(const char **utf8) {
     }
     *utf8 += more + 1;
     /* control characters of a name must never reach a terminal */
-    return ch < 32 || (ch >= 0x7F && ch < 0xA0) || ch > 0x10FFFF ? invalid() : ch;
+    return ch > 0x10FFFF || cr_show_acts(ch) ? invalid() : ch;
 }
 
 /* Ranges of East Asian wide and of combining characters that names can hold (Unicode 15,

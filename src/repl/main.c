@@ -2,6 +2,7 @@
 #include "repl/repl_priv.h"
 
 #include "base/file.h"
+#include "base/show.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -54,7 +55,9 @@ int cr_repl_takes(const char *arg) {
 }
 
 static int fail(const char *what, const char *arg) {
-    fprintf(stderr, "crumple: error: %s '%s'. %s\n", what, arg, usage);
+    char shown[256];
+    fprintf(stderr, "crumple: error: %s '%s'. %s\n", what, cr_show(arg, shown, sizeof shown),
+            usage);
     return 2;
 }
 

@@ -14,18 +14,6 @@ static void number(struct cr_str *out, double x) {
     }
 }
 
-static void text(struct cr_str *out, const char *s) {
-    if (!strpbrk(s, ",\"\r\n")) {
-        cr_str_add(out, s);
-        return;
-    }
-    cr_str_add(out, "\"");
-    for (; *s; s++) {
-        cr_str_addn(out, *s == '"' ? "\"\"" : s, *s == '"' ? 2 : 1);
-    }
-    cr_str_add(out, "\"");
-}
-
 static void row(const struct cr_result *r, int i, struct cr_str *out) {
     const struct cr_severity *s = &r->of[i];
     const struct cr_outcome *o = &r->solution->body[i];
@@ -62,13 +50,13 @@ static void row(const struct cr_result *r, int i, struct cr_str *out) {
                             o->rest.pos.y,
                             cr_deg(o->rest.heading),
                             o->t_rest};
-    text(out, r->scene.name);
+    cr_str_csv(out, r->scene.name);
     cr_str_add(out, ",");
-    text(out, r->resolved.part[i].id);
+    cr_str_csv(out, r->resolved.part[i].id);
     cr_str_add(out, ",");
-    text(out, s->model);
+    cr_str_csv(out, s->model);
     cr_str_add(out, ",");
-    text(out, s->cdc);
+    cr_str_csv(out, s->cdc);
     for (size_t k = 0; k < sizeof value / sizeof *value; k++) {
         number(out, value[k]);
     }
@@ -117,11 +105,11 @@ static void impact_row(const struct cr_result *r, int impact, int side, struct c
                             s->acceleration_max / CR_G,
                             s->acceleration_mean / CR_G,
                             1e3 * s->pulse};
-    text(out, r->scene.name);
+    cr_str_csv(out, r->scene.name);
     cr_str_addf(out, ",%d,", impact + 1);
-    text(out, r->resolved.part[i].id);
+    cr_str_csv(out, r->resolved.part[i].id);
     cr_str_add(out, ",");
-    text(out, r->resolved.part[one->body[!side]].id);
+    cr_str_csv(out, r->resolved.part[one->body[!side]].id);
     cr_str_addf(out, ",%s,%s,%s,%s", deforms ? face_word(s->face) : "",
                 deforms ? face_word(s->second.face) : "", cr_stop_word(one->stop), s->cdc);
     for (size_t k = 0; k < sizeof value / sizeof *value; k++) {
@@ -175,9 +163,9 @@ static void trace(const struct cr_result *r, struct cr_str *out) {
     cr_str_add(out, "\n");
     for (int k = 0; k < sol->samples; k++) {
         for (int i = 0; i < sol->bodies; i++) {
-            text(out, r->scene.name);
+            cr_str_csv(out, r->scene.name);
             cr_str_add(out, ",");
-            text(out, r->resolved.part[i].id);
+            cr_str_csv(out, r->resolved.part[i].id);
             number(out, sol->t[k]);
             for (int q = 0; q < CR_QUANTITIES; q++) {
                 number(out, cr_result_quantity(sol, k, i, (enum cr_quantity)q));

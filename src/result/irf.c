@@ -1,4 +1,4 @@
-/* Injury risk functions from data files (literature.md 5): each with its source, covariate, unit
+/* Injury risk functions from data files (share/irf): each with its source, covariate, unit
  * and range. Three forms are known: logistic, p = 1 / (1 + exp(-(b0 + b1 x + ...))), and power,
  * p = (x / ref)^exponent. */
 #include "result/result_priv.h"
@@ -171,7 +171,7 @@ static enum cr_err add_file(struct cr_irf_set *set, const char *path, struct cr_
     char *text = NULL;
     size_t len;
     cJSON *json = NULL;
-    enum cr_err rc = cr_file_read(path, &text, &len, err);
+    enum cr_err rc = cr_file_read_regular(path, &text, &len, err);
     if (rc) {
         return rc;
     }

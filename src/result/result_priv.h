@@ -15,7 +15,7 @@ struct cr_irf_case {
 void cr_irf_apply(const struct cr_irf_set *set, const struct cr_irf_case *what,
                   struct cr_severity *severity);
 
-/* What the collision deformation classification of SAE J224 is made of (literature.md 4.2). */
+/* What the collision deformation classification of SAE J224 is made of [CDC-J224]. */
 struct cr_cdc_case {
     double pdof;       /* rad clockwise */
     enum cr_face face; /* struck face */

@@ -2,6 +2,7 @@
 #include "result/signal.h"
 
 #include "base/csv.h"
+#include "base/file.h"
 #include "base/units.h"
 #include "base/vec.h"
 
@@ -143,7 +144,9 @@ enum cr_err cr_signal_load(const char *path, const char *column, struct cr_signa
     struct cr_csv *csv = NULL;
     struct columns c = {.at = {-1, -1}};
     memset(out, 0, sizeof *out);
-    enum cr_err rc = cr_csv_open(&(struct cr_csv_opts){.path = path, .units = true}, &csv, err);
+    enum cr_err rc = cr_file_check_regular(path, err);
+    struct cr_csv_opts opts = {.path = path, .units = true};
+    rc = rc ? rc : cr_csv_open(&opts, &csv, err);
     rc = rc ? rc : find_columns(csv, column, &c, err);
     rc = rc ? rc : find_units(csv, &c, err);
     rc = rc ? rc : read_rows(csv, &c, out, err);

@@ -1,14 +1,16 @@
 /* What a scene must keep to beyond the ranges of its single values. */
 #include "scene/scene_priv.h"
 
+#include "base/show.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 enum cr_err cr_scene_id_check(struct cr_reader *r, const char *id) {
     size_t n = strlen(id);
-    if (n == 0 || n >= CR_NAME_MAX) {
-        return cr_scene_fail(r, CR_ERR_RANGE, "an id has 1 to %d characters", CR_NAME_MAX - 1);
+    if (n == 0 || n >= CR_NAME_MAX || cr_utf8_chars(id) > CR_NAME_CHARS) {
+        return cr_scene_fail(r, CR_ERR_RANGE, "an id has 1 to %d characters", CR_NAME_CHARS);
     }
     for (size_t i = 0; i < n; i++) {
         unsigned char c = (unsigned char)id[i];
@@ -19,7 +21,7 @@ enum cr_err cr_scene_id_check(struct cr_reader *r, const char *id) {
             return CR_ERR_RANGE;
         }
     }
-    /* the trace of a result has the times under this name beside the participants (formats.md) */
+    /* the trace of a result has the times under this name beside the participants */
     if (strcmp(id, "t_s") == 0) {
         return cr_scene_fail(r, CR_ERR_RANGE, "id \"t_s\" is taken by the times of a result");
     }

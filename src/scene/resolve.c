@@ -28,7 +28,7 @@ static const struct {
 };
 
 /* Length: in proportion to a wheelbase that is given, else with the cube root of mass, the trend of
- * the class medians of stiffness.md 7.1 (exponents 0.36 to 0.38), by no more than a fifth. */
+ * the class medians (exponents 0.36 to 0.38) [CLASS-SIZES], by no more than a fifth. */
 static double rule_length(const struct basis *b) {
     double size = !isnan(b->part->wheelbase)
                       ? b->part->wheelbase / b->ref->wheelbase
@@ -36,8 +36,7 @@ static double rule_length(const struct basis *b) {
     return b->ref->length * size;
 }
 
-/* Width goes with the square root of length (stiffness.md 7.1: 4.570 to 4.857 m is 6 % of length
- * and 3 % of width). */
+/* Width goes with the square root of length [CLASS-SIZES]. */
 static double rule_width(const struct basis *b) {
     double w = b->ref->width * sqrt(b->part->length / b->ref->length);
     return isnan(b->part->track) ? w : fmax(w, b->part->track / 0.9);
@@ -62,7 +61,7 @@ static double rule_overhang(const struct basis *b) {
     return share * (b->part->length - b->part->wheelbase);
 }
 
-/* share of the wheelbase 0.308 + 7.7e-5 per kg, s 0.025 (stiffness.md 7.3) */
+/* share of the wheelbase 0.308 + 7.7e-5 per kg, s 0.025 [CG-SHARE] */
 double cr_scene_cg_rule(double mass, double wheelbase) {
     return wheelbase * cr_clamp(0.308 + 7.7e-5 * mass, 0.36, 0.6);
 }
@@ -75,7 +74,7 @@ static double rule_cg_height(const struct basis *b) {
     return shares[b->part->type].cg_height * b->part->height;
 }
 
-/* 0.137 m L WB, on which six measured vehicles lie (0.133 to 0.140, stiffness.md 7.4), but no
+/* 0.137 m L WB, on which six measured vehicles lie (0.133 to 0.140, [YAW-INERTIA]), but no
  * further from the line over mass of NHTSA's measured vehicles than these scatter about it: 73 cars
  * (815 to 1978 kg, standard deviation 242 kg m2), 131 light trucks (1043 to 2667 kg, 589 kg m2);
  * Heydinger et al., SAE 1999-01-1336, without ballast. Beyond these masses it is not asked. */

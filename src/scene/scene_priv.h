@@ -92,6 +92,8 @@ void cr_scene_tolerance_say(const struct cJSON *json, struct cr_str *out);
 enum cr_err cr_scene_wrong_type(struct cr_reader *r, const struct cr_key *key, const char *expected,
                                 const struct cJSON *json);
 /* What stands in the JSON, for messages: string "north", an array. */
+/* Most characters of a text key. */
+size_t cr_scene_text_chars(const struct cr_key *key);
 const char *cr_scene_describe(const struct cJSON *json, char *buf, size_t size);
 
 /* A polygon without crossing edges and with an area; made counter-clockwise. */

@@ -112,7 +112,7 @@ static void words_schema(struct build *b, cJSON *to, const struct cr_key *key) {
 
 static void text_schema(struct build *b, cJSON *to, const struct cr_key *key) {
     text(b, to, "type", "string");
-    number(b, to, "maxLength", (double)key->aux - 1);
+    number(b, to, "maxLength", (double)cr_scene_text_chars(key));
     if (strcmp(key->name, "id") == 0) {
         /* letters, digits, _ and -: all other ASCII is refused */
         text(b, to, "pattern", "^[^\\u0000-,./:-@\\[-\\^`{-\\u007f]+$");

@@ -1,6 +1,8 @@
 /* One value of a scene file, read and written: a pair of functions per type of key. */
 #include "scene/scene_priv.h"
 
+#include "base/show.h"
+
 #include <cjson/cJSON.h>
 #include <math.h>
 #include <stdio.h>
@@ -178,22 +180,26 @@ static cJSON *write_word(const struct cr_key *key, const void *base) {
     return cJSON_CreateString(key->words[i]);
 }
 
+size_t cr_scene_text_chars(const struct cr_key *key) {
+    return key->aux == CR_NAME_MAX ? CR_NAME_CHARS : key->aux - 1;
+}
+
 static enum cr_err read_text(struct cr_reader *r, const struct cr_key *key, const cJSON *json,
                              void *base) {
     if (!cJSON_IsString(json)) {
         return cr_scene_wrong_type(r, key, "text in quotes", json);
     }
-    size_t n = strlen(json->valuestring);
-    if (n >= key->aux) {
-        return cr_scene_fail(r, CR_ERR_RANGE, "%s is longer than %zu bytes", key->name,
-                             key->aux - 1);
+    const char *text = json->valuestring;
+    size_t n = strlen(text), most = cr_scene_text_chars(key);
+    if (n >= key->aux || cr_utf8_chars(text) > most) {
+        return cr_scene_fail(r, CR_ERR_RANGE, "%s is longer than %zu %s", key->name, most,
+                             key->aux == CR_NAME_MAX ? "characters" : "bytes");
     }
-    for (size_t i = 0; i < n; i++) {
-        if ((unsigned char)json->valuestring[i] < 0x20) {
-            return cr_scene_fail(r, CR_ERR_RANGE, "%s has a control character in it", key->name);
-        }
+    if (!cr_show_fits(text)) {
+        return cr_scene_fail(r, CR_ERR_RANGE, "%s has a control or invisible character in it",
+                             key->name);
     }
-    memcpy(field(key, base), json->valuestring, n + 1);
+    memcpy(field(key, base), text, n + 1);
     return CR_ERR_OK;
 }
 
@@ -315,7 +321,7 @@ static cJSON *write_locked(const struct cr_key *key, const void *base) {
     return array;
 }
 
-/* whole numbers 1 to 12 are o'clock, all others degrees (formats.md); 3 deg can be written 363 */
+/* whole numbers 1 to 12 are o'clock, all others degrees; 3 deg can be written 363 */
 static enum cr_err read_pdof(struct cr_reader *r, const struct cr_key *key, const cJSON *json,
                              void *base) {
     struct cr_model_choice *m = field(key, base);

@@ -92,7 +92,7 @@ static enum cr_err write_recipes(const struct cr_calibration *f, const char *dir
             face[k] = *cr_model_face(f->lib, (enum cr_type)t, (enum cr_model_end)k);
         }
         snprintf(path, sizeof path, "%s/%s.json", dir, cr_type_word((enum cr_type)t));
-        code = cr_file_read(path, &text, &len, err);
+        code = cr_file_read_regular(path, &text, &len, err);
         if (code == CR_ERR_OK) {
             code = cr_calibration_write(text, face, f->out[t], &out, err);
             cr_err_place(err, path, 0, 0);

@@ -59,5 +59,6 @@ validationpulsedir = $(pkgdatadir)/validation/pulse
 dist_validationpulse_DATA = \
 	share/validation/pulse/camry-10146.json
 validationdocdir = $(docdir)
-dist_validationdoc_DATA = share/doc/validation.md share/doc/method.md
+dist_validationdoc_DATA = share/doc/validation.md share/doc/library.md \
+	share/doc/method.md share/doc/sources.md
 dist_man_MANS += man/crumple-validation.7

@@ -39,7 +39,7 @@ enum cr_err cr_type_rules_read(const char *dir, struct cr_type_rules *out, struc
     char path[600], *text = NULL;
     size_t len = 0;
     cr_file_part(dir, "calibration/types.json", path, sizeof path);
-    enum cr_err code = cr_file_read(path, &text, &len, err);
+    enum cr_err code = cr_file_read_regular(path, &text, &len, err);
     if (code != CR_ERR_OK) {
         return code;
     }

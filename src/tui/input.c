@@ -19,10 +19,32 @@ static bool choose_letter(struct cr_tui *t, wint_t code) {
     return false;
 }
 
+void cr_tui_paste(struct cr_tui *t, const char *text) {
+    int lines = 1;
+    if (text[0] == '\0' || t->overlay != CR_OVERLAY_NONE) {
+        return;
+    }
+    for (const char *p = text; *p != '\0'; p++) {
+        lines += *p == '\n';
+    }
+    cr_tui_focus(t, CR_AREAS);
+    cr_play_stop(t);
+    cr_prompt_insert(text);
+    if (lines > 1) {
+        char line[80];
+        snprintf(line, sizeof line, "  %d lines pasted: Enter runs them, ^C gives them up", lines);
+        cr_dialogue_add(&t->log, CR_ROLE_TEXT, line);
+    }
+}
+
 void cr_tui_input(struct cr_tui *t, const struct cr_input *in) {
     t->dirty = true;
     if (in->function && in->code == KEY_RESIZE) {
         return; /* signals tell it */
+    }
+    if (in->function && in->code == CR_KEY_PASTE) {
+        cr_tui_paste(t, cr_term_pasted());
+        return;
     }
     if (t->overlay != CR_OVERLAY_NONE && cr_overlay_input(t, in)) {
         return;

@@ -12,12 +12,14 @@ libtui_a_SOURCES = \
 	src/tui/mouse.c \
 	src/tui/overlay.c \
 	src/tui/paint.c \
+	src/tui/paste.c \
 	src/tui/play.c \
 	src/tui/pointer.c \
 	src/tui/preview.c \
 	src/tui/prompt.c \
 	src/tui/run.c \
 	src/tui/screen.c \
+	src/tui/stderr.c \
 	src/tui/sweep.c \
 	src/tui/term.c \
 	src/tui/tui.h src/tui/tui_priv.h \

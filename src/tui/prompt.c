@@ -1,5 +1,5 @@
 /* The prompt: readline edits, completes and remembers; it never sees the terminal
- * (exemplars.md 9). Its functions know no argument, so the one pointer they need lives here. */
+ * [READLINE-CURSES]. Its functions know no argument, so the one pointer they need lives here. */
 #include "tui/tui_priv.h"
 
 #include "render/picture.h"
@@ -61,6 +61,12 @@ static int common(const struct cr_completion *c) {
     return n;
 }
 
+static int nothing(int count, int key) {
+    (void)count;
+    (void)key;
+    return 0;
+}
+
 static void put_word(const struct cr_completion *c, const char *word, int n) {
     char buf[1200];
     snprintf(buf, sizeof buf, "%.*s", n, word);
@@ -120,6 +126,8 @@ void cr_prompt_open(struct cr_tui *t, const char *state_dir) {
     rl_callback_handler_install(first_prompt, on_line);
     rl_variable_bind("bell-style", "none");
     rl_bind_key('\t', complete);
+    rl_bind_keyseq(CR_PASTE_BEGIN, nothing); /* the terminal's marks end in term.c; readline's own
+                                                reader would wait for the second for ever */
 }
 
 void cr_prompt_close(void) {
@@ -221,6 +229,15 @@ void cr_prompt_set(const char *line) {
     prompt.tui->dirty = true;
 }
 
+void cr_prompt_insert(const char *text) {
+    const struct cr_input abort = {.code = 7};
+    if (RL_ISSTATE(RL_STATE_ISEARCH | RL_STATE_NSEARCH)) {
+        cr_prompt_key(&abort);
+    }
+    rl_insert_text(text);
+    prompt.tui->dirty = true;
+}
+
 void cr_prompt_clear(void) {
     const struct cr_input abort = {.code = 7};
     if (RL_ISSTATE(RL_STATE_ISEARCH | RL_STATE_NSEARCH)) {
@@ -252,7 +269,12 @@ void cr_prompt_draw(struct cr_cells *cells, struct cr_rect at, int *x) {
     while (gone < shift && *from != '\0') {
         gone += cr_glyph_columns(cr_glyph_next(&from));
     }
-    cr_cells_print(cells, at.x + head_w, at.y, room, CR_ROLE_TEXT, from);
+    char *shown = strdup(from);
+    for (char *p = shown; p != NULL && *p != '\0'; p++) {
+        *p = *p == '\n' ? '|' : *p; /* pasted lines, as wide as the cursor counts them */
+    }
+    cr_cells_print(cells, at.x + head_w, at.y, room, CR_ROLE_TEXT, shown != NULL ? shown : "");
+    free(shown);
     if (gone > 0) {
         cr_cells_print(cells, at.x + head_w, at.y, 1, CR_ROLE_DIM, "<");
     }

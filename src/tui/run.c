@@ -38,13 +38,11 @@ static void run(struct cr_tui *t, const char *line) {
     t->dirty = true;
 }
 
-void cr_tui_run(struct cr_tui *t, const char *line) {
+/* a line as it was typed, into dialogue and history */
+static void show_typed(struct cr_tui *t, const char *line, size_t n, bool first) {
     struct cr_str shown = {0};
-    if (line[strspn(line, " \t\n")] == '\0') {
-        t->sheet_from = -1;
-        return;
-    }
-    cr_str_addf(&shown, "crumple> %s", line);
+    cr_str_add(&shown, first ? "crumple> " : "      -> ");
+    cr_str_addn(&shown, line, n);
     for (char *p = shown.s; p != NULL && *p != '\0'; p++) {
         *p = *p == '\n' ? ' ' : *p;
     }
@@ -53,6 +51,23 @@ void cr_tui_run(struct cr_tui *t, const char *line) {
         cr_history_add(shown.s + CR_PROMPT_W, true);
     }
     cr_str_fini(&shown);
+}
+
+void cr_tui_run(struct cr_tui *t, const char *line) {
+    if (line[strspn(line, " \t\n")] == '\0') {
+        t->sheet_from = -1;
+        return;
+    }
+    /* pasted lines are lines, those that "\\" joins are one */
+    const char *from = line, *end = line;
+    while (*(end += strcspn(end, "\n")) != '\0') {
+        if (end == line || end[-1] != '\\') {
+            show_typed(t, from, (size_t)(end - from), from == line);
+            from = end + 1;
+        }
+        end++;
+    }
+    show_typed(t, from, (size_t)(end - from), from == line);
     run(t, line);
 }
 
@@ -68,6 +83,7 @@ void cr_tui_run_key(struct cr_tui *t, const char *line) {
 
 bool cr_tui_run_quiet(struct cr_tui *t, const char *line) {
     t->mute = true;
+    t->cancel = false;
     bool good = cr_session_script(t->session, line, "key", 1) == CR_ERR_OK;
     t->mute = false;
     t->dirty = true;

@@ -1,4 +1,4 @@
-/* The terminal: curses on and off, signals, and standard error kept off the screen.
+/* The terminal: curses on and off, signals, keys.
  *
  * Whatever ends the process, the terminal is given back: an ordinary end and SIGTERM or SIGHUP
  * through cr_term_close, a fault through on_fault, which calls only what POSIX allows there. */
@@ -30,7 +30,10 @@ enum {
     KEY_DRAWN,
     KEY_POINTER,
     KEY_POINTER_X10,
+    KEY_PASTE_BEGIN,
+    KEY_PASTE_END,
     ANSWER_MS = 150,
+    PASTE_LOOK_MS = 250,
     ANSWER_ESCAPE_MS = 300
 };
 #define ANSWER_S 2.0 /* an answer is expected for so long; one that has begun ends within half */
@@ -44,35 +47,21 @@ static struct {
     struct termios before;
     char restore[RESTORE_MAX]; /* what a fault writes to the terminal */
     volatile sig_atomic_t restore_len;
-    int stderr_before, stderr_file;
-    off_t stderr_read;
     bool console; /* Linux, without a window system */
     int escape_ms;
     enum cr_ground ground;
     struct cr_ground_reader answer; /* to the question for it, being read */
     struct cr_pointer pointer;      /* an event of the mouse, being read */
-    unsigned redraws;               /* asked for so far */
-    double asked_at, answered_at;   /* s of the clock; NaN: not asked, or over; answer begun */
-} term = {.wake = {-1, -1}, .stderr_before = -1, .stderr_file = -1};
+    struct cr_paste paste;
+    unsigned redraws;             /* asked for so far */
+    double asked_at, answered_at; /* s of the clock; NaN: not asked, or over; answer begun */
+} term = {.wake = {-1, -1}};
 
 /* ---- signals ---- */
 
 static const int faults[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGQUIT};
 enum { FAULTS = sizeof faults / sizeof *faults };
 static struct sigaction before_fault[FAULTS];
-
-/* what was written to standard error meanwhile, now that it can be seen */
-static void copy_stderr(void) {
-    char buf[4096];
-    ssize_t n;
-    off_t at = 0;
-    while (term.stderr_file >= 0 && (n = pread(term.stderr_file, buf, sizeof buf, at)) > 0) {
-        at += n;
-        if (write(STDERR_FILENO, buf, (size_t)n) != n) {
-            break;
-        }
-    }
-}
 
 static void give_back(void) {
     int kept = errno;
@@ -82,11 +71,7 @@ static void give_back(void) {
         tcsetattr(STDIN_FILENO, TCSANOW, &term.before);
         term.restore_len = 0;
     }
-    if (term.stderr_before >= 0) {
-        dup2(term.stderr_before, STDERR_FILENO);
-        copy_stderr();
-        term.stderr_before = -1;
-    }
+    cr_stderr_restore();
     errno = kept;
 }
 
@@ -157,52 +142,6 @@ static void catch_signals(void) {
     }
 }
 
-/* ---- standard error ---- */
-
-static void capture_stderr(void) {
-    FILE *file = tmpfile();
-    if (file == NULL) {
-        return;
-    }
-    term.stderr_file = dup(fileno(file));
-    fclose(file);
-    term.stderr_before = dup(STDERR_FILENO);
-    if (term.stderr_file >= 0 && term.stderr_before >= 0) {
-        fflush(stderr);
-        dup2(term.stderr_file, STDERR_FILENO);
-    }
-}
-
-static void release_stderr(void) {
-    if (term.stderr_before < 0) {
-        return;
-    }
-    fflush(stderr);
-    dup2(term.stderr_before, STDERR_FILENO);
-    copy_stderr();
-    close(term.stderr_before);
-    term.stderr_before = -1;
-    if (term.stderr_file >= 0) {
-        close(term.stderr_file);
-    }
-    term.stderr_file = -1;
-    term.stderr_read = 0;
-}
-
-void cr_term_stderr(struct cr_str *out) {
-    char buf[1024];
-    ssize_t n;
-    struct stat st;
-    if (term.stderr_file < 0 || fstat(term.stderr_file, &st) != 0 ||
-        st.st_size <= term.stderr_read) {
-        return;
-    }
-    while ((n = pread(term.stderr_file, buf, sizeof buf, term.stderr_read)) > 0) {
-        term.stderr_read += n;
-        cr_str_addn(out, buf, (size_t)n);
-    }
-}
-
 /* ---- curses ---- */
 
 static const char *no_screen(const char *name) {
@@ -252,11 +191,15 @@ static bool knows_mouse(void) {
 static const char mouse_on[] = "\033[?1000h\033[?1002h\033[?1006h";
 static const char mouse_off[] = "\033[?1006l\033[?1002l\033[?1000l";
 
-static void mouse(bool on) {
+/* what the terminal is asked for beside the screen: the mouse, and marks around what is pasted */
+static void modes(bool on) {
     if (knows_mouse()) {
         fputs(on ? mouse_on : mouse_off, stdout);
-        fflush(stdout);
     }
+    if (!term.console) {
+        fputs(on ? "\033[?2004h" : "\033[?2004l", stdout);
+    }
+    fflush(stdout);
 }
 
 /* The answer comes as a key does, see cr_term_read. */
@@ -307,12 +250,19 @@ enum cr_ground cr_term_ground(void) {
     return term.ground;
 }
 
+static void add_text(const char *text) {
+    size_t n = strlen(text);
+    memcpy(term.restore + term.restore_len, text, n);
+    term.restore_len += (int)n;
+}
+
 static void prepare_restore(void) {
-    static const char off[] = "\033[?1000l\033[?1002l\033[?1003l\033[?1006l";
     term.restore_len = 0;
     if (knows_mouse()) {
-        memcpy(term.restore, off, sizeof off - 1);
-        term.restore_len = sizeof off - 1;
+        add_text("\033[?1000l\033[?1002l\033[?1003l\033[?1006l");
+    }
+    if (!term.console) {
+        add_text("\033[?2004l");
     }
     add_restore("sgr0");
     add_restore("op");
@@ -330,6 +280,8 @@ static void set_modes(void) {
     nodelay(term.input, TRUE);
     typeahead(-1); /* a frame is drawn whole */
     intrflush(stdscr, FALSE);
+    define_key(CR_PASTE_BEGIN, KEY_PASTE_BEGIN);
+    define_key(CR_PASTE_END, KEY_PASTE_END);
     if (term.console) { /* its mouse (gpm) is known to curses alone */
         mouseinterval(0);
         mousemask(ALL_MOUSE_EVENTS | REPORT_MOUSE_POSITION, NULL);
@@ -371,9 +323,9 @@ enum cr_err cr_term_open(struct cr_error *err) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for the screen");
     }
     prepare_restore();
-    capture_stderr();
+    cr_stderr_capture();
     set_modes();
-    mouse(true);
+    modes(true);
     ask_ground();
     atexit(cr_term_close);
     return CR_ERR_OK;
@@ -393,14 +345,15 @@ void cr_term_close(void) {
         return;
     }
     term.open = false;
-    mouse(false);
+    modes(false);
     await_answers();
     leave_screen();
     term.restore_len = 0;
-    release_stderr();
+    cr_stderr_release();
     if (term.input != NULL) {
         delwin(term.input);
     }
+    cr_str_fini(&term.paste.text);
     delscreen(term.screen);
     term.screen = NULL;
     cr_frame_close();
@@ -410,7 +363,7 @@ void cr_term_suspend(void) {
     struct sigaction stop = {.sa_handler = SIG_DFL}, ours;
     sigset_t only, kept;
     sigemptyset(&stop.sa_mask);
-    mouse(false);
+    modes(false);
     await_answers();
     leave_screen();
     sigaction(SIGTSTP, &stop, &ours);
@@ -441,7 +394,7 @@ void cr_term_redraw(void) {
     if (cr_tui_continued) {
         cr_tui_continued = 0;
         reset_prog_mode();
-        mouse(true);
+        modes(true);
     }
     term.redraws++;
     clearok(curscr, TRUE);
@@ -474,6 +427,9 @@ bool cr_term_wait(int ms) {
     struct pollfd fds[2] = {{.fd = STDIN_FILENO, .events = POLLIN},
                             {.fd = term.wake[0], .events = POLLIN}};
     char drain[64];
+    if (term.paste.on && (ms < 0 || ms > PASTE_LOOK_MS)) {
+        ms = PASTE_LOOK_MS; /* its end may never come */
+    }
     int n = poll(fds, 2, ms);
     while (read(term.wake[0], drain, sizeof drain) > 0) {
         continue;
@@ -552,18 +508,49 @@ static bool read_key(struct cr_input *out) {
     return true;
 }
 
+const char *cr_term_pasted(void) {
+    const char *text = cr_paste_end(&term.paste);
+    term.paste.taken = true;
+    return text;
+}
+
+/* Part of what is pasted; *whole: it is the last, and `in` now the key that says so. */
+static bool is_paste(struct cr_input *in, bool *whole) {
+    double now = cr_tui_clock();
+    *whole = term.paste.on && in->function && in->code == KEY_PASTE_END;
+    if (in->function && in->code == KEY_PASTE_BEGIN) {
+        cr_paste_begin(&term.paste, now);
+        return true;
+    }
+    if (*whole) {
+        term.paste.on = false;
+        *in = (struct cr_input){.function = true, .code = CR_KEY_PASTE};
+        return true;
+    }
+    if (term.paste.on) {
+        cr_paste_char(&term.paste, in, now);
+        return true;
+    }
+    return in->function && in->code == KEY_PASTE_END;
+}
+
 bool cr_term_read(struct cr_input *out) {
     const struct cr_input redraw = {.function = true, .code = KEY_RESIZE};
     if (isfinite(term.asked_at) && cr_tui_clock() - term.asked_at > ANSWER_S) {
         ask_no_more();
     }
     bool whole;
+    if (cr_paste_silent(&term.paste, cr_tui_clock())) {
+        term.paste.on = false;
+        *out = (struct cr_input){.function = true, .code = CR_KEY_PASTE};
+        return true;
+    }
     while (read_key(out)) {
         if (out->function && out->code == KEY_DRAWN) {
             cr_frame_answered(cr_tui_clock());
             continue;
         }
-        if (is_pointer(out, &whole)) {
+        if (is_paste(out, &whole) || is_pointer(out, &whole)) {
             if (whole) {
                 return true;
             }

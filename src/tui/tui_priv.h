@@ -46,8 +46,17 @@ struct cr_input {
     unsigned long mouse; /* its buttons, when code is KEY_MOUSE */
 };
 bool cr_term_read(struct cr_input *out); /* false: no key is waiting */
+/* A function key of its own: something was pasted, and is in cr_term_pasted(). */
+enum { CR_KEY_PASTE = 2100 };
+/* What was pasted since the last call; valid until more is. */
+const char *cr_term_pasted(void);
 
-/* What libraries have written to standard error since the last call, appended to out. */
+/* ---- standard error (stderr.c) ---- */
+
+void cr_stderr_capture(void);
+void cr_stderr_restore(void); /* for a handler of signals: only calls that POSIX allows there */
+void cr_stderr_release(void);
+/* What libraries have written to it since the last call, appended to out. */
 void cr_term_stderr(struct cr_str *out);
 
 /* ---- events of the mouse (pointer.c) ---- */
@@ -67,6 +76,22 @@ void cr_pointer_begin(struct cr_pointer *p, bool decimal);
  * matters); NOT: it was none, and `in` is a key of its own. */
 enum cr_pointer_step cr_pointer_read(struct cr_pointer *p, const struct cr_input *in,
                                      struct cr_input *out);
+
+/* ---- what is pasted (paste.c) ---- */
+
+/* The text between the terminal's marks (bracketed paste). */
+struct cr_paste {
+    bool on, taken, cut; /* taken: somebody has looked; cut: there was more than 1 MB */
+    bool returned;       /* the last character was a CR */
+    double last;         /* s, of its last character */
+    struct cr_str text;  /* UTF-8: line ends are LF, tabs blanks, nothing in it acts */
+};
+#define CR_PASTE_BEGIN "\033[200~"
+#define CR_PASTE_END   "\033[201~"
+void cr_paste_begin(struct cr_paste *p, double now);
+void cr_paste_char(struct cr_paste *p, const struct cr_input *in, double now);
+bool cr_paste_silent(const struct cr_paste *p, double now); /* its end mark does not come */
+const char *cr_paste_end(struct cr_paste *p);               /* without blank ends */
 
 /* ---- drawing cells (paint.c) ---- */
 
@@ -101,7 +126,9 @@ void cr_prompt_key(const struct cr_input *in);
 const char *cr_prompt_line(int *point); /* the line so far, and its cursor in bytes */
 bool cr_prompt_empty(void);
 void cr_prompt_set(const char *line); /* replaces what is typed */
-void cr_prompt_clear(void);           /* ^C: gives the line up */
+/* Puts a text into the line as if it were typed, but for its keys: lines stay lines in it. */
+void cr_prompt_insert(const char *text);
+void cr_prompt_clear(void); /* ^C: gives the line up */
 /* Draws it into a row; *x receives the column of the cursor. */
 void cr_prompt_draw(struct cr_cells *cells, struct cr_rect at, int *x);
 
@@ -189,6 +216,7 @@ int cr_tui_frame_due(const struct cr_tui *t); /* ms until a next frame may be be
 
 /* ---- input.c, keys.c, overlay.c, zoom.c, mouse.c, play.c ---- */
 void cr_tui_input(struct cr_tui *t, const struct cr_input *in);
+void cr_tui_paste(struct cr_tui *t, const char *text); /* into the prompt; Enter runs it */
 /* Runs what a key stands for; false: nothing where the focus is. */
 bool cr_tui_key(struct cr_tui *t, const struct cr_input *in);
 /* Keys of the bar for the present focus; returns how many. */

@@ -122,8 +122,42 @@ static void test_bad_texts_are_refused_where_they_are_bad(void **state) {
     assert_int_equal(cr_json_check("1\0", 2, NULL, NULL), CR_ERR_SYNTAX);
 }
 
+/* the pointer of an error holds the key itself, the text may hold it with escapes */
+static void test_a_key_with_escapes_is_found(void **state) {
+    (void)state;
+    static const struct {
+        const char *text, *pointer;
+        int col;
+    } row[] = {
+        {"{\"a\": 1, \"\\u001b]0;p\\u0007\": 1}", "/\x1B]0;p\x07", 10},
+        {"{\"a\": 1, \"\\u00fc\\n\": 1}", "/\xC3\xBC\n", 10},
+        {"{\"a\": 1, \"\\ud83d\\ude97\": 1}", "/\xF0\x9F\x9A\x97", 10},
+        {"{\"a\": 1, \"\\/~\": 1}", "/~1~0", 10},
+        {"{\"\\u0061b\": 1, \"ab\": 1}", "/ab", 2},
+        {"{\"\\u0061\": 1, \"ab\": 1}", "/ab", 15},
+    };
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+        int line, col;
+        assert_true(cr_json_locate(row[i].text, strlen(row[i].text), row[i].pointer, CR_JSON_KEY,
+                                   &line, &col));
+        assert_int_equal(col, row[i].col);
+    }
+}
+
+/* locating ends in any text, also one that was never checked */
+static void test_locating_ends_in_any_text(void **state) {
+    (void)state;
+    static const char text[] = "{\"a\":1\0}, \"b\"\0\0:\x01,,\"c\":[\0";
+    for (size_t len = 0; len < sizeof text; len++) {
+        int line, col;
+        cr_json_locate(text, len, "/q/r", CR_JSON_VALUE, &line, &col);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_key_with_escapes_is_found),
+        cmocka_unit_test(test_locating_ends_in_any_text),
         cmocka_unit_test(test_pointers_lead_to_places),
         cmocka_unit_test(test_pointers_into_nothing_end_at_what_is_there),
         cmocka_unit_test(test_pointer_tokens_are_escaped),

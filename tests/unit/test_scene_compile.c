@@ -50,7 +50,7 @@ static void test_regressions(void **state) {
     resolve(&s, &assumed);
     const struct cr_participant *a = &s.part[0];
     const struct cr_dims *ref = cr_model_dims(lib, CR_TYPE_SUV, &(double){0});
-    /* 0.849 of the width; (0.308 + 7.7e-5 m) WB, stiffness.md 7.3; 0.383 of the height */
+    /* 0.849 of the width; (0.308 + 7.7e-5 m) WB [CG-SHARE]; 0.383 of the height */
     check_near(a->track, 0.849 * 1.983, 1e-9);
     check_near(a->cg_behind_front_axle, 3.002 * 0.50435, 1e-9);
     check_near(a->cg_height, 0.383 * 1.737, 1e-9);

@@ -233,8 +233,69 @@ static void test_the_dialogue_folds_what_is_no_table(void **state) {
     }
 }
 
+/* What the terminal sends for a paste comes as text: line ends alike, sequences and controls gone.
+ */
+static void test_a_paste_is_text(void **state) {
+    (void)state;
+    static const wchar_t sent[] = L"load x\r\tset dt=1ms\x1b\x03\u202e\r\nsolve\n\r ";
+    struct cr_paste p = {0};
+    cr_paste_begin(&p, 0);
+    for (size_t i = 0; sent[i] != L'\0'; i++) {
+        const struct cr_input in = {.code = (wint_t)sent[i]};
+        cr_paste_char(&p, &in, 0.1);
+    }
+    const struct cr_input key = {.function = true, .code = KEY_UP},
+                          alt = {.alt = true, .code = 'x'};
+    cr_paste_char(&p, &key, 0.1);
+    cr_paste_char(&p, &alt, 0.1);
+    assert_false(cr_paste_silent(&p, 0.2));
+    assert_true(cr_paste_silent(&p, 2)); /* the mark of its end never came */
+    assert_string_equal(cr_paste_end(&p), "load x\n set dt=1ms\nsolve");
+    assert_false(p.on);
+    /* a megabyte and no more */
+    p.taken = true;
+    cr_paste_begin(&p, 3);
+    for (int i = 0; i < (1 << 20) + 100; i++) {
+        const struct cr_input in = {.code = 'x'};
+        cr_paste_char(&p, &in, 3);
+    }
+    assert_true(p.cut && p.text.len <= 1 << 20);
+    cr_str_fini(&p.text);
+}
+
+/* Pasted lines wait for Enter, which runs each of them. */
+static void test_pasted_lines_wait_for_enter(void **state) {
+    (void)state;
+    struct tui_double d;
+    tui_double_init(&d, 80, 24, true, false);
+    int lines = d.t->log.n;
+    cr_tui_paste(d.t, "set dt=1ms # a remark\nset dt=2ms\nlist");
+    int point;
+    assert_string_equal(cr_prompt_line(&point), "set dt=1ms # a remark\nset dt=2ms\nlist");
+    assert_int_equal(d.t->log.n, lines + 1);
+    assert_non_null(strstr(d.t->log.line[lines].text, "3 lines pasted"));
+    tui_double_type(&d, "<Enter>");
+    assert_string_equal(cr_prompt_line(&point), "");
+    check_near(cr_session_scene(d.t->session)->set.dt, 2e-3, 0);
+    tui_double_type(&d, "<Up><Up>");
+    assert_string_equal(cr_prompt_line(&point), "set dt=2ms");
+    tui_double_fini(&d);
+    /* ^C gives them up; the help sheet takes none */
+    tui_double_init(&d, 80, 24, true, false);
+    cr_tui_paste(d.t, "new\nnew");
+    tui_double_type(&d, "<C-c>");
+    assert_string_equal(cr_prompt_line(&point), "");
+    tui_double_type(&d, "<F1>");
+    cr_tui_paste(d.t, "new");
+    tui_double_type(&d, "<Esc>");
+    assert_string_equal(cr_prompt_line(&point), "");
+    tui_double_fini(&d);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_paste_is_text),
+        cmocka_unit_test(test_pasted_lines_wait_for_enter),
         cmocka_unit_test(test_keys_are_commands),
         cmocka_unit_test(test_keys_that_begin_a_line),
         cmocka_unit_test(test_tab_twice_is_told_by_arrival),

@@ -195,6 +195,34 @@ static void test_refused(void **state) {
     }
 }
 
+/* a scene can name any file as a model: what it holds is not told, whatever it is */
+static void test_no_words_of_the_file(void **state) {
+    (void)state;
+    static const char *const texts[] = {"secret:x:0:0:root:/root:/bin/sh\n",
+                                        "{\"secret\": 1}",
+                                        "[secret]",
+                                        "{\"edge_m\": secret}",
+                                        "{\"name\": \"secret",
+                                        "Infsecret",
+                                        "{\"crumple_voxels\": 1, \"secret\": {\"secret\": 2}}",
+                                        "# secret,secret\nsecret\n",
+                                        "\xFFsecret",
+                                        "{\"vehicle\": {\"secret\": \"secret\"}}"};
+    static const char *const suffix[] = {"json", "csv"};
+    for (size_t i = 0; i < 2 * sizeof texts / sizeof texts[0]; i++) {
+        char path[64], buf[1200];
+        struct cr_arena arena = {0};
+        struct cr_voxels v;
+        struct cr_error err = {0};
+        snprintf(path, sizeof path, "test_voxels_words.tmp.%s", suffix[i % 2]);
+        write_text(path, texts[i / 2], strlen(texts[i / 2]));
+        assert_int_not_equal(cr_voxels_read(path, &arena, &v, NULL, &err), CR_ERR_OK);
+        assert_null(strstr(cr_err_format(&err, buf, sizeof buf), "ecret"));
+        remove(path);
+        cr_arena_free(&arena);
+    }
+}
+
 /* 400 x 400 x 400 voxels are 64 million: refused before any memory is taken */
 static void test_too_many(void **state) {
     static const char text[] =
@@ -220,11 +248,9 @@ static void test_too_many(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_volume_sums_to_plan),
-        cmocka_unit_test(test_files_bit_exact),
-        cmocka_unit_test(test_own_model_stretched),
-        cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_too_many),
+        cmocka_unit_test(test_volume_sums_to_plan),  cmocka_unit_test(test_files_bit_exact),
+        cmocka_unit_test(test_own_model_stretched),  cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_no_words_of_the_file), cmocka_unit_test(test_too_many),
     };
     return cmocka_run_group_tests(tests, open_lib, close_lib);
 }

@@ -1,0 +1,123 @@
+#!/bin/sh
+# Hostile input: readers that end, text that does not act, whatever a scene, folder or pipe holds.
+. "$SRC/tests/cli/cli.sh"
+cases=$SRC/tests/cases/hostile
+cd "$tmp" || exit 99
+cp "$cases/pole.json" . || exit 99
+
+# ends NAME STATUS PATTERN COMMAND ...: within ten seconds, with that status and text in its output;
+# 124 and more are those of timeout, which kills: some of these have outlived SIGTERM
+ends() {
+    ends_name=$1 ends_want=$2 ends_pattern=$3
+    shift 3
+    timeout -s KILL 10 "$@" >ends.out 2>&1
+    ends_status=$?
+    same "$ends_name: status" "$ends_status" "$ends_want"
+    has "$ends_name: told" "$(cat ends.out)" "$ends_pattern"
+}
+
+# ---- readers end ----
+mkdir -p folder/sub.json && cp pole.json folder
+ends "a folder in a folder" 1 '"where":"folder/sub.json:"' "$crumple" stack folder
+ends "a folder in a folder does not hide the scene" 1 '"scene":"pole","version"' \
+    "$crumple" stack folder
+ends "a closed input of a stack" 1 '"code":"io".*standard input' \
+    sh -c 'exec "$0" stack - <&-' "$crumple"
+ends "a closed input of a run" 2 'standard input: error: cannot read' \
+    sh -c 'exec "$0" run - <&-' "$crumple"
+ends "closed standard error is not the output file" 0 '' \
+    sh -c 'exec "$0" run pole.json -o out.json 2>&-' "$crumple"
+has "which is whole" "$(head -c 22 out.json | tr -d '\n')" 'crumple_result'
+mkfifo pipe
+sed 's/own2.csv/pipe/' "$cases/own.json" >own-pipe.json
+ends "a pipe as own model" 2 'this is a pipe, not a file' "$crumple" run own-pipe.json
+sed 's,own2.csv,/dev/zero,' "$cases/own.json" >own-zero.json
+ends "a device as own model" 2 'this is a device, not a file' "$crumple" run own-zero.json
+ends "a pipe for load" 2 'this is a pipe' "$crumple" -e 'load pipe'
+ends "a device for source" 2 'this is a device' "$crumple" -e 'source /dev/zero'
+ends "a device for compare" 2 'this is a device' \
+    "$crumple" -e 'load pole.json' -e solve -e 'compare /dev/zero'
+(sleep 0.2; cat pole.json) >pipe &
+ends "a pipe with a writer is a stack" 0 '"scene":"pole"' "$crumple" stack pipe
+mkdir -p data/share
+cp -r "$SRC/models" data/ && cp -r "$SRC/share/irf" data/share/ && chmod -R u+w data
+cp "$cases/recipe-nul-hang.json" data/models/sedan.json
+ends "a NUL in a recipe" 3 'sedan.json:1:20: error' env CRUMPLE_DATA="$tmp/data" "$crumple" run \
+    pole.json
+
+# hears NAME SIGNAL STATUS ARG ...: the first signal ends what has opened the pipe and waits for it
+hears() {
+    hears_name=$1 hears_signal=$2 hears_want=$3
+    shift 3
+    "$crumple" "$@" >ends.out 2>&1 &
+    hears_pid=$!
+    hears_tries=100
+    while [ $hears_tries -gt 0 ] &&
+        ! ls -l "/proc/$hears_pid/fd" 2>/dev/null | grep -q " -> .*/pipe$"; do
+        hears_tries=$((hears_tries - 1))
+        sleep 0.1
+    done
+    sleep 0.2
+    kill -s "$hears_signal" $hears_pid
+    (sleep 10 && kill -s KILL $hears_pid) 2>/dev/null &
+    hears_end=$!
+    wait $hears_pid
+    same "$hears_name" "$?" "$hears_want"
+    kill $hears_end
+}
+hears "the first SIGTERM while a stack waits for a pipe" TERM 130 stack pipe
+
+# ---- what a terminal gets ----
+# quiet NAME COMMAND ...: nothing that acts on a terminal in what it writes
+quiet() {
+    quiet_name=$1
+    shift
+    timeout -s KILL 10 "$@" </dev/null >quiet.out 2>&1
+    empty "$quiet_name" "$(python3 - quiet.out <<'END'
+import sys
+text = open(sys.argv[1], 'rb').read().decode('utf-8', 'surrogateescape')
+if not text:
+    print('no output')
+for c in text:
+    n = ord(c)
+    if (n < 32 and c != '\n') or 0x7F <= n < 0xA0 or 0x200B <= n <= 0x200F or \
+            0x2028 <= n <= 0x202E or 0x2060 <= n <= 0x206F or n == 0xFEFF or 0xDC80 <= n < 0xDD00:
+        print('U+%04X in' % n, repr(text[max(0, text.index(c) - 40):][:80]))
+        break
+END
+)"
+}
+ugly=$(printf 'x\033]0;pwn\007\302\233\342\200\256y')
+cp pole.json "$ugly.json"
+printf '%s\n' "list $ugly" >"$ugly.crumple"
+printf 'set echo=on\n# %s\nlist\n' "$ugly" >echo.crumple
+printf 'Test,%s\n1,2\n' "$ugly" >"$ugly.csv"
+quiet "a scene with such names" "$crumple" run "$cases/c1-bidi-names.json"
+quiet "the same in a stack" "$crumple" stack "$cases/c1-bidi-names.json"
+quiet "such a key" "$crumple" run "$cases/esc-in-key.json"
+quiet "such a key in a stack" "$crumple" stack "$cases/esc-in-key.json"
+quiet "such a file of a run" "$crumple" run "$ugly"
+quiet "such a file in a stack" "$crumple" stack "$ugly"
+quiet "such a word" "$crumple" "$ugly"
+quiet "such an option" "$crumple" run "--$ugly"
+quiet "such an option of commands" "$crumple" "--$ugly"
+quiet "such a setting" "$crumple" run pole.json --set "$ugly=1"
+quiet "such a value" "$crumple" run pole.json --set "A.speed_kmh=$ugly"
+quiet "such a name by a setting" "$crumple" run pole.json --set "name=$ugly"
+quiet "such a command" "$crumple" -e "$ugly"
+quiet "such a word of a command" "$crumple" -e "load $ugly"
+quiet "such a word in quotes" "$crumple" -e "load \"$ugly\""
+quiet "such a participant" "$crumple" -e "vehicle \"$ugly\" type=sedan"
+quiet "such a command file" "$crumple" "$ugly.crumple"
+quiet "an echo" "$crumple" echo.crumple
+quiet "such a table of tests" "$crumple" validate "$ugly.csv"
+quiet "such a measured pulse" "$crumple" -e 'load pole.json' -e solve -e "compare \"$ugly.csv\""
+quiet "such a model" "$crumple" models "$ugly"
+quiet "such an earlier result" "$crumple" stack pole.json --resume "$ugly"
+quiet "such an output" "$crumple" run pole.json -o "no/$ugly"
+
+"$crumple" run "$cases/esc-in-key.json" 2>errs
+same "the place of a key with escapes" "$(cut -d: -f2-3 errs)" 1:2
+run run "$cases/name-63-umlauts.json"
+same "a name of 63 umlauts" "$status" 0
+finish
