@@ -25,6 +25,7 @@ static const char help[] =
     "       crumple stack INPUT ...          solve many, one result per line\n"
     "       crumple merge PART ...           put the parts of a stack in order\n"
     "       crumple validate [CLASS ...]     compare with crash tests\n"
+    "       crumple damage FILE.json         EES and delta-v out of a measured deformation\n"
     "       crumple mc SCENE.json            solve many draws of its uncertain inputs\n"
     "       crumple models [NAME]            list, show or export the models\n"
     "       crumple calibrate                fit the models to the crash tests again\n"
@@ -53,6 +54,8 @@ static const struct word words[] = {
     {"validate", cr_trial_validate},
     {"models", cr_cli_models},
     {"calibrate", cr_trial_calibrate},
+    {"calibrate-damage", cr_trial_calibrate_damage},
+    {"damage", cr_cli_damage},
 };
 enum { WORDS = sizeof words / sizeof *words };
 

@@ -13,5 +13,6 @@ int cr_cli_stack(int argc, char **argv);
 int cr_cli_merge(int argc, char **argv);
 int cr_cli_models(int argc, char **argv);
 int cr_cli_mc(int argc, char **argv);
+int cr_cli_damage(int argc, char **argv);
 
 #endif

@@ -1,6 +1,7 @@
 noinst_LIBRARIES += libcli.a
 libcli_a_SOURCES = \
 	src/cli/cli.h \
+	src/cli/damage.c \
 	src/cli/data.c \
 	src/cli/feed.c src/cli/feed.h \
 	src/cli/mc.c \

@@ -12,19 +12,8 @@
 struct basis {
     const struct cr_participant *part;
     const struct cr_dims *ref; /* of the type's recipe */
-    double ref_mass;           /* kg */
-};
-
-/* CG height as a share of the height, and track as a share of the width: means over the rows of
- * share/catalogue/cars.csv by type (n 6 to 150 and 9 to 338; NCAP rollover ratings and CVS). The
- * standard deviation of the first is 0.009 to 0.012, 14 mm on a sedan, that of the second 0.010 to
- * 0.016, 27 mm: half of what a line over mass leaves. */
-static const struct {
-    double cg_height, track;
-} shares[CR_TYPES] = {
-    [CR_TYPE_SUPER_COMPACT] = {0.376, 0.862}, [CR_TYPE_MINI_COMPACT] = {0.373, 0.860},
-    [CR_TYPE_COMPACT] = {0.375, 0.854},       [CR_TYPE_STATION_WAGON] = {0.372, 0.857},
-    [CR_TYPE_SEDAN] = {0.378, 0.848},         [CR_TYPE_SUV] = {0.383, 0.849},
+    const struct cr_model_rules *rules;
+    double ref_mass; /* kg */
 };
 
 /* Length: in proportion to a wheelbase that is given, else with the cube root of mass, the trend of
@@ -51,8 +40,10 @@ static double rule_wheelbase(const struct basis *b) {
     return b->ref->wheelbase * b->part->length / b->ref->length;
 }
 
+/* regressions of the type's recipe [TRACK-MASS], [CG-HEIGHT] */
 static double rule_track(const struct basis *b) {
-    return shares[b->part->type].track * b->part->width;
+    double t = b->rules->track + b->rules->track_per_kg * b->part->mass;
+    return cr_clamp(t, 0.7 * b->part->width, 0.9 * b->part->width);
 }
 
 /* the recipe's share of what stands out before and behind the axles */
@@ -71,7 +62,8 @@ static double rule_cg(const struct basis *b) {
 }
 
 static double rule_cg_height(const struct basis *b) {
-    return shares[b->part->type].cg_height * b->part->height;
+    double h = b->rules->cg_height + b->rules->cg_height_per_kg * b->part->mass;
+    return fmin(h, 0.45 * b->part->height);
 }
 
 /* 0.137 m L WB, on which six measured vehicles lie (0.133 to 0.140, [YAW-INERTIA]), but no
@@ -137,6 +129,7 @@ static enum cr_err resolve_vehicle(struct cr_participant *p, const struct cr_mod
         return code;
     }
     b.ref = cr_model_dims(lib, p->type, &b.ref_mass);
+    b.rules = cr_model_rules(lib, p->type);
     for (size_t i = 0; i < sizeof rules / sizeof rules[0]; i++) {
         const struct cr_key *key =
             cr_scene_key_find(CR_KEYS_PARTICIPANT, rules[i].key, CR_FOR_VEHICLE);
@@ -164,10 +157,24 @@ static enum cr_err resolve_object(struct cr_participant *p, struct cr_assuming *
     return cr_scene_assume(a, p->id, "height_m", err);
 }
 
+/* what the method decides of a vehicle's model where the scene does not */
+static void resolve_model(struct cr_participant *p, int method) {
+    int n;
+    const struct cr_key *row = cr_scene_keys(CR_KEYS_PARTICIPANT, &n);
+    const struct cr_key *blend =
+        cr_scene_key_find(CR_KEYS_PARTICIPANT, "model.blend", CR_FOR_VEHICLE);
+    if ((p->given >> (blend - row) & 1) == 0) {
+        cr_scene_value_reset(blend, p, method);
+    }
+}
+
 static enum cr_err resolve_part(struct cr_reader *r, struct cr_participant *p,
-                                const struct cr_model_lib *lib, struct cr_assuming *a) {
+                                const struct cr_model_lib *lib, int method, struct cr_assuming *a) {
     enum cr_err code = cr_scene_part_complete(r, p);
     cr_scene_model_kind(p);
+    if (p->kind == CR_KIND_VEHICLE) {
+        resolve_model(p, method);
+    }
     if (code == CR_ERR_OK) {
         code = cr_scene_part_check(r, p);
     }
@@ -219,7 +226,7 @@ enum cr_err cr_scene_resolve(struct cr_scene *scene, const struct cr_model_lib *
         char token[12];
         snprintf(token, sizeof token, "%d", i);
         size_t up = cr_scene_enter(&r, token);
-        code = resolve_part(&r, &scene->part[i], lib, &a);
+        code = resolve_part(&r, &scene->part[i], lib, (int)scene->set.method, &a);
         if (assumed != NULL) {
             assumed->mass_spread[i] = a.mass_spread;
         }

@@ -50,11 +50,12 @@ static void test_regressions(void **state) {
     resolve(&s, &assumed);
     const struct cr_participant *a = &s.part[0];
     const struct cr_dims *ref = cr_model_dims(lib, CR_TYPE_SUV, &(double){0});
-    /* 0.849 of the width; (0.308 + 7.7e-5 m) WB [CG-SHARE]; 0.383 of the height */
-    check_near(a->track, 0.849 * 1.983, 1e-9);
+    /* [TRACK-MASS] 1.330 + 1.39e-4 m; [CG-SHARE] (0.308 + 7.7e-5 m) WB; [CG-HEIGHT] 0.511 +
+     * 8.05e-5 m */
+    check_near(a->track, 1.68445, 1e-9);
     check_near(a->cg_behind_front_axle, 3.002 * 0.50435, 1e-9);
-    check_near(a->cg_height, 0.383 * 1.737, 1e-9);
-    /* 0.137 m L WB = 5334 is more than 589 below the line of light trucks */
+    check_near(a->cg_height, 0.716275, 1e-9);
+    /* [YAW-INERTIA] 0.137 m L WB = 5334 is more than 589 below the line of light trucks */
     check_near(a->yaw_inertia, 3.168 * 2550 - 2021 - 589, 1e-4);
     check_near(a->front_overhang,
                (5.086 - 3.002) * ref->front_overhang / (ref->length - ref->wheelbase), 1e-12);
@@ -99,7 +100,7 @@ static void test_sizes_from_type_and_mass(void **state) {
     resolve(&s, NULL);
     check_near(s.part[0].length, ref->length * 2.5 / ref->wheelbase, 1e-11);
     check_near(s.part[1].length, 1.2 * ref->length, 1e-11);
-    check_near(s.part[1].track, 0.854 * s.part[1].width, 1e-11);
+    check_near(s.part[1].track, 0.9 * s.part[1].width, 1e-11);
     cr_scene_fini(&s);
 }
 
