@@ -26,6 +26,7 @@ static const char help[] =
     "       crumple merge PART ...           put the parts of a stack in order\n"
     "       crumple validate [CLASS ...]     compare with crash tests\n"
     "       crumple damage FILE.json         EES and delta-v out of a measured deformation\n"
+    "       crumple fit SCENE.json ... to ... search inputs that explain what was measured\n"
     "       crumple mc SCENE.json            solve many draws of its uncertain inputs\n"
     "       crumple models [NAME]            list, show or export the models\n"
     "       crumple calibrate                fit the models to the crash tests again\n"
@@ -56,6 +57,7 @@ static const struct word words[] = {
     {"calibrate", cr_trial_calibrate},
     {"calibrate-damage", cr_trial_calibrate_damage},
     {"damage", cr_cli_damage},
+    {"fit", cr_cli_fit},
 };
 enum { WORDS = sizeof words / sizeof *words };
 

@@ -81,7 +81,8 @@ enum cr_err cr_scene_guess_type(struct cr_participant *p, const struct cr_model_
     const struct cr_key *row = cr_scene_keys(CR_KEYS_PARTICIPANT, &n);
     const struct cr_key *type = cr_scene_key_find(CR_KEYS_PARTICIPANT, "type", CR_FOR_VEHICLE);
     bool asked = (p->given >> (type - row) & 1) != 0; /* "auto" */
-    if (!asked && isnan(p->mass) && isnan(p->length) && isnan(p->wheelbase) && isnan(p->height)) {
+    if (!asked && isnan(p->mass) && isnan(p->kerb_mass) && isnan(p->length) &&
+        isnan(p->wheelbase) && isnan(p->height)) {
         cr_err_set(err, CR_ERR_MISSING, "vehicle \"%s\" has neither type, car, mass nor size",
                    p->id);
         cr_err_hint(err, "give \"type\" or \"car\"; \"type\": \"auto\" takes a sedan");
@@ -93,7 +94,7 @@ enum cr_err cr_scene_guess_type(struct cr_participant *p, const struct cr_model_
                             ? p->wheelbase * 1.7 /* of the six reference cars 1.51 to 1.74 */
                             : p->length;
         bool by_mass = isnan(length) && !(p->height > 0);
-        p->type = by_mass ? type_by_mass(lib, p->mass)
+        p->type = by_mass ? type_by_mass(lib, isnan(p->mass) ? p->kerb_mass : p->mass)
                           : type_by_size(lib, isnan(length) ? 4.8 : length, p->height);
     }
     return code;
@@ -143,11 +144,13 @@ enum cr_err cr_scene_from_car(struct cr_participant *p, const struct cr_model_li
     if (code != CR_ERR_OK) {
         return code;
     }
+    bool heavy = !isnan(p->mass) && !isnan(p->load); /* these two say the kerb mass */
     const struct {
         const char *key;
         double value;
     } value[] = {
-        {"mass_kg", car->curb + CR_CAR_DRIVER},
+        {"kerb_mass_kg", heavy ? p->mass - p->load : car->curb},
+        {"load_kg", isnan(p->mass) ? CR_CAR_DRIVER : (double)NAN},
         {"length_m", car->length},
         {"width_m", car->width},
         {"height_m", car->height},
@@ -156,7 +159,7 @@ enum cr_err cr_scene_from_car(struct cr_participant *p, const struct cr_model_li
         {"cg.behind_front_axle_m", car->cg_behind_front_axle},
         {"cg.height_m", car->cg_height},
     };
-    bool massless = isnan(p->mass);
+    bool massless = isnan(p->mass) && isnan(p->kerb_mass);
     name_row(car, a->from);
     for (size_t i = 0; i < sizeof value / sizeof value[0] && code == CR_ERR_OK; i++) {
         code = take(p, value[i].key, value[i].value, a, err);
@@ -166,7 +169,7 @@ enum cr_err cr_scene_from_car(struct cr_participant *p, const struct cr_model_li
         p->type = (enum cr_type)type;
         code = cr_scene_assume(a, p->id, "type", err);
     }
-    a->mass_spread = massless && !isnan(p->mass) ? spread_by_row : 0;
+    a->mass_spread = massless && !isnan(p->kerb_mass) ? spread_by_row : 0;
     a->from[0] = '\0';
     return code;
 }

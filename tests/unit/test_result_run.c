@@ -316,14 +316,6 @@ static struct cr_result *demo(const char *voxel_mm, const char *dt_ms) {
     struct cr_error err = {0};
     snprintf(path, sizeof path, "%s/share/scenes/q7-fiat500.json", src != NULL ? src : ".");
     assert_int_equal(cr_scene_load(path, &scene, &err), 0);
-    /* the slices and voxels are on trial, not the rules for what the scene leaves open */
-    static const char *const given[][2] = {
-        {"A.track_m", "1.68445"},       {"B.track_m", "1.44228"},
-        {"A.cg.height_m", "0.716275"},  {"B.cg.height_m", "0.557064"},
-        {"A.yaw_inertia_kgm2", "5334"}, {"B.yaw_inertia_kgm2", "1251.4"}};
-    for (size_t i = 0; i < sizeof given / sizeof given[0]; i++) {
-        assert_int_equal(cr_scene_set(&scene, given[i][0], given[i][1], &err), 0);
-    }
     assert_int_equal(cr_scene_set(&scene, "voxel_mm", voxel_mm, &err), 0);
     assert_int_equal(cr_scene_set(&scene, "dt_ms", dt_ms, &err), 0);
     struct cr_result *r;
