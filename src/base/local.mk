@@ -13,6 +13,7 @@ libbase_a_SOURCES = \
 	src/base/show.c src/base/show.h \
 	src/base/stats.c src/base/stats.h \
 	src/base/str.c src/base/str.h \
+	src/base/tree.c src/base/tree.h \
 	src/base/unit_words.c \
 	src/base/units.c src/base/units.h \
 	src/base/vec.h

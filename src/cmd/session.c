@@ -247,10 +247,12 @@ enum cr_err cr_session_need_models(struct cr_session *s, struct cr_error *err) {
         return code;
     }
     cr_file_part(s->data_dir, "irf", path, sizeof path);
-    struct cr_error irf_err;
-    if (cr_irf_load(path, &s->irf, &irf_err) != CR_ERR_OK) {
+    code = cr_irf_load(path, &s->irf, err);
+    if (code != CR_ERR_OK) { /* a result without them would miss what other runs have */
+        cr_model_lib_free(s->models);
+        s->models = NULL;
         s->irf = NULL;
-        cr_warn(s, "no injury probabilities: %s", irf_err.text);
+        return code;
     }
     return CR_ERR_OK;
 }

@@ -108,6 +108,19 @@ static int stopped(void *user) {
     return atomic_load(&job->stop);
 }
 
+/* one run of it, in its thread */
+struct turn {
+    struct job *job;
+    double end; /* s of processor time; infinite: any */
+    unsigned polls;
+};
+
+static int stopped_or_late(void *user) {
+    struct turn *turn = user;
+    bool late = ++turn->polls % 32 == 0 && cr_work_processor_s() > turn->end;
+    return stopped(turn->job) != 0 ? (int)CR_CANCEL_USER : late ? CR_CANCEL_TIME : CR_CANCEL_NO;
+}
+
 static void keep(struct cr_sweep_run *run, const struct cr_result *r) {
     for (int i = 0; i < r->resolved.n; i++) { /* the outlines stay with the result */
         run->of[i] = r->of[i];
@@ -118,8 +131,15 @@ static void keep(struct cr_sweep_run *run, const struct cr_result *r) {
 }
 
 static void solve_run(struct job *job, struct cr_sweep_run *run) {
-    struct cr_context ctx = {
-        .models = job->models, .irf = job->irf, .cancel = stopped, .user = job};
+    const struct cr_session_opts *opts = &job->session->opts;
+    double seconds = opts->max_seconds > 0 ? opts->max_seconds : (double)INFINITY;
+    struct turn turn = {.job = job, .end = cr_work_processor_s() + seconds};
+    struct cr_context ctx = {.models = job->models,
+                             .irf = job->irf,
+                             .cancel = stopped_or_late,
+                             .user = &turn,
+                             .max_bytes = cr_work_max_bytes(job->session),
+                             .max_seconds = opts->max_seconds};
     struct cr_state *state = NULL;
     struct cr_result *result = NULL;
     struct cr_error err = {0};
