@@ -51,8 +51,8 @@ static bool put_origin(const struct cr_result *r, cJSON *input) {
     cJSON *from = NULL;
     for (int i = 0; i < r->assumed.n; i++) {
         if (r->assumed.from[i][0] != '\0') {
-            from = from != NULL ? from : cJSON_AddObjectToObject(input, "catalogue");
-            cJSON_AddStringToObject(from, r->assumed.key[i], r->assumed.from[i]);
+            from = from != NULL ? from : cr_tree_object(input, "catalogue");
+            cr_tree_text(from, r->assumed.key[i], r->assumed.from[i]);
         }
     }
     return scene != NULL;
