@@ -1,8 +1,9 @@
-/* Doubts about a result, each with a code: bodies that went through each other, spikes, crush beyond
- * what a structure can tell, contacts that ended while bodies still came on. */
+/* Doubts about a result, each with a code: bodies that went through each other, spikes, crush
+ * beyond what a structure can tell, contacts that ended while bodies still came on. */
 #include "result/result_priv.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* a plastic phase shorter than this with more than that is no crash pulse, s and m/s2 */
@@ -149,6 +150,42 @@ static double a_pillar(const struct cr_participant *p, const struct cr_model_lib
     return p->front_overhang + a * p->wheelbase;
 }
 
+/* share by which a mass, length or inertia may differ from what type and size give */
+static const double plausible = 0.4;
+
+static void check_value(struct cr_result *r, const char *id, const char *name, double x,
+                        double usual) {
+    if (!(usual > 0) || fabs(x / usual - 1) <= plausible) {
+        return;
+    }
+    double unit = strcmp(name, "mass") == 0 ? 0.45359237 : strcmp(name, "length") == 0 ? 0.3048 : 0;
+    char guess[60] = "";
+    if (unit > 0 && fabs(unit * x / usual - 1) < plausible / 2) {
+        snprintf(guess, sizeof guess, "; if it is in %s it is %.4g here", unit > 0.4 ? "lb" : "ft",
+                 unit * x);
+    }
+    cr_result_warn(r, "implausible", "%s: %s %.4g is far from the %.4g that type and size give%s",
+                   id, name, x, usual, guess);
+}
+
+/* what type and size give: the tested mass with the power of length of the class medians */
+static void check_inputs(struct cr_result *r, int i, const struct cr_model_lib *models) {
+    const struct cr_participant *p = &r->resolved.part[i];
+    double mass;
+    if (models == NULL || p->type >= CR_TYPES) {
+        return;
+    }
+    const struct cr_dims *ref = cr_model_dims(models, p->type, &mass);
+    check_value(r, p->id, "length", p->length, ref->length);
+    if (fabs(p->length / ref->length - 1) > plausible) {
+        return; /* the others would be judged by a wrong size */
+    }
+    double size = cr_clamp(p->length / ref->length, 0.6, 1.6);
+    check_value(r, p->id, "mass", p->mass, mass * pow(size, 2.7));
+    check_value(r, p->id, "yaw inertia", p->yaw_inertia,
+                0.137 * p->mass * p->length * p->wheelbase);
+}
+
 static void check_vehicle(struct cr_result *r, int i, const struct cr_model_lib *models) {
     const struct cr_severity *s = &r->of[i];
     const struct cr_participant *p = &r->resolved.part[i];
@@ -179,6 +216,7 @@ void cr_result_quality(struct cr_result *r, const struct cr_model_lib *models) {
     }
     for (int i = 0; i < r->solution->bodies; i++) {
         if (r->resolved.part[i].kind == CR_KIND_VEHICLE) {
+            check_inputs(r, i, models);
             check_vehicle(r, i, models);
         }
     }

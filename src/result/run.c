@@ -253,6 +253,21 @@ static void warn_part(struct cr_result *r) {
                    1e3 * (sol->t[sol->samples - 1] - sol->t_contact));
 }
 
+/* objects are rigid: they do not crush each other */
+static enum cr_err need_vehicle(const struct cr_scene *scene, struct cr_error *err) {
+    for (int i = 0; i < scene->n; i++) {
+        if (scene->part[i].kind == CR_KIND_VEHICLE) {
+            return CR_ERR_OK;
+        }
+    }
+    cr_err_set(err, CR_ERR_MISSING, "there is no vehicle among the participants");
+    cr_err_hint(err, "objects are rigid and do not crush each other: make one a vehicle");
+    if (err != NULL) {
+        snprintf(err->where, sizeof err->where, "/participants");
+    }
+    return CR_ERR_MISSING;
+}
+
 enum cr_err cr_result_run(const struct cr_scene *scene, const struct cr_context *ctx,
                           struct cr_result **out, struct cr_error *err) {
     *out = NULL;
@@ -266,6 +281,7 @@ enum cr_err cr_result_run(const struct cr_scene *scene, const struct cr_context 
     rc = rc ? rc : cr_scene_copy(scene, &r->resolved, err);
     rc = rc ? rc : cr_scene_resolve(&r->resolved, ctx->models, &r->assumed, err);
     rc = rc ? rc : cr_result_afford(&r->resolved, ctx, err);
+    rc = rc ? rc : need_vehicle(&r->resolved, err);
     rc = rc ? rc : settle(r, ctx, err);
     bool part = rc == CR_ERR_INTERRUPTED && r->solution != NULL;
     enum cr_err measured = rc && !part ? rc : cr_result_measure(r, ctx->irf, part ? NULL : err);

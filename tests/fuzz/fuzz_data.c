@@ -1,5 +1,5 @@
-/* Any bytes as injury risk functions (behind a '[') or as the recipe of a type: either an error with
- * a text, or a model whose voxels are finite and no fuller than full. */
+/* Any bytes as injury risk functions (behind a '[') or as the recipe of a type: either an error
+ * with a text, or a model whose voxels are finite and no fuller than full. */
 #include "scratch.h"
 
 #include "model/model.h"

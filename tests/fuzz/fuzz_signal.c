@@ -1,4 +1,5 @@
-/* Any bytes as a measured curve: either an error with a text, or finite values over rising times. */
+/* Any bytes as a measured curve: either an error with a text, or finite values over rising times.
+ */
 #include "scratch.h"
 
 #include "result/signal.h"
