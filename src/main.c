@@ -6,6 +6,7 @@
 #include "base/show.h"
 #include "base/str.h"
 #include "cli/cli.h"
+#include "expert/expert.h"
 #include "repl/repl.h"
 #include "trial/trial.h"
 #include "tui/tui.h"
@@ -25,6 +26,8 @@ static const char help[] =
     "       crumple stack INPUT ...          solve many, one result per line\n"
     "       crumple validate [CLASS ...]     compare with crash tests\n"
     "       crumple mc SCENE.json            solve many draws of its uncertain inputs\n"
+    "       crumple report SCENE|RESULT      expert's report as HTML or PDF\n"
+    "       crumple audit RESULT [SCENE]     compute a result again and compare\n"
     "       crumple models [NAME]            list, show or export the models\n"
     "       crumple calibrate                fit the models to the crash tests again\n"
     "       crumple --help | --version\n"
@@ -45,8 +48,14 @@ struct word {
     int (*run)(int argc, char **argv);
 };
 static const struct word words[] = {
-    {"run", cr_cli_run}, {"stack", cr_cli_stack},   {"validate", cr_trial_validate},
-    {"mc", cr_cli_mc},   {"models", cr_cli_models}, {"calibrate", cr_trial_calibrate},
+    {"run", cr_cli_run},
+    {"stack", cr_cli_stack},
+    {"validate", cr_trial_validate},
+    {"mc", cr_cli_mc},
+    {"models", cr_cli_models},
+    {"calibrate", cr_trial_calibrate},
+    {"report", cr_expert_report},
+    {"audit", cr_expert_audit},
 };
 enum { WORDS = sizeof words / sizeof *words };
 

@@ -55,6 +55,9 @@ static bool put_input(const struct cr_result *r, const struct cr_result_opts *op
         cJSON_AddStringToObject(models, r->resolved.part[i].id, cr_str_get(&s));
         cr_str_fini(&s);
     }
+    if (r->irf_hash[0] != '\0' && opts->version != 1) {
+        cJSON_AddStringToObject(input, "irf_sha256", r->irf_hash);
+    }
     if (opts->resolved) {
         cJSON *all = cr_scene_to_json(&r->resolved, true);
         if (!all) {
