@@ -24,7 +24,9 @@ static const char help[] =
     "       crumple --repl                   commands at a plain prompt\n"
     "       crumple run SCENE.json           solve one scene\n"
     "       crumple stack INPUT ...          solve many, one result per line\n"
+    "       crumple merge PART ...           put the parts of a stack in order\n"
     "       crumple validate [CLASS ...]     compare with crash tests\n"
+    "       crumple damage FILE.json         EES and delta-v out of a measured deformation\n"
     "       crumple mc SCENE.json            solve many draws of its uncertain inputs\n"
     "       crumple report SCENE|RESULT      expert's report as HTML or PDF\n"
     "       crumple audit RESULT [SCENE]     compute a result again and compare\n"
@@ -50,10 +52,13 @@ struct word {
 static const struct word words[] = {
     {"run", cr_cli_run},
     {"stack", cr_cli_stack},
-    {"validate", cr_trial_validate},
+    {"merge", cr_cli_merge},
     {"mc", cr_cli_mc},
+    {"validate", cr_trial_validate},
     {"models", cr_cli_models},
     {"calibrate", cr_trial_calibrate},
+    {"calibrate-damage", cr_trial_calibrate_damage},
+    {"damage", cr_cli_damage},
     {"report", cr_expert_report},
     {"audit", cr_expert_audit},
 };
@@ -108,11 +113,9 @@ static int interactive(int argc, char **argv, const char *data_dir) {
 int main(int argc, char **argv) {
     keep_descriptors();
     cr_arena_keep();
-    setlocale(LC_ALL, "");
-    /* a result is the same text wherever it was made, also where it quotes the system */
-    setlocale(LC_MESSAGES, "C");
-    /* JSON and command files have a decimal point wherever the program runs */
-    setlocale(LC_NUMERIC, "C");
+    /* Characters are those of the terminal. All else is the same everywhere: the decimal point, the
+     * order of the files of a folder, the language of messages that stand in results. */
+    setlocale(LC_CTYPE, "");
     const char *word = argc > 1 ? argv[1] : "";
     if (strcmp(word, "--version") == 0 || strcmp(word, "-V") == 0) {
         return print(version);

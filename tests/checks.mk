@@ -1,7 +1,7 @@
 # checks of the tree as a whole
 tree_checks = tests/check_bootstrap.sh tests/check_circles.sh tests/check_examples.sh \
-	tests/check_includes.sh \
-	tests/check_manual.sh tests/check_map.sh tests/check_style.sh tests/check_symbols.sh
+	tests/check_includes.sh tests/check_manual.sh tests/check_map.sh tests/check_sources.sh \
+	tests/check_style.sh tests/check_symbols.sh
 cli_checks = tests/cli/bad_scene.sh tests/cli/completion.sh tests/cli/files.sh \
 	tests/cli/hostile.sh tests/cli/install.sh tests/cli/interrupt.sh tests/cli/run.sh tests/cli/same_bits.sh \
 	tests/cli/usage.sh
@@ -34,7 +34,7 @@ EXTRA_DIST += tests/bindings/bindings.sh tests/bindings/solve.py
 check_PROGRAMS += crumple-manual
 crumple_manual_SOURCES = tests/manual.c
 crumple_manual_CFLAGS = $(CR_CFLAGS)
-crumple_manual_LDADD = libcmd.a libfigure.a libstudy.a librender.a libresult.a libscene.a libsolver.a \
+crumple_manual_LDADD = libcmd.a libfigure.a libstudy.a libdamage.a librender.a libresult.a libscene.a libsolver.a \
 	libmodel.a libbase.a $(GSL_LIBS) $(NLOPT_LIBS) $(CJSON_LIBS) $(NETTLE_LIBS) $(CAIRO_LIBS)
 update-manual: crumple-manual$(EXEEXT)
 	./crumple-manual$(EXEEXT) >$(srcdir)/man/crumple-commands.7

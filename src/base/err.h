@@ -13,7 +13,7 @@
 #define CR_PRINTF(fmt, args)
 #endif
 
-/* X(name, exit status of formats.md, machine-readable code in result JSON) */
+/* X(name, exit status of crumple(1), machine-readable code in result JSON) */
 #define CR_ERR_LIST(X)                                                                             \
     X(OK, 0, "ok")                                                                                 \
     X(MISSED, 1, "tolerance-missed")                                                               \

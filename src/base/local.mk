@@ -9,6 +9,7 @@ libbase_a_SOURCES = \
 	src/base/number.c src/base/number.h \
 	src/base/pool.c src/base/pool.h \
 	src/base/records.c src/base/records.h \
+	src/base/quantity.c \
 	src/base/show.c src/base/show.h \
 	src/base/stats.c src/base/stats.h \
 	src/base/str.c src/base/str.h \

@@ -82,3 +82,31 @@ double cr_stats_correlation(const double *x, const double *y, int n) {
     }
     return xx > 0 && yy > 0 ? xy / sqrt(xx * yy) : none;
 }
+
+/* probability of k or fewer heads in n throws of a fair coin */
+static double few_heads(int k, int n) {
+    double log_term = -n * log(2), sum = 0;
+    for (int i = 0; i <= k; i++) {
+        sum += exp(log_term);
+        log_term += log((double)(n - i) / (i + 1));
+    }
+    return sum;
+}
+
+double cr_stats_sign_test(int less, int more) {
+    int n = less + more, rare = less < more ? less : more;
+    return n > 0 ? fmin(1, 2 * few_heads(rare, n)) : 1;
+}
+
+void cr_stats_median_interval(double *x, int n, double outside, double *lo, double *hi) {
+    int k = -1; /* order statistics left out on each side, less one */
+    while (2 * (k + 1) < n - 1 && 2 * few_heads(k + 1, n) <= outside) {
+        k++;
+    }
+    *lo = *hi = none;
+    if (k >= 0) {
+        qsort(x, (size_t)n, sizeof *x, ascending);
+        *lo = x[k];
+        *hi = x[n - 1 - k];
+    }
+}

@@ -32,4 +32,13 @@ struct cr_stats_error cr_stats_errors(const double *value, const double *referen
 /* Pearson correlation; NaN if either has no spread. */
 double cr_stats_correlation(const double *x, const double *y, int n);
 
+/* Two-sided sign test: probability that of less + more differences the rarer sign turns up so
+ * rarely or more so, if both are equally likely (binomial, exact); 1 without any difference. */
+double cr_stats_sign_test(int less, int more);
+
+/* Interval of the median that goes with that test, free of any distribution: the innermost order
+ * statistics that leave out at most `outside` (0.05: an interval of 95 %) on both sides together.
+ * x is sorted in place; both ends NaN where n is too small for it (below 6 at 95 %). */
+void cr_stats_median_interval(double *x, int n, double outside, double *lo, double *hi);
+
 #endif

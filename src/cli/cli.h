@@ -10,7 +10,9 @@ const char *cr_data_dir(char *buf, int size);
  * (crumple(1)). */
 int cr_cli_run(int argc, char **argv);
 int cr_cli_stack(int argc, char **argv);
+int cr_cli_merge(int argc, char **argv);
 int cr_cli_models(int argc, char **argv);
 int cr_cli_mc(int argc, char **argv);
+int cr_cli_damage(int argc, char **argv);
 
 #endif

@@ -1,6 +1,7 @@
 /* Reads scene texts one after the other from files, folders, JSON arrays and JSON Lines. */
 #include "cli/feed.h"
 
+#include "base/file.h"
 #include "base/str.h"
 
 #include <dirent.h>
@@ -291,7 +292,7 @@ static bool open_file(struct cr_feed *f, const char *path, struct cr_feed_item *
 
 static bool open_folder(struct cr_feed *f, const char *path, struct cr_feed_item *out) {
     f->folder = copy(path);
-    f->entries = scandir(path, &f->entry, is_scene_file, alphasort);
+    f->entries = scandir(path, &f->entry, is_scene_file, cr_file_by_bytes);
     if (f->entries < 0 || !f->folder) {
         int code = f->entries < 0 ? errno : ENOMEM;
         f->entries = f->entries < 0 ? 0 : f->entries;

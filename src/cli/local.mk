@@ -1,24 +1,33 @@
 noinst_LIBRARIES += libcli.a
 libcli_a_SOURCES = \
 	src/cli/cli.h \
+	src/cli/damage.c \
 	src/cli/data.c \
 	src/cli/feed.c src/cli/feed.h \
 	src/cli/mc.c \
 	src/cli/models.c src/cli/models.h src/cli/models_list.c \
 	src/cli/options.c src/cli/options.h \
 	src/cli/output.c \
+	src/cli/merge.c \
 	src/cli/pair.c src/cli/pair.h \
+	src/cli/part.c src/cli/part.h \
+	src/cli/record.c src/cli/record.h \
 	src/cli/pictures.c src/cli/pictures.h \
 	src/cli/resume.c src/cli/resume.h \
+	src/cli/rows.c src/cli/rows.h \
 	src/cli/run.c \
 	src/cli/shared.c \
+	src/cli/sink.c src/cli/sink.h \
 	src/cli/stack.c \
+	src/cli/study.c src/cli/study.h src/cli/study_priv.h \
+	src/cli/study_plot.c \
 	src/cli/word.h
 # where the data are: of a build in its source tree, and once installed (data.c)
 libcli_a_CPPFLAGS = $(AM_CPPFLAGS) -DPKGDATADIR='"$(pkgdatadir)"'
 # tells a program that was not installed where its source tree is; no path is in the program itself
 noinst_DATA = source-folder
 CLEANFILES += source-folder
+EXTRA_crumple_DEPENDENCIES = source-folder
 source-folder: Makefile
 	$(AM_V_GEN)echo '$(CR_SRCDIR)' >$@
 libcli_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)

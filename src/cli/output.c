@@ -23,6 +23,10 @@ static enum cr_err write_stdout(const struct cr_str *text, struct cr_error *err)
     size_t n = text->len;
     if ((n > 0 && fwrite(text->s, 1, n, stdout) != n) || fflush(stdout) != 0) {
         int code = errno;
+        /* whoever reads, as head, has had enough: that is no failure */
+        if (code == EPIPE) {
+            return CR_ERR_OK;
+        }
         cr_err_set(err, CR_ERR_IO, "cannot write: %s", strerror(code));
         cr_err_place(err, "standard output", 0, 0);
         return CR_ERR_IO;

@@ -3,6 +3,7 @@
 
 #include "base/json.h"
 #include "base/number.h"
+#include "base/stats.h"
 #include "result/result.h"
 
 #include <cjson/cJSON.h>
@@ -71,39 +72,39 @@ long cr_pair_home(struct cr_pair_set *set, const char *name, long number) {
     return p->home;
 }
 
-/* keep of a result what the comparison needs; NULL for the error object of an unsolved scene */
-static cJSON *reduce(const char *line) {
-    static const char *const KEEP[] = {"id", "ees_kmh", "delta_v_kmh", "injury"};
-    cJSON *json = cJSON_Parse(line), *list, *p;
+cJSON *cr_pair_reduce(const cJSON *result) {
+    static const char *const kept[] = {"id", "ees_kmh", "delta_v_kmh", "injury"};
+    const cJSON *list = cJSON_GetObjectItemCaseSensitive(result, "participants"), *p;
+    if (list == NULL) {
+        return NULL;
+    }
     cJSON *small = cJSON_CreateObject(), *parts = cJSON_AddArrayToObject(small, "participants");
-    list = cJSON_GetObjectItemCaseSensitive(json, "participants");
-    cJSON_AddItemToObject(small, "scene", cJSON_DetachItemFromObjectCaseSensitive(json, "scene"));
+    cJSON_AddItemToObject(small, "scene",
+                          cJSON_Duplicate(cJSON_GetObjectItemCaseSensitive(result, "scene"), true));
     cJSON_ArrayForEach(p, list) {
         cJSON *one = cJSON_CreateObject();
-        for (size_t i = 0; i < sizeof KEEP / sizeof *KEEP; i++) {
-            cJSON *item = cJSON_DetachItemFromObjectCaseSensitive(p, KEEP[i]);
-            if (item) {
-                cJSON_AddItemToObject(one, KEEP[i], item);
+        for (size_t i = 0; i < sizeof kept / sizeof kept[0]; i++) {
+            const cJSON *item = cJSON_GetObjectItemCaseSensitive(p, kept[i]);
+            if (item != NULL) {
+                cJSON_AddItemToObject(one, kept[i], cJSON_Duplicate(item, true));
             }
         }
         cJSON_AddItemToArray(parts, one);
     }
-    if (!list) {
-        cJSON_Delete(small);
-        small = NULL;
-    }
-    cJSON_Delete(json);
     return small;
 }
 
-enum cr_err cr_pair_note(struct cr_pair_set *set, const char *name, const char *result,
+enum cr_err cr_pair_note(struct cr_pair_set *set, const char *name, cJSON *reduced,
                          struct cr_error *err) {
     struct pair *p = find(set, name);
-    if (!p) {
+    if (p == NULL) {
+        cJSON_Delete(reduced);
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for pairs of scenes");
     }
     if (p->scenes < 2) {
-        p->part[p->scenes] = reduce(result);
+        p->part[p->scenes] = reduced;
+    } else {
+        cJSON_Delete(reduced);
     }
     p->scenes++;
     return CR_ERR_OK;
@@ -163,6 +164,14 @@ static cJSON *difference(const struct pair *p) {
     return list;
 }
 
+static enum cr_err print(cJSON *json, struct cr_str *out, struct cr_error *err) {
+    if (!cr_json_add(json, false, out)) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for pairs of scenes");
+    }
+    cr_str_add(out, "\n");
+    return CR_ERR_OK;
+}
+
 static enum cr_err write_pair(const struct pair *p, const struct cr_result_opts *form,
                               struct cr_str *out, int *failed, struct cr_error *err) {
     if (p->scenes != 2 || !p->part[0] || !p->part[1]) {
@@ -171,7 +180,9 @@ static enum cr_err write_pair(const struct pair *p, const struct cr_result_opts 
                    p->scenes == 2 ? ", of which not both were solved" : "");
         cr_err_hint(&what, "a pair is two scenes with one \"pair\" name");
         ++*failed;
-        return cr_result_error_json(p->name, &what, form, out, err);
+        cJSON *json = cr_result_error_tree(p->name, &what, form);
+        cJSON_AddStringToObject(json, "pair", p->name);
+        return print(json, out, err);
     }
     cJSON *json = cJSON_CreateObject();
     cJSON_AddNumberToObject(json, "crumple_result",
@@ -182,11 +193,7 @@ static enum cr_err write_pair(const struct pair *p, const struct cr_result_opts 
         cJSON_AddItemToArray(scenes, cJSON_CreateString(name_of(p->part[i], "scene")));
     }
     cJSON_AddItemToObject(json, "difference", difference(p));
-    if (!cr_json_add(json, false, out)) {
-        return cr_err_set(err, CR_ERR_MEMORY, "no memory for pairs of scenes");
-    }
-    cr_str_add(out, "\n");
-    return CR_ERR_OK;
+    return print(json, out, err);
 }
 
 enum cr_err cr_pair_write(const struct cr_pair_set *set, const struct cr_result_opts *form,
@@ -199,4 +206,112 @@ enum cr_err cr_pair_write(const struct cr_pair_set *set, const struct cr_result_
             set->pair[i].scenes > 0 ? write_pair(&set->pair[i], form, out, failed, err) : CR_ERR_OK;
     }
     return rc;
+}
+
+/* ---- all pairs together ---- */
+
+/* differences of one participant's measure over the pairs */
+struct series {
+    char name[2 * CR_NAME_MAX + 16];
+    double *x;
+    int n;
+};
+
+struct all {
+    const struct cr_pair_set *set;
+    struct series *series;
+    int n;
+    bool failed;
+};
+
+static void add_difference(struct all *all, const char *id, const char *key, const cJSON *value) {
+    char name[sizeof all->series->name];
+    if (!cJSON_IsNumber(value)) {
+        return;
+    }
+    snprintf(name, sizeof name, "%s.%s", id, key);
+    int i = 0;
+    while (i < all->n && strcmp(all->series[i].name, name) != 0) {
+        i++;
+    }
+    if (i == all->n) {
+        struct series *more = realloc(all->series, (size_t)(i + 1) * sizeof *more);
+        double *x = calloc((size_t)all->set->n, sizeof *x);
+        all->series = more != NULL ? more : all->series;
+        if (more == NULL || x == NULL) {
+            free(x);
+            all->failed = true;
+            return;
+        }
+        all->series[i] = (struct series){.x = x};
+        memcpy(all->series[i].name, name, sizeof name);
+        all->n++;
+    }
+    struct series *s = &all->series[i];
+    if (s->n < all->set->n) { /* ids of a scene are unique */
+        s->x[s->n++] = value->valuedouble;
+    }
+}
+
+static void add_differences(struct all *all, const cJSON *list) {
+    const cJSON *part, *risk;
+    cJSON_ArrayForEach(part, list) {
+        static const char *const keys[] = {"ees_kmh", "delta_v_kmh"};
+        const char *id = name_of(part, "id");
+        for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
+            add_difference(all, id, keys[i], cJSON_GetObjectItemCaseSensitive(part, keys[i]));
+        }
+        cJSON_ArrayForEach(risk, cJSON_GetObjectItemCaseSensitive(part, "injury")) {
+            add_difference(all, id, name_of(risk, "function"),
+                           cJSON_GetObjectItemCaseSensitive(risk, "probability"));
+        }
+    }
+}
+
+static void summarise(struct series *s, struct cr_str *out) {
+    int less = 0, more = 0;
+    double lo, hi;
+    for (int i = 0; i < s->n; i++) {
+        less += s->x[i] < 0;
+        more += s->x[i] > 0;
+    }
+    cr_stats_median_interval(s->x, s->n, 0.05, &lo, &hi);
+    cr_str_addf(out, "  %-30.30s %5d %5d %5d %9.4g", s->name, s->n, less, more,
+                cr_stats_median(s->x, s->n));
+    if (isfinite(lo)) {
+        cr_str_addf(out, " %8.3g %8.3g", lo, hi);
+    } else {
+        cr_str_addf(out, " %8s %8s", "-", "-");
+    }
+    cr_str_addf(out, " %9.4g %8.2g\n", cr_stats_mean(s->x, s->n), cr_stats_sign_test(less, more));
+}
+
+void cr_pair_summary(const struct cr_pair_set *set, struct cr_str *out) {
+    struct all all = {.set = set};
+    int compared = 0;
+    for (int i = 0; i < set->n; i++) {
+        const struct pair *p = &set->pair[i];
+        if (p->scenes == 2 && p->part[0] != NULL && p->part[1] != NULL) {
+            cJSON *list = difference(p);
+            add_differences(&all, list);
+            cJSON_Delete(list);
+            compared++;
+        }
+    }
+    if (compared > 0) {
+        cr_str_addf(out,
+                    "\nPairs: %d of %d compared; second scene minus first\n"
+                    "  %-30s %5s %5s %5s %9s %17s %9s %8s\n",
+                    compared, set->n, "", "n", "less", "more", "median", "95 % interval", "mean",
+                    "p");
+    }
+    for (int i = 0; i < all.n; i++) {
+        summarise(&all.series[i], out);
+        free(all.series[i].x);
+    }
+    if (compared > 0) {
+        cr_str_add(out, "  p: two-sided sign test; interval of the median by order statistics\n");
+    }
+    out->failed = out->failed || all.failed;
+    free(all.series);
 }

@@ -15,9 +15,19 @@ void cr_pair_free(struct cr_pair_set *set);
  * name, that of the first for the second. Shards keep pairs together by it. -1 without memory. */
 long cr_pair_home(struct cr_pair_set *set, const char *pair, long number);
 
-/* Note the result line of a scene of a pair; lines of unsolved scenes are kept as such. */
+/* Keep of a result what the comparison needs; NULL for an error object. The caller deletes it. */
+struct cJSON;
+struct cJSON *cr_pair_reduce(const struct cJSON *result);
+
+/* Note a scene of a pair by what was kept of its result (NULL: unsolved), which is owned from now
+ * on. Errors: MEMORY. */
 CR_MUST_CHECK enum cr_err cr_pair_note(struct cr_pair_set *set, const char *pair,
-                                       const char *result, struct cr_error *err);
+                                       struct cJSON *reduced, struct cr_error *err);
+
+/* Statistics of all pairs with two solved scenes, as lines of text: for each participant and
+ * measure how many went down and up, the median difference with its interval of 95 %, the mean, and
+ * the p of a two-sided sign test. Nothing without pairs. */
+void cr_pair_summary(const struct cr_pair_set *set, struct cr_str *out);
 
 /* A line per pair, in the order in which they began: EES, delta-v and injury probabilities of the
  * second scene minus those of the first, by participant. Pairs without two solved scenes get an

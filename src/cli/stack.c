@@ -2,7 +2,9 @@
 #include "cli/cli.h"
 #include "cli/feed.h"
 #include "cli/pair.h"
+#include "cli/part.h"
 #include "cli/resume.h"
+#include "cli/sink.h"
 #include "cli/word.h"
 
 #include "base/file.h"
@@ -21,8 +23,9 @@ static const char about[] =
     "Solves many scenes: files, folders, JSON arrays, JSON Lines; - is standard input. Writes one\n"
     "result object per line in input order; a scene that fails gives an error object. After the\n"
     "last scene comes a line with the differences for every two scenes of one \"pair\".\n"
-    "Interrupted with -o FILE, the results so far lie in FILE.part for --resume. Exit status: 0\n"
-    "all solved; 1 a scene failed; 2 usage or file system; 130 interrupted.\n";
+    "Interrupted with -o FILE, the same with --resume FILE goes on. --format csv, --fields,\n"
+    "--summary and --plot make a study of it. Exit status: 0 all solved; 1 a scene failed; 2\n"
+    "usage or file system; 130 interrupted.\n";
 
 struct options {
     int jobs;
@@ -30,26 +33,26 @@ struct options {
     bool trace, resolved, progress;
     int version; /* of the results */
     struct cr_option_values set, resume;
+    struct cr_sink_options sink;
 };
 
 struct item {
     struct cr_feed_item in;
-    char pair[CR_NAME_MAX];
-    struct cr_str line;
-    bool failed, interrupted;
+    long index; /* among all scenes of the input */
+    struct cr_record record;
 };
 
 struct stack {
-    const struct options *opt;
+    struct options *opt;
     struct cr_cli_shared shared;
     struct cr_feed *feed;
     struct cr_resume *resume;
-    struct cr_pair_set *homes, *pairs; /* for shards while reading, and of the results */
-    long shard, shards, number;        /* shard 0..shards-1; scenes read so far */
-    FILE *out;
-    const char *name; /* of the output in messages */
+    struct cr_pair_set *homes; /* for shards while reading */
+    struct cr_sink *sink;
+    long shard, shards, number; /* shard 0..shards-1; scenes read so far */
     long done, failed, interrupted;
     bool no_memory; /* for another scene */
+    bool gone;      /* whoever read the output */
     struct timespec began, told;
     struct cr_error fatal;
 };
@@ -73,12 +76,12 @@ static void peek_pair(const struct cr_feed_item *in, char pair[CR_NAME_MAX]) {
 
 /* both scenes of a pair go to the shard of the first */
 static bool is_mine(struct stack *s, const struct item *item) {
-    long home = s->number++;
+    long home = item->index;
     if (s->shards == 1) {
         return true;
     }
-    if (item->pair[0]) {
-        long first = cr_pair_home(s->homes, item->pair, home);
+    if (item->record.pair[0] != '\0') {
+        long first = cr_pair_home(s->homes, item->record.pair, home);
         home = first < 0 ? home : first;
     }
     return home % s->shards == s->shard;
@@ -86,7 +89,7 @@ static bool is_mine(struct stack *s, const struct item *item) {
 
 static void item_free(struct item *item) {
     cr_feed_item_fini(&item->in);
-    cr_str_fini(&item->line);
+    cr_record_fini(&item->record);
     free(item);
 }
 
@@ -102,7 +105,8 @@ static void *take(void *user) {
         if (!cr_feed_next(s->feed, &item->in)) {
             break;
         }
-        peek_pair(&item->in, item->pair);
+        peek_pair(&item->in, item->record.pair);
+        item->index = s->number++;
         if (is_mine(s, item)) {
             return item;
         }
@@ -144,22 +148,48 @@ static enum cr_err read_scene(const struct stack *s, const struct item *item,
     return cr_cli_override(scene, &s->opt->set, err);
 }
 
-static enum cr_err solve(const struct stack *s, const struct cr_scene *scene, struct cr_str *line,
-                         struct cr_error *err) {
+/* the tree of a result, solved now or before */
+static enum cr_err solve(const struct stack *s, const struct cr_scene *scene, bool resolved,
+                         cJSON **out, struct cr_error *err) {
     struct cr_result *result = NULL;
     enum cr_err rc = CR_ERR_OK;
     if (s->resume) {
         char hash[CR_HASH_SIZE];
+        struct cr_str line = {0};
         rc = cr_result_scene_hash(scene, hash, err);
-        if (rc || cr_resume_line(s->resume, hash, line)) {
+        bool found = rc == CR_ERR_OK && cr_resume_line(s->resume, hash, &line);
+        *out = found ? cJSON_ParseWithLength(cr_str_get(&line), line.len) : NULL;
+        cr_str_fini(&line);
+        if (rc || *out) {
             return rc;
         }
     }
     rc = cr_result_run(scene, &s->shared.ctx, &result, err);
     struct cr_result_opts form = form_of(s->opt);
-    rc = rc ? rc : cr_result_json(result, &form, line, err);
+    form.resolved = resolved;
+    rc = rc ? rc : cr_result_tree(result, &form, out, err);
     cr_result_free(result);
     return rc;
+}
+
+/* what a scene without a name goes by: its file and line */
+static void name_item(const struct cr_feed_item *in, char name[CR_NAME_MAX]) {
+    const char *src = in->src ? in->src : "", *slash = strrchr(src, '/');
+    snprintf(name, CR_NAME_MAX, "%.40s:%d", slash ? slash + 1 : src, in->line);
+}
+
+static cJSON *error_of(const struct stack *s, const struct item *item, const struct cr_scene *scene,
+                       struct cr_error *err) {
+    char name[CR_NAME_MAX];
+    snprintf(name, sizeof name, "%s", scene->name);
+    if (!name[0]) {
+        peek_name(&item->in, name);
+    }
+    if (!err->src[0]) {
+        cr_err_place(err, item->in.src, item->in.line, item->in.col);
+    }
+    struct cr_result_opts form = form_of(s->opt);
+    return cr_result_error_tree(name, err, &form);
 }
 
 static void work(void *user, void *of) {
@@ -167,23 +197,18 @@ static void work(void *user, void *of) {
     struct item *item = of;
     struct cr_scene scene;
     struct cr_error err = {0};
+    char name[CR_NAME_MAX];
+    cJSON *tree = NULL;
+    struct cr_record_form form = {.keep = cr_sink_keeps(s->sink), .resolved = s->opt->resolved};
     enum cr_err rc = read_scene(s, item, &scene, &err);
-    rc = rc ? rc : solve(s, &scene, &item->line, &err);
+    rc = rc ? rc : solve(s, &scene, form.keep || form.resolved, &tree, &err);
     if (rc) {
-        char name[CR_NAME_MAX];
-        snprintf(name, sizeof name, "%s", scene.name);
-        if (!name[0]) {
-            peek_name(&item->in, name);
-        }
-        if (!err.src[0]) {
-            cr_err_place(&err, item->in.src, item->in.line, item->in.col);
-        }
-        item->failed = true;
-        item->interrupted = rc == CR_ERR_INTERRUPTED;
-        cr_str_clear(&item->line);
-        struct cr_result_opts form = form_of(s->opt);
-        item->line.failed |= cr_result_error_json(name, &err, &form, &item->line, NULL) != 0;
+        item->record.interrupted = rc == CR_ERR_INTERRUPTED;
+        tree = error_of(s, item, &scene, &err);
     }
+    name_item(&item->in, name);
+    rc = cr_record_make(&item->record, tree, item->index, name, &form, NULL);
+    item->record.line.failed |= rc != CR_ERR_OK;
     cr_scene_fini(&scene);
 }
 
@@ -206,35 +231,20 @@ static void tell(struct stack *s, bool last) {
             terminal && !last ? "" : "\n");
 }
 
-static enum cr_err put(struct stack *s, const struct cr_str *text) {
-    if (text->failed) {
-        return cr_err_set(&s->fatal, CR_ERR_MEMORY, "no memory for a result");
-    }
-    if (fwrite(cr_str_get(text), 1, text->len, s->out) != text->len || fflush(s->out) != 0) {
-        cr_err_set(&s->fatal, CR_ERR_IO, "cannot write: %s", strerror(errno));
-        cr_err_place(&s->fatal, s->name, 0, 0);
-        return CR_ERR_IO;
-    }
-    return CR_ERR_OK;
-}
-
 static bool give(void *user, void *of) {
     struct stack *s = user;
     struct item *item = of;
     enum cr_err rc = s->fatal.code;
-    if (item->interrupted) {
+    if (item->record.interrupted) {
         s->interrupted++;
-    } else if (!rc && !s->interrupted) {
-        rc = put(s, &item->line);
-        if (!rc && item->pair[0]) {
-            rc = cr_pair_note(s->pairs, item->pair, cr_str_get(&item->line), &s->fatal);
-        }
+    } else if (!rc && !s->interrupted && !s->gone) {
+        s->failed += item->record.failed;
         s->done++;
-        s->failed += item->failed;
+        rc = cr_sink_give(s->sink, &item->record, &s->gone, &s->fatal);
         tell(s, false);
     }
     item_free(item);
-    return !rc && !s->interrupted;
+    return !rc && !s->interrupted && !s->gone;
 }
 
 /* "I/N" */
@@ -256,14 +266,66 @@ static enum cr_err read_shard(struct stack *s, struct cr_error *err) {
     return CR_ERR_OK;
 }
 
+/* what is not there is better told before hours of work */
+static enum cr_err check_inputs(char **input, int inputs, struct cr_error *err) {
+    for (int i = 0; i < inputs; i++) {
+        if (strcmp(input[i], "-") != 0 && access(input[i], R_OK) != 0) {
+            cr_err_set(err, CR_ERR_IO, "cannot open: %s", strerror(errno));
+            cr_err_place(err, input[i], 0, 0);
+            return CR_ERR_IO;
+        }
+    }
+    return CR_ERR_OK;
+}
+
+static bool exists(const char *path, const char *suffix) {
+    struct cr_str name = {0};
+    struct stat st;
+    cr_str_addf(&name, "%s%s", path, suffix);
+    bool there = stat(cr_str_get(&name), &st) == 0;
+    cr_str_fini(&name);
+    return there;
+}
+
+/* a file that is to be resumed and the output, or its unfinished part, are one */
+static bool is_output(const struct options *opt, const char *resumed) {
+    size_t n = opt->out ? strlen(opt->out) : 0;
+    return n > 0 && !strncmp(resumed, opt->out, n) &&
+           (resumed[n] == '\0' || !strcmp(resumed + n, ".part"));
+}
+
+/* "--resume FILE" alone goes on with what an interrupted "-o FILE" has left in FILE.part */
+static enum cr_err find_output(struct options *opt, struct cr_part *part, struct cr_error *err) {
+    if (!opt->out && opt->resume.n == 1 && exists(opt->resume.value[0], ".part")) {
+        opt->out = opt->resume.value[0];
+    }
+    if (!opt->out || !strcmp(opt->out, "-")) {
+        return CR_ERR_OK;
+    }
+    bool goes_on = false;
+    int kept = 0;
+    for (int i = 0; i < opt->resume.n; i++) {
+        bool own = is_output(opt, opt->resume.value[i]);
+        goes_on = goes_on || own;
+        /* FILE itself is not there yet where the first attempt was interrupted */
+        if (!own || exists(opt->resume.value[i], "")) {
+            opt->resume.value[kept++] = opt->resume.value[i];
+        }
+    }
+    opt->resume.n = kept;
+    return cr_part_find(part, opt->out, goes_on ? &opt->resume : NULL, err);
+}
+
 static enum cr_err open_stack(struct stack *s, char **input, int inputs, struct cr_error *err) {
     enum cr_err rc = read_shard(s, err);
+    rc = rc ? rc : check_inputs(input, inputs, err);
+    rc = rc ? rc : cr_sink_new(&s->opt->sink, &s->sink, err);
     rc = rc ? rc : cr_cli_open(&s->shared, CR_CLI_ALL, err);
     rc = rc ? rc : cr_feed_new(input, inputs, cr_cli_cancelled, NULL, &s->feed, err);
     rc = rc ? rc : cr_pair_new(&s->homes, err);
-    rc = rc ? rc : cr_pair_new(&s->pairs, err);
     if (!rc && s->opt->resume.n > 0) {
         struct cr_result_opts form = form_of(s->opt);
+        form.resolved = form.resolved || cr_sink_keeps(s->sink);
         rc = cr_resume_open(s->opt->resume.value, s->opt->resume.n, s->shared.models, &form,
                             &s->resume, err);
     }
@@ -283,95 +345,55 @@ static enum cr_err run_stack(struct stack *s, struct cr_error *err) {
     if (s->no_memory) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for scene %ld", s->number + 1);
     }
+    if (s->gone) {
+        s->failed = 0;
+        return CR_ERR_OK;
+    }
     if (s->interrupted || cr_cli_cancelled(NULL)) {
         return cr_err_set(err, CR_ERR_INTERRUPTED, "interrupted after %ld scenes", s->done);
     }
-    struct cr_str lines = {0};
-    int failed;
+    int failed = 0;
     struct cr_result_opts form = form_of(s->opt);
-    rc = cr_pair_write(s->pairs, &form, &lines, &failed, err);
-    if (!rc && put(s, &lines)) {
-        *err = s->fatal;
-        rc = err->code;
-    }
-    cr_str_fini(&lines);
+    rc = cr_sink_pairs(s->sink, &form, &failed, err);
     s->failed += failed;
     tell(s, true);
     return rc;
 }
 
-static enum cr_err cannot(const char *what, const char *name, struct cr_error *err) {
-    cr_err_set(err, CR_ERR_IO, "cannot %s: %s", what, strerror(errno));
-    cr_err_place(err, name, 0, 0);
-    return CR_ERR_IO;
-}
-
-/* write the stack into a file that is there when it is through */
-static enum cr_err fill_file(struct stack *s, const char *path, struct cr_error *err) {
-    s->name = path;
-    s->out = fopen(path, "w");
-    if (!s->out) {
-        return cannot("write", path, err);
+static enum cr_err to_file(struct stack *s, struct cr_part *part, struct cr_error *err) {
+    enum cr_err rc = cr_part_open(part, err);
+    if (rc) {
+        return rc;
     }
-    enum cr_err rc = run_stack(s, err);
-    bool device = cr_file_in_place(path);
-    bool bad = fflush(s->out) != 0 || (!device && fsync(fileno(s->out)) != 0);
-    bad = fclose(s->out) != 0 || bad;
-    return bad && !rc ? cannot("write", path, err) : rc;
-}
-
-/* write into FILE.part, which becomes FILE only when the stack is complete */
-static enum cr_err to_file(struct stack *s, struct cr_error *err) {
-    struct cr_str part = {0};
-    struct stat st;
-    if (stat(s->opt->out, &st) == 0 && S_ISDIR(st.st_mode)) {
-        errno = EISDIR;
-        return cannot("write", s->opt->out, err);
+    cr_sink_open(s->sink, part->file, cr_str_get(&part->name));
+    rc = run_stack(s, err);
+    rc = rc ? rc : cr_part_finish(part, err);
+    if (rc == CR_ERR_INTERRUPTED && !part->in_place) {
+        cr_err_place(err, cr_str_get(&part->name), 0, 0);
+        cr_err_hint(err, "the same with --resume %.150s goes on", s->opt->out);
     }
-    if (cr_file_in_place(s->opt->out)) {
-        return fill_file(s, s->opt->out, err);
-    }
-    cr_str_addf(&part, "%s.part", s->opt->out);
-    enum cr_err rc =
-        part.failed ? cr_err_set(err, CR_ERR_MEMORY, "no memory for a name") : CR_ERR_OK;
-    const char *name = cr_str_get(&part);
-    for (int i = 0; i < s->opt->resume.n && !rc; i++) {
-        // the results of the first attempt are kept open, but must not be lost in a second
-        if (!strcmp(s->opt->resume.value[i], name)) {
-            rc = cr_err_set(err, CR_ERR_USAGE, "--resume and the unfinished output are one file");
-            cr_err_place(err, name, 0, 0);
-            cr_err_hint(err, "rename it first, or give -o another name");
-        }
-    }
-    rc = rc ? rc : fill_file(s, name, err);
-    if (!rc && rename(name, s->opt->out) != 0) {
-        char what[300];
-        snprintf(what, sizeof what, "rename to %.250s", s->opt->out);
-        rc = cannot(what, name, err);
-    }
-    if (rc && s->out) {
-        cr_err_place(err, name, 0, 0);
-        cr_err_hint(err, "rename it and go on with --resume and the new name");
-    }
-    cr_str_fini(&part);
     return rc;
 }
 
-static enum cr_err stack(char **input, int inputs, const struct options *opt, long *failed,
+static enum cr_err stack(char **input, int inputs, struct options *opt, long *failed,
                          struct cr_error *err) {
     struct stack s = {.opt = opt};
-    enum cr_err rc = open_stack(&s, input, inputs, err);
+    struct cr_part part = {.file = NULL};
+    enum cr_err rc = find_output(opt, &part, err);
+    rc = rc ? rc : open_stack(&s, input, inputs, err);
     cr_cli_catch();
     if (!rc && opt->out && strcmp(opt->out, "-") != 0) {
-        rc = to_file(&s, err);
+        rc = to_file(&s, &part, err);
     } else if (!rc) {
-        s.out = stdout;
-        s.name = "standard output";
+        bool shown = opt->out || cr_sink_shows_records(s.sink);
+        cr_sink_open(s.sink, shown ? stdout : NULL, "standard output");
         rc = run_stack(&s, err);
     }
+    rc = rc || s.gone ? rc : cr_sink_summary(s.sink, err);
     *failed = s.failed;
+    cr_part_fini(&part);
     cr_resume_free(s.resume);
-    cr_pair_free(s.pairs);
+    cr_sink_free(s.sink);
     cr_pair_free(s.homes);
     cr_feed_free(s.feed);
     cr_cli_close(&s.shared);
@@ -400,7 +422,7 @@ static int read_options(int argc, char **argv, struct options *opt, int *operand
         {.name = "resume",
          .arg = "FILE",
          .values = &opt->resume,
-         .help = "take results of unchanged scenes from FILE instead of solving them"},
+         .help = "take results of unchanged scenes from FILE; alone: go on with its FILE.part"},
         {.name = "progress",
          .letter = 'p',
          .flag = &opt->progress,
@@ -412,6 +434,7 @@ static int read_options(int argc, char **argv, struct options *opt, int *operand
          .help = "override a setting or value in every scene"},
         {.name = "trace", .letter = 't', .flag = &opt->trace, .help = "with the time series"},
         {.name = "resolved", .flag = &opt->resolved, .help = "with the resolved scenes"},
+        CR_SINK_OPTIONS(&opt->sink),
         CR_CLI_VERSION_OPTION(&opt->version),
     };
     const struct cr_usage usage = {.word = "stack",

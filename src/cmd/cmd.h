@@ -1,4 +1,4 @@
-/* The command language (screen.md, Grammar and Commands): tokens, the command table, the session
+/* The command language (crumple-commands(7)): tokens, the command table, the session
  * that commands work on, and completion. Every change of state goes through a command line.
  *
  * Output goes through struct cr_out alone. A session is used by one thread; what is borrowed from

@@ -191,7 +191,8 @@ static enum cr_err show_table(struct cr_session *s, double time, struct cr_error
     enum cr_err code = cr_session_need_result(s, err);
     if (code == CR_ERR_OK) {
         s->view.pane = CR_PANE_TABLE;
-        code = cr_cmd_picture(s, w, cr_render_table_rows(s->result), draw_table, &job, err);
+        code = cr_cmd_picture(s, w, cr_render_table_rows_beside(s->result, NULL), draw_table, &job,
+                              err);
     }
     if (code == CR_ERR_OK && stale(s)) {
         cr_warn(s, "the scene changed after this result; try: solve");
@@ -286,6 +287,24 @@ static enum cr_err say_steps(struct cr_session *s, int every, struct cr_error *e
     return CR_ERR_OK;
 }
 
+static enum cr_err draw_impacts(void *user, struct cr_cells *cells, struct cr_rect at,
+                                struct cr_error *err) {
+    const struct cr_session *s = user;
+    (void)err;
+    cr_render_impacts(cells, at, s->result);
+    return CR_ERR_OK;
+}
+
+static enum cr_err show_impacts(struct cr_session *s, struct cr_error *err) {
+    int w, h;
+    cr_session_room(s, &w, &h);
+    enum cr_err code = cr_session_need_result(s, err);
+    if (code == CR_ERR_OK) {
+        code = cr_cmd_picture_text(s, w, cr_render_impacts_rows(s->result), draw_impacts, s, err);
+    }
+    return code;
+}
+
 static enum cr_err say_contacts(struct cr_session *s, struct cr_error *err) {
     enum cr_err code = cr_session_need_result(s, err);
     if (code != CR_ERR_OK) {
@@ -333,6 +352,8 @@ enum cr_err cr_cmd_table(struct cr_call *call, struct cr_error *err) {
         return cr_sweep_say(s, err);
     case 4:
         return say_contacts(s, err);
+    case 5:
+        return show_impacts(s, err);
     default:
         return show_table(s, time, err);
     }

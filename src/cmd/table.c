@@ -208,8 +208,8 @@ static const struct cr_arg view_args[] = {
 };
 
 static const struct cr_arg table_args[] = {
-    OPTION("WHAT", CR_VALUE_WORD, .words = "results|inputs|steps|sweep|contacts", .def = "results",
-           .help = "which table"),
+    OPTION("WHAT", CR_VALUE_WORD, .words = "results|inputs|steps|sweep|contacts|impacts",
+           .def = "results", .help = "which table"),
     KEY("time", CR_VALUE_TIME, .dim = CR_DIM_TIME, .unit = "ms", .lo = 0, .hi = 60000,
         .words = "end", .help = "results at this time after the first contact"),
     KEY("every", CR_VALUE_COUNT, .lo = 1, .hi = 100000, .def = "10",

@@ -3,7 +3,7 @@
 
 #include <time.h>
 
-#define FIRST_SHOW 0.3  /* s of work before progress is shown (screen.md) */
+#define FIRST_SHOW 0.3  /* s of work before progress is shown */
 #define SHOW_EVERY 0.1  /* s between two shows */
 #define POLL_EVERY 0.01 /* s between two looks for a cancel */
 

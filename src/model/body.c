@@ -1,5 +1,5 @@
 /* The reference body of a type in three dimensions: which cells are material, and how the energy
- * of a layer is shared out among them (stiffness.md 5). */
+ * of a layer is shared out among them [FRONT-GRID]. */
 #include "config.h"
 
 #include "model/model_priv.h"
@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-/* 50 mm: the voxel edge of the 3D models (method.md 2) */
+/* 50 mm: the voxel edge of the 3D models (share/doc/models.md) */
 static const double body_edge = 0.05;
 
 /* Share of [a, b] that lies in [lo, hi]. */

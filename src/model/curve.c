@@ -1,5 +1,5 @@
-/* Face curves: energy per kg over depth, dynamic and residual (method.md 5, "Dynamic and residual
- * crush"). */
+/* Face curves: energy per kg over depth, dynamic and residual (share/doc/method.md, "residual_curve
+ * and both depths"). */
 #include "config.h"
 
 #include "model/model_priv.h"
@@ -38,7 +38,7 @@ static double dynamic_energy(const struct cr_model_face *f, double depth) {
 
 /* The residual curve is the dynamic one moved by the springback; the energy that leaves no
  * residual depth is spread over the first `spread` metres, so that it starts at zero
- * (stiffness.md 8.1). */
+ * [FRONT-START]. */
 double cr_model_face_energy(const struct cr_model_face *f, enum cr_curve curve, double depth) {
     if (depth <= 0) {
         return 0;

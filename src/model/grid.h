@@ -1,5 +1,5 @@
 /* The 2D vehicle substitute model on the solver's square voxels (paper, "2 D vehicle substitute
- * models"; method.md 2). Plain data: arrays are borrowed from the arena they were made in. */
+ * models"). Plain data: arrays are borrowed from the arena they were made in. */
 #ifndef CR_MODEL_GRID_H
 #define CR_MODEL_GRID_H
 

@@ -1,6 +1,6 @@
 /* The loading direction mixes the longitudinal and the lateral field.
  *
- * Differs from method.md 2 (u = u_long cos^2 + u_lat sin^2): there an oblique blow on a door had to
+ * A sum (u = u_long cos^2 + u_lat sin^2) was tried: with it an oblique blow on a door had to
  * crush a quarter of the far stiffer longitudinal density of the middle of the car, and side poles
  * stopped at half their measured depth. The weaker direction gives way first, so the two are mixed
  * like springs in series, and each layer of the face that the sector loads then gets back exactly

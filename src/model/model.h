@@ -1,5 +1,5 @@
-/* EES voxel models (method.md 2): six vehicle types, each with twelve principal directions of
- * force, built from the recipes in models/, reduced to 2D and stretched onto a vehicle.
+/* EES voxel models (share/doc/models.md): six vehicle types, each with twelve principal directions
+ * of force, built from the recipes in models/, reduced to 2D and stretched onto a vehicle.
  *
  * A library is opened once, is safe to share between threads and keeps what it derived; grids made
  * from it are owned by the arena that is passed in or by the library, and live while both do. */

@@ -1,5 +1,5 @@
 /* The reference grid: the model is stretched piecewise between the lines that every car has, onto
- * the lines of the vehicle (paper, "reference grid"; method.md 2). */
+ * the lines of the vehicle (paper, "reference grid"). */
 #include "config.h"
 
 #include "model/model_priv.h"

@@ -1,5 +1,4 @@
-/* The layout of the full screen: one pure function from the size of the terminal to rectangles
- * (screen.md, "How it adapts"). */
+/* The layout of the full screen: one pure function from the size of the terminal to rectangles. */
 #ifndef CR_RENDER_LAYOUT_H
 #define CR_RENDER_LAYOUT_H
 

@@ -9,6 +9,7 @@ librender_a_SOURCES = \
 	src/render/draw.c \
 	src/render/field.c \
 	src/render/glyph.c \
+	src/render/impacts.c \
 	src/render/layout.c src/render/layout.h \
 	src/render/marks.c \
 	src/render/page.c \
@@ -23,5 +24,6 @@ librender_a_SOURCES = \
 	src/render/screen.c src/render/screen.h \
 	src/render/state.c \
 	src/render/table.c src/render/table.h \
-	src/render/theme.c src/render/theme.h
+	src/render/theme.c src/render/theme.h \
+	src/render/words.c
 librender_a_CFLAGS = $(CR_CFLAGS)

@@ -161,7 +161,7 @@ CR_MUST_CHECK enum cr_err cr_render_energy(struct cr_cells *cells, struct cr_rec
                                            const struct cr_result *result, double cursor,
                                            struct cr_error *err);
 
-/* The results table (formats.md quantities with units, a column per participant), as text lines;
+/* The results table (quantities with units, a column per participant), as text lines;
  * time NaN: final values, else those of that instant. */
 CR_MUST_CHECK enum cr_err cr_render_table(struct cr_cells *cells, struct cr_rect at,
                                           const struct cr_look *look,
@@ -169,6 +169,11 @@ CR_MUST_CHECK enum cr_err cr_render_table(struct cr_cells *cells, struct cr_rect
                                           struct cr_error *err);
 /* Rows the table needs for this result, for sizing. */
 int cr_render_table_rows(const struct cr_result *result);
+
+/* A table of all impacts with what each did to either participant; times after the first contact.
+ * Columns that have no room are left out from the right. */
+void cr_render_impacts(struct cr_cells *cells, struct cr_rect at, const struct cr_result *result);
+int cr_render_impacts_rows(const struct cr_result *result);
 
 /* Measured values of participants, to stand beside a result; NaN: not measured. */
 struct cr_reference {

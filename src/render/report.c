@@ -166,6 +166,22 @@ static enum cr_err tables(const struct cr_page *page, struct cr_error *err) {
     return code;
 }
 
+/* one blow is told by the table above */
+static enum cr_err impacts(const struct cr_page *page, struct cr_error *err) {
+    struct cr_cells c;
+    if (page->result->impacts < 2) {
+        return CR_ERR_OK;
+    }
+    int rows = cr_render_impacts_rows(page->result);
+    enum cr_err code = cr_page_heading(page, "Impacts", "each by itself", err);
+    code = code == CR_ERR_OK ? cr_cells_new(page->width, rows, &c, err) : code;
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    cr_render_impacts(&c, (struct cr_rect){1, 0, page->width - 2, rows}, page->result);
+    return cr_page_emit(page, &c, err);
+}
+
 static bool has_profile(const struct cr_result *r, int b) {
     return r->compiled.cs.body[b].grid.nx > 0 && r->of[b].face < CR_FACES &&
            r->of[b].deformation_max > 0;
@@ -332,7 +348,7 @@ static void join(struct cr_str *out, const char *left, const char *right, int co
     }
 }
 
-static const section RIGHT[] = {profiles, cr_page_phases, balance, notes};
+static const section RIGHT[] = {impacts, profiles, cr_page_phases, balance, notes};
 enum { RIGHTS = sizeof RIGHT / sizeof RIGHT[0] };
 
 /* the table, and beside it on a wide page (below it else) what remains to be said */

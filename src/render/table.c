@@ -1,4 +1,4 @@
-/* The results table: one row per quantity of formats.md, one column per participant. */
+/* The results table: one row per quantity, one column per participant. */
 #include "render/picture.h"
 #include "render/table.h"
 
@@ -24,6 +24,7 @@ struct row {
     double (*number)(const struct source *s);
     void (*text)(const struct source *s, char *buf, int size);
     bool grid_only; /* of deformable participants only */
+    bool several;   /* only where somebody had several impacts */
 };
 
 /* ---- what the rows show ---- */
@@ -76,6 +77,14 @@ OF(now_ees, cr_kmh(sqrt(2 * fmax(s->now.energy, 0) / get_mass(s))))
 OF(now_delta_v, cr_kmh(cr_vec2_len(cr_vec2_sub(s->now.vel, s->outcome->before.vel))))
 #undef OF
 
+static double get_net(const struct source *s) {
+    return cr_kmh(s->of->delta_v_net);
+}
+
+static double get_impacts(const struct source *s) {
+    return s->of->impacts;
+}
+
 static void put_type(const struct source *s, char *buf, int size) {
     const struct cr_participant *part = &s->result->resolved.part[s->body];
     snprintf(buf, (size_t)size, "%s",
@@ -108,73 +117,74 @@ static void put_c456(const struct source *s, char *buf, int size) {
 }
 
 static void put_face(const struct source *s, char *buf, int size) {
-    static const char *const words[CR_FACES] = {"front", "left", "rear", "right"};
-    snprintf(buf, (size_t)size, "%s", s->of->face < CR_FACES ? words[s->of->face] : "-");
+    snprintf(buf, (size_t)size, "%s", cr_render_face(s->of->face));
 }
 
 /* clang-format off */
 static const struct row FINAL[] = {
-    {"type", "", -1, NULL, put_type, false},
-    {"model", "", -1, NULL, put_model, true},
-    {"mass", "kg", 0, get_mass, NULL, false},
-    {"speed at first contact", "km/h", 1, get_before, NULL, false},
-    {"Severity", NULL, 0, NULL, NULL, false},
-    {"  EES", "km/h", 1, get_ees, NULL, true},
-    {"  delta-v", "km/h", 1, get_delta_v, NULL, false},
-    {"    forward", "km/h", 1, get_forward, NULL, false},
-    {"    to the left", "km/h", 1, get_left, NULL, false},
-    {"    world x", "km/h", 1, get_world_x, NULL, false},
-    {"    world y", "km/h", 1, get_world_y, NULL, false},
-    {"  PDOF", "deg", 0, get_pdof, NULL, true},
-    {"    as the clock", "", -1, NULL, put_clock, true},
-    {"  CDC", "", -1, NULL, put_cdc, true},
-    {"Deformation", NULL, 0, NULL, NULL, true},
-    {"  struck face", "", -1, NULL, put_face, true},
-    {"  greatest depth, residual", "m", 2, get_depth, NULL, true},
-    {"  greatest depth, dynamic", "m", 2, get_dynamic, NULL, true},
-    {"  residual C1 C2 C3", "cm", -1, NULL, put_c123, true},
-    {"  residual C4 C5 C6", "cm", -1, NULL, put_c456, true},
-    {"  crushed area", "m\u00b2", 2, get_area, NULL, true},
-    {"    induced part", "m\u00b2", 2, get_area_induced, NULL, true},
-    {"  energy", "kJ", 1, get_energy, NULL, true},
-    {"    induced part", "kJ", 1, get_induced, NULL, true},
-    {"Acceleration", NULL, 0, NULL, NULL, false},
-    {"  maximum, CFC 60", "g", 1, get_a_max, NULL, false},
-    {"    after first contact", "ms", 1, get_t_max, NULL, false},
-    {"  mean", "g", 1, get_a_mean, NULL, false},
-    {"  contact lasts", "ms", 1, get_pulse, NULL, false},
-    {"  OLC", "g", 1, get_olc, NULL, false},
-    {"  ASI", "", 2, get_asi, NULL, false},
-    {"  VPI", "g", 1, get_vpi, NULL, false},
-    {"  THIV", "km/h", 1, get_thiv, NULL, false},
-    {"  PHD", "g", 1, get_phd, NULL, false},
-    {"After the crash", NULL, 0, NULL, NULL, false},
-    {"  speed", "km/h", 1, get_speed_after, NULL, false},
-    {"  course", "deg", 1, get_course_after, NULL, false},
-    {"  yaw rate", "deg/s", 1, get_yaw_after, NULL, false},
-    {"    change in the crash", "deg/s", 1, get_yaw_change, NULL, false},
+    {"type", "", -1, NULL, put_type, false, false},
+    {"model", "", -1, NULL, put_model, true, false},
+    {"mass", "kg", 0, get_mass, NULL, false, false},
+    {"speed at first contact", "km/h", 1, get_before, NULL, false, false},
+    {"Severity", NULL, 0, NULL, NULL, false, false},
+    {"  EES", "km/h", 1, get_ees, NULL, true, false},
+    {"  delta-v", "km/h", 1, get_delta_v, NULL, false, false},
+    {"    sum of so many impacts", "", 0, get_impacts, NULL, false, true},
+    {"    net of all", "km/h", 1, get_net, NULL, false, true},
+    {"    forward", "km/h", 1, get_forward, NULL, false, false},
+    {"    to the left", "km/h", 1, get_left, NULL, false, false},
+    {"    world x", "km/h", 1, get_world_x, NULL, false, false},
+    {"    world y", "km/h", 1, get_world_y, NULL, false, false},
+    {"  PDOF", "deg", 0, get_pdof, NULL, true, false},
+    {"    as the clock", "", -1, NULL, put_clock, true, false},
+    {"  CDC", "", -1, NULL, put_cdc, true, false},
+    {"Deformation", NULL, 0, NULL, NULL, true, false},
+    {"  struck face", "", -1, NULL, put_face, true, false},
+    {"  greatest depth, residual", "m", 2, get_depth, NULL, true, false},
+    {"  greatest depth, dynamic", "m", 2, get_dynamic, NULL, true, false},
+    {"  residual C1 C2 C3", "cm", -1, NULL, put_c123, true, false},
+    {"  residual C4 C5 C6", "cm", -1, NULL, put_c456, true, false},
+    {"  crushed area", "m\u00b2", 2, get_area, NULL, true, false},
+    {"    induced part", "m\u00b2", 2, get_area_induced, NULL, true, false},
+    {"  energy", "kJ", 1, get_energy, NULL, true, false},
+    {"    induced part", "kJ", 1, get_induced, NULL, true, false},
+    {"Acceleration", NULL, 0, NULL, NULL, false, false},
+    {"  maximum, CFC 60", "g", 1, get_a_max, NULL, false, false},
+    {"    after first contact", "ms", 1, get_t_max, NULL, false, false},
+    {"  mean", "g", 1, get_a_mean, NULL, false, false},
+    {"  pulse, over 5 % of peak", "ms", 1, get_pulse, NULL, false, false},
+    {"  OLC", "g", 1, get_olc, NULL, false, false},
+    {"  ASI", "", 2, get_asi, NULL, false, false},
+    {"  VPI", "g", 1, get_vpi, NULL, false, false},
+    {"  THIV", "km/h", 1, get_thiv, NULL, false, false},
+    {"  PHD", "g", 1, get_phd, NULL, false, false},
+    {"After the crash", NULL, 0, NULL, NULL, false, false},
+    {"  speed", "km/h", 1, get_speed_after, NULL, false, false},
+    {"  course", "deg", 1, get_course_after, NULL, false, false},
+    {"  yaw rate", "deg/s", 1, get_yaw_after, NULL, false, false},
+    {"    change in the crash", "deg/s", 1, get_yaw_change, NULL, false, false},
 };
 static const struct row REST[] = {
-    {"At rest", NULL, 0, NULL, NULL, false},
-    {"  after first contact", "s", 2, get_rest_t, NULL, false},
-    {"  x", "m", 2, get_rest_x, NULL, false},
-    {"  y", "m", 2, get_rest_y, NULL, false},
-    {"  heading", "deg", 1, get_rest_heading, NULL, false},
+    {"At rest", NULL, 0, NULL, NULL, false, false},
+    {"  after first contact", "s", 2, get_rest_t, NULL, false, false},
+    {"  x", "m", 2, get_rest_x, NULL, false, false},
+    {"  y", "m", 2, get_rest_y, NULL, false, false},
+    {"  heading", "deg", 1, get_rest_heading, NULL, false, false},
 };
 static const struct row INSTANT[] = {
-    {"type", "", -1, NULL, put_type, false},
-    {"mass", "kg", 0, get_mass, NULL, false},
-    {"speed at first contact", "km/h", 1, get_before, NULL, false},
-    {"speed now", "km/h", 1, now_speed, NULL, false},
-    {"course now", "deg", 1, now_course, NULL, false},
-    {"turned", "deg", 1, now_turned, NULL, false},
-    {"yaw rate", "deg/s", 1, now_yaw, NULL, false},
-    {"acceleration", "g", 1, now_acc, NULL, false},
-    {"contact force", "kN", 0, now_force, NULL, false},
-    {"delta-v so far", "km/h", 1, now_delta_v, NULL, false},
-    {"EES so far", "km/h", 1, now_ees, NULL, true},
-    {"energy so far", "kJ", 1, now_energy, NULL, true},
-    {"crushed area", "m\u00b2", 2, now_area, NULL, true},
+    {"type", "", -1, NULL, put_type, false, false},
+    {"mass", "kg", 0, get_mass, NULL, false, false},
+    {"speed at first contact", "km/h", 1, get_before, NULL, false, false},
+    {"speed now", "km/h", 1, now_speed, NULL, false, false},
+    {"course now", "deg", 1, now_course, NULL, false, false},
+    {"turned", "deg", 1, now_turned, NULL, false, false},
+    {"yaw rate", "deg/s", 1, now_yaw, NULL, false, false},
+    {"acceleration", "g", 1, now_acc, NULL, false, false},
+    {"contact force", "kN", 0, now_force, NULL, false, false},
+    {"delta-v so far", "km/h", 1, now_delta_v, NULL, false, false},
+    {"EES so far", "km/h", 1, now_ees, NULL, true, false},
+    {"energy so far", "kJ", 1, now_energy, NULL, true, false},
+    {"crushed area", "m\u00b2", 2, now_area, NULL, true, false},
 };
 /* clang-format on */
 
@@ -224,10 +234,22 @@ static int injuries(const struct cr_result *result, const struct cr_injury *list
     return n;
 }
 
+static bool is_shown(const struct cr_result *result, const struct row *row) {
+    return !row->several || result->impacts > 1;
+}
+
+static int final_rows(const struct cr_result *result) {
+    int n = 0;
+    for (int i = 0; i < FINALS; i++) {
+        n += is_shown(result, &FINAL[i]);
+    }
+    return n;
+}
+
 int cr_render_table_rows(const struct cr_result *result) {
     const struct cr_injury *list[CR_INJURY_MAX];
     int n = injuries(result, list);
-    return 1 + FINALS + (at_rest(result) ? RESTS : 0) + (n > 0 ? n + 1 : 0);
+    return 1 + final_rows(result) + (at_rest(result) ? RESTS : 0) + (n > 0 ? n + 1 : 0);
 }
 
 struct layout {
@@ -242,15 +264,6 @@ struct layout {
 
 static int column_end(const struct layout *l, int k) {
     return l->at.x + l->label + (k + 1) * l->column;
-}
-
-void cr_render_number(double x, int decimals, char *buf, int size) {
-    if (!isfinite(x)) {
-        snprintf(buf, (size_t)size, "-");
-        return;
-    }
-    x = fabs(x) < 0.5 * pow(10, -decimals) ? 0 : x; /* no "-0.0" */
-    snprintf(buf, (size_t)size, "%.*f", decimals, x);
 }
 
 /* ---- measured values beside the results ---- */
@@ -374,7 +387,9 @@ static void write_injuries(struct layout *l, const struct cr_result *result) {
     const struct cr_injury *list[CR_INJURY_MAX];
     int n = injuries(result, list);
     if (n > 0 && l->y < l->at.y + l->at.h) {
-        cr_cells_print(l->cells, l->at.x, l->y++, 0, CR_ROLE_TITLE, "Probability of injury");
+        cr_cells_print(l->cells, l->at.x, l->y++, 0, CR_ROLE_TITLE,
+                       result->impacts > 1 ? "Probability of injury by the severest impact"
+                                           : "Probability of injury");
     }
     for (int i = 0; i < n && l->y < l->at.y + l->at.h; i++) {
         cr_cells_print(l->cells, l->at.x + 2, l->y, l->label - 2, CR_ROLE_TEXT, list[i]->title);
@@ -423,7 +438,9 @@ static void draw(struct layout *l, const struct cr_result *result, double time) 
         return;
     }
     for (int i = 0; i < FINALS; i++) {
-        write_row(l, result, &FINAL[i], time);
+        if (is_shown(result, &FINAL[i])) {
+            write_row(l, result, &FINAL[i], time);
+        }
     }
     for (int i = 0; i < RESTS && at_rest(result); i++) {
         write_row(l, result, &REST[i], time);
@@ -445,7 +462,7 @@ int cr_render_table_rows_beside(const struct cr_result *result,
     for (int i = 0; i < FINALS && reference != NULL; i++) {
         rows += any_measured(reference, result, &FINAL[i]);
     }
-    return rows;
+    return rows + (result->impacts > 1 ? 1 + cr_render_impacts_rows(result) : 0);
 }
 
 enum cr_err cr_render_table_beside(struct cr_cells *cells, struct cr_rect at,
@@ -458,6 +475,10 @@ enum cr_err cr_render_table_beside(struct cr_cells *cells, struct cr_rect at,
     if (n > 0) {
         struct layout l = set_out(cells, at, look, reference, body, n < most ? n : most);
         draw(&l, result, time);
+        if (result->impacts > 1 && isnan(time) && cr_render_final(result->solution)) {
+            int y = l.y + 1;
+            cr_render_impacts(cells, (struct cr_rect){at.x, y, at.w, at.y + at.h - y}, result);
+        }
     }
     if (n > most && at.h > 1) {
         char more[48];

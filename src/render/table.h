@@ -12,6 +12,9 @@ int cr_table_columns(int width);
 void cr_table_draw(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
                    const struct cr_result *result, double time, const int *body, int n);
 
+/* "front", "left" ...; "-" for none. */
+const char *cr_render_face(enum cr_face face);
+
 /* A number with fixed decimals, "-" for what is not known, never "-0". */
 void cr_render_number(double x, int decimals, char *buf, int size);
 

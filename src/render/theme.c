@@ -154,7 +154,7 @@ const struct cr_theme *cr_theme_find(const char *name) {
 }
 
 /* Eight steps whose CIE lightness rises all the way, which the nearest colours of the palette to
- * the original maps do not (exemplars.md 11). */
+ * the original maps do not [COLOUR-RAMP]. */
 static const uint8_t RAMP_256[CR_COLORMAPS][8] = {
     [CR_COLORMAP_VIRIDIS] = {17, 53, 24, 30, 36, 78, 148, 220},
     [CR_COLORMAP_MAGMA] = {17, 53, 90, 126, 168, 209, 216, 229},

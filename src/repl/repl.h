@@ -6,7 +6,7 @@
  * order; without any of them the commands come from standard input, with a prompt on a terminal.
  * -i or --repl gives the prompt afterwards; --ascii and --color=always|auto|never say how pictures
  * look. argv[0] is not looked at. data_dir: folder of models/ and share/, "" if there is none.
- * Returns the exit status of formats.md. */
+ * Returns the exit status of the program (crumple(1)). */
 int cr_repl_main(int argc, char **argv, const char *data_dir);
 
 /* Is this argument one of those above, so that the line is for cr_repl_main? */

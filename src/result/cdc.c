@@ -4,16 +4,16 @@
 #include <math.h>
 #include <stdio.h>
 
-/* direct damage narrower than 16 in counts as narrow (literature.md 4.2) */
+/* direct damage narrower than 16 in counts as narrow [CDC-J224] */
 static const double NARROW = 0.41;
 /* share of a third that must be struck for the third to count */
 static const double TOUCHED = 0.1;
 
 /* letter of column 4: which thirds of the face were struck, bit 0 the first of them */
 static char lateral(enum cr_face face, int thirds) {
-    // front and rear from left to right: L C R, Y = L + C, Z = C + R
+    /* front and rear from left to right: L C R, Y = L + C, Z = C + R */
     static const char END[8] = {'C', 'L', 'C', 'Y', 'R', 'D', 'Z', 'D'};
-    // sides from rear to front: B P F, Z = P + B, Y = F + P
+    /* sides from rear to front: B P F, Z = P + B, Y = F + P */
     static const char SIDE[8] = {'P', 'B', 'P', 'Z', 'F', 'D', 'Y', 'D'};
     return cr_face_is_end(face) ? END[thirds] : SIDE[thirds];
 }

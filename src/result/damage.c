@@ -8,7 +8,7 @@
 /* residual depth from which a column counts as damaged, m: what a tape measure shows */
 static const double DAMAGED = 0.01;
 /* Front and rear are measured along the bumper beam: recorded damage width over overall width of
- * 186 full-width wall tests (stiffness.md 1.3). */
+ * 186 full-width wall tests [RESIDUAL-SHAPE]. */
 static const double BEAM_WIDTH = 0.83;
 /* Beyond where the undeformed outline lies this far back, m, it is the corner that leads round to
  * the next face. */
@@ -265,13 +265,13 @@ static double depth_at(const struct cr_deform *d, enum cr_face face, double x, d
     return a + f * (b - a);
 }
 
-/* Six equal spaces over the damaged width (NHTSA's DPD, literature.md 4.2): from a straight line
+/* Six equal spaces over the damaged width [CRUSH-POINTS]: from a straight line
  * along the foremost point of the undeformed face, as a string is stretched, and from the
  * undeformed outline, whose curvature is then taken off. */
 static void crush_profile(const struct cr_deform *d, const struct face_damage *f,
                           struct cr_severity *s) {
     int n = cr_face_lines(d->grid, s->face);
-    double lo = f->lo + 0.5, hi = f->hi + 0.5; // middles of the outermost damaged columns
+    double lo = f->lo + 0.5, hi = f->hi + 0.5; /* middles of the outermost damaged columns */
     double foremost = INFINITY, setback;
     for (int k = 0; k < n; k++) {
         foremost = fmin(foremost, cr_deform_setback(d->grid, s->face, k));
@@ -342,7 +342,7 @@ static char vertical(const struct damage *m, enum cr_face face) {
     if (q->z_hi <= FRAME * p->height) {
         return 'L';
     }
-    // the classification counts a side hit to the roof, a front hit below the belt line
+    /* the classification counts a side hit to the roof, a front hit below the belt line */
     return !cr_face_is_end(face) && q->z_hi > ROOF * p->height ? 'A' : 'E';
 }
 
@@ -404,7 +404,7 @@ static void measure_area(const struct damage *m, const struct face_damage *f,
     area *= g->h * g->h;
     s->area_induced *= g->h * g->h;
     s->area_contact = area - s->area_induced;
-    // the residual share of the area is that of the struck face's columns
+    /* the residual share of the area is that of the struck face's columns */
     double lost = m->deform.residual_curve ? f->residual_sum : f->dynamic_sum;
     s->deformation_area = lost > 0 ? area * f->residual_sum / lost : 0;
 }

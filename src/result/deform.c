@@ -145,7 +145,7 @@ double cr_deform_max(const struct cr_deform *d, struct cr_vec2 inward) {
     struct cr_vec2 side = cr_vec2_perp(inward);
     struct cr_vec2 mid = {(lo[0] + hi[0] + 1) / 2.0, (lo[1] + hi[1] + 1) / 2.0};
     double half = (fabs(side.x) * (hi[0] + 1 - lo[0]) + fabs(side.y) * (hi[1] + 1 - lo[1])) / 2;
-    // lines one voxel apart, through voxel centres when the direction is along the grid
+    /* lines one voxel apart, through voxel centres when the direction is along the grid */
     int n = (int)ceil(2 * half - 1e-9);
     double pitch = 2 * half / n;
     /* lines beside the damage too, as a narrow one is measured with what stands beside it */
@@ -162,7 +162,7 @@ double cr_deform_max(const struct cr_deform *d, struct cr_vec2 inward) {
 static int place(const struct cr_grid *g, enum cr_face face, int k, int i) {
     bool along = cr_face_is_end(face);
     int j = cr_face_from_high(face) ? cr_face_line_length(g, face) - 1 - i : i;
-    // left to right means falling y
+    /* left to right means falling y */
     return along ? (g->ny - 1 - k) * g->nx + j : j * g->nx + k;
 }
 
@@ -212,7 +212,7 @@ void cr_deform_relax(const struct cr_deform *d, enum cr_face face, double *left)
         double lost = cr_deform_column(d, face, k, false), sum = 0;
         double back = (lost - cr_deform_residual(lost, g->springback[face])) / g->h;
         int deep = 0;
-        // the place in which the last of the column's loss lies
+        /* the place in which the last of the column's loss lies */
         for (int i = 0; sum * g->h < lost - NOTHING && i < cr_face_line_length(g, face); i++) {
             int at = place(g, face, k, i);
             sum += fmax(0, g->fill[at] - left[at]);

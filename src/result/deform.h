@@ -46,7 +46,7 @@ double cr_deform_line(const struct cr_deform *d, struct cr_vec2 at, struct cr_ve
 double cr_deform_max(const struct cr_deform *d, struct cr_vec2 inward);
 
 /* The material that column k lost as a length. Columns stand square to a face and run from left to
- * right on front and rear and from rear to front on the sides (literature.md 4.2). */
+ * right on front and rear and from rear to front on the sides [CRUSH-POINTS]. */
 double cr_deform_column(const struct cr_deform *d, enum cr_face face, int k, bool contact_only);
 
 /* How far the undeformed outline of column k lies behind the foremost point of the face, m; the

@@ -1,5 +1,5 @@
 /* CFC filter of SAE J211-1: a two-pole Butterworth low pass, run forward and backward so that it
- * does not shift in time (literature.md 4.3). */
+ * does not shift in time [CFC-FILTER]. */
 #include "result/result.h"
 
 #include <math.h>

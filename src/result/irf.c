@@ -1,4 +1,4 @@
-/* Injury risk functions from data files (literature.md 5): each with its source, covariate, unit
+/* Injury risk functions from data files (share/irf): each with its source, covariate, unit
  * and range. Three forms are known: logistic, p = 1 / (1 + exp(-(b0 + b1 x + ...))), and power,
  * p = (x / ref)^exponent. */
 #include "result/result_priv.h"

@@ -1,4 +1,4 @@
-/* Result -> JSON (formats.md, result version 2, version 1 on request). Every number passes
+/* Result -> JSON (share/schema, version 2, version 1 on request). Every number passes
  * cr_round12, so that the text is the same wherever the last bits differ; what is not a number
  * becomes null. */
 #include "config.h"
@@ -104,7 +104,7 @@ static void put_participants(const struct cr_result *r, int version, cJSON *json
         if (!vehicle) {
             cJSON_AddStringToObject(p, "kind", "object");
         }
-        // a fixed object has no motion to report
+        /* a fixed object has no motion to report */
         if (r->compiled.cs.body[i].mass > 0) {
             cr_json_motion(&r->of[i], version, p);
         }
@@ -135,7 +135,7 @@ static void put_contacts(const struct cr_result *r, cJSON *json) {
         cJSON_AddStringToObject(one, "a", r->resolved.part[c->a].id);
         cJSON_AddStringToObject(one, "b", r->resolved.part[c->b].id);
         cr_json_put(one, "begin_s", c->t_begin);
-        // what still rubs when all has come to rest has parted
+        /* what still rubs when all has come to rest has parted */
         bool open = c->stop == CR_STOP_NONE && !r->solution->interrupted;
         double end = r->solution->t[r->solution->samples - 1];
         cr_json_put(one, "plastic_end_s", open ? end : c->t_plastic_end);
@@ -237,9 +237,8 @@ enum cr_err cr_result_json(const struct cr_result *r, const struct cr_result_opt
     return code == CR_ERR_OK ? print(json, opts->pretty, out, err) : code;
 }
 
-enum cr_err cr_result_error_json(const char *scene, const struct cr_error *what,
-                                 const struct cr_result_opts *opts, struct cr_str *out,
-                                 struct cr_error *err) {
+cJSON *cr_result_error_tree(const char *scene, const struct cr_error *what,
+                            const struct cr_result_opts *opts) {
     cJSON *json = cJSON_CreateObject();
     cr_json_put(json, "crumple_result", opts->version ? opts->version : CR_RESULT_VERSION);
     cJSON_AddStringToObject(json, "scene", scene ? scene : "");
@@ -261,5 +260,11 @@ enum cr_err cr_result_error_json(const char *scene, const struct cr_error *what,
     cr_str_add(&s, what->where);
     cJSON_AddStringToObject(e, "where", cr_str_get(&s));
     cr_str_fini(&s);
-    return print(json, opts->pretty, out, err);
+    return json;
+}
+
+enum cr_err cr_result_error_json(const char *scene, const struct cr_error *what,
+                                 const struct cr_result_opts *opts, struct cr_str *out,
+                                 struct cr_error *err) {
+    return print(cr_result_error_tree(scene, what, opts), opts->pretty, out, err);
 }

@@ -1,4 +1,4 @@
-/* What is reported of a finished solution (method.md 6, literature.md 4). */
+/* What is reported of a finished solution (share/doc/sources.md, "Measures"). */
 #include "result/result_priv.h"
 
 #include "result/damage.h"
@@ -28,12 +28,12 @@ int cr_result_main_contact(const struct cr_solution *sol, int body) {
 }
 
 double cr_result_pdof(struct cr_vec2 dv) {
-    // the impulse comes from where it does not push to; right is -y
+    /* the impulse comes from where it does not push to; right is -y */
     double pdof = atan2(dv.y, -dv.x);
     if (pdof < 0) {
         pdof += 2 * CR_PI;
     }
-    // straight ahead is 0, whichever side rounding falls to
+    /* straight ahead is 0, whichever side rounding falls to */
     return pdof > 2 * CR_PI - 1e-12 ? 0 : pdof;
 }
 

@@ -7,7 +7,7 @@
 
 #define OF(field) offsetof(struct cr_severity, field)
 
-/* in the order of formats.md; `name` is the key without its unit */
+/* in the order of the result file; `name` is the key without its unit */
 static const struct cr_measure measures[] = {
     {"ees", "ees_kmh", CR_DIM_SPEED, "km/h", 1, OF(ees)},
     {"energy", "energy_kJ", CR_DIM_ENERGY, "kJ", 1, OF(energy)},

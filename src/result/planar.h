@@ -14,7 +14,7 @@ struct cr_planar_body {
 
 /* Impulse on b[0], N s (b[1] takes the opposite), after which the impact centre has no tangential
  * relative velocity (the critical impulse ratio: it sticks) and -e times the normal one.
- * normal: unit; e: 0..1. Planar impact mechanics (literature.md 2.1), tyres and crush time left
+ * normal: unit; e: 0..1. Planar impact mechanics [PLANAR-IMPACT], tyres and crush time left
  * out. Zero where nothing can move. */
 struct cr_vec2 cr_planar_impulse(const struct cr_planar_body b[2], struct cr_vec2 normal, double e);
 

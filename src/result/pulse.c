@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* 10 kHz, the rate of ISO/TS 18571 and of the test vector in literature.md 4.3 */
+/* 10 kHz, the rate of ISO/TS 18571 and of the test vector of [CFC-FILTER] */
 static const double STEP = 1e-4;
 static const double BEFORE = 0.02; /* s of rest ahead of first contact, as test signals have */
 static const double AFTER = 0.02;  /* s beyond the last contact */
@@ -168,7 +168,7 @@ double cr_pulse_olc(const double *accel, int n, double dt) {
         if (t1 < 0) {
             continue;
         }
-        // s_rel(t2) - OLC (t2 - t1)^2 / 2 = 0.3 m with OLC = v_rel(t2) / (t2 - t1)
+        /* s_rel(t2) - OLC (t2 - t1)^2 / 2 = 0.3 m with OLC = v_rel(t2) / (t2 - t1) */
         double f = s - v * (t - t1) / 2;
         if (f >= STOP) {
             double share = f > f0 && f0 > 0 ? (STOP - f0) / (f - f0) : 1;
@@ -177,7 +177,7 @@ double cr_pulse_olc(const double *accel, int n, double dt) {
         }
         f0 = f;
     }
-    // the vehicle has its final velocity: the rest has a closed form
+    /* the vehicle has its final velocity: the rest has a closed form */
     if (!(v > 1e-6)) {
         return 0;
     }
@@ -195,7 +195,7 @@ double cr_pulse_vpi(const double *accel, int n, double dt) {
     /* after the record only what still runs into the belt can pull harder */
     for (int i = 0; i < n || (i < n + tail && v > 0); i++) {
         double a = i < n ? accel[i] : 0;
-        // velocity Verlet on the motion relative to the vehicle
+        /* velocity Verlet on the motion relative to the vehicle */
         v += (a - pull) * dt / 2;
         x += v * dt;
         pull = x > SLACK ? STIFFNESS * (x - SLACK) : 0;
@@ -246,7 +246,7 @@ static double phd_after(const struct cr_pulse *p, int from) {
 double cr_pulse_thiv(const struct cr_pulse *p, int start, double *phd) {
     static const double AHEAD = 0.6, ASIDE = 0.3; /* m, EN 1317 */
     static const double PATIENCE = 2;             /* s to wait for a slow head */
-    // position and velocity of the head against the CG, in axes that do not turn
+    /* position and velocity of the head against the CG, in axes that do not turn */
     struct cr_vec2 r = {0, 0}, v = {0, 0};
     double psi = 0, w = 0;
     *phd = 0;
@@ -268,7 +268,7 @@ double cr_pulse_thiv(const struct cr_pulse *p, int start, double *phd) {
             break;
         }
     }
-    // velocity in the turning frame of the vehicle
+    /* velocity in the turning frame of the vehicle */
     struct cr_vec2 slip = cr_vec2_axpy(v, -w, cr_vec2_perp(r));
     return cr_vec2_len(slip);
 }

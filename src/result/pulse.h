@@ -1,5 +1,5 @@
 /* The crash pulse of a body on a uniform time axis, and the measures that are made of it
- * (literature.md 4.3-4.8). */
+ * [OLC-STEPS], [VPI-SPRING], [ASI-LIMITS], [THIV-FLAIL]. */
 #ifndef CR_RESULT_PULSE_H
 #define CR_RESULT_PULSE_H
 

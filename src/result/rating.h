@@ -1,5 +1,5 @@
-/* Objective ratings of a curve against a reference: ISO/TS 18571 (literature.md 4.10) and CORA 4
- * (literature.md 4.11). Both curves are uniform in time with the same step. */
+/* Objective ratings of a curve against a reference: ISO/TS 18571 [ISO-18571] and CORA 4
+ * [CORA-4]. Both curves are uniform in time with the same step. */
 #ifndef CR_RESULT_RATING_H
 #define CR_RESULT_RATING_H
 

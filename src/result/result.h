@@ -1,5 +1,5 @@
 /* Results: one call from a scene to all that is reported of it, and its JSON, CSV and text forms
- * (formats.md, result version 2; version 1 on request). SI units inside; the writers convert. */
+ * (share/schema, version 2; version 1 on request). SI units inside; the writers convert. */
 #ifndef CR_RESULT_RESULT_H
 #define CR_RESULT_RESULT_H
 
@@ -125,7 +125,7 @@ struct cr_context {
 CR_MUST_CHECK enum cr_err cr_result_solver(const struct cr_scene *scene, const struct cr_case *cs,
                                            struct cr_solver **out, struct cr_error *err);
 
-/* Resolve, compile, choose the PDOF models (trial solve, solve, at most one repeat: method.md 2),
+/* Resolve, compile, choose the PDOF models (trial solve, solve, at most one repeat),
  * solve and measure. Errors: all of the steps. The caller frees the result.
  *
  * INTERRUPTED with ctx->keep: *out is the crash as far as it was worked, solution->interrupted and
@@ -173,7 +173,10 @@ CR_MUST_CHECK enum cr_err cr_result_json(const struct cr_result *result,
 /* SHA-256 of the scene's JSON text as `input.scene_sha256` has it. Errors: MEMORY. */
 CR_MUST_CHECK enum cr_err cr_result_scene_hash(const struct cr_scene *scene, char hex[CR_HASH_SIZE],
                                                struct cr_error *err);
-/* The error object of a scene that could not be solved. */
+/* The error object of a scene that could not be solved: as a tree of cJSON, which the caller
+ * deletes (NULL when memory is out), and as text with a newline. */
+struct cJSON *cr_result_error_tree(const char *scene, const struct cr_error *what,
+                                   const struct cr_result_opts *opts);
 CR_MUST_CHECK enum cr_err cr_result_error_json(const char *scene, const struct cr_error *what,
                                                const struct cr_result_opts *opts,
                                                struct cr_str *out, struct cr_error *err);
@@ -188,7 +191,7 @@ CR_MUST_CHECK enum cr_err cr_result_csv(const struct cr_result *result,
 const struct cr_sample *cr_result_motion_at(const struct cr_solution *sol, int body, double t);
 
 /* Traces as functions of time, for plots, tables and metrics: the quantities of "trace" in
- * formats.md plus derived ones. X(NAME, key, unit, factor from SI) */
+ * the schema of results plus derived ones. X(NAME, key, unit, factor from SI) */
 #define CR_QUANTITY_LIST(X)                                                                        \
     X(X, "x_m", "m", 1)                                                                            \
     X(Y, "y_m", "m", 1)                                                                            \
@@ -218,7 +221,7 @@ double cr_result_quantity(const struct cr_solution *sol, int sample, int body,
  * face that reaches it at the least EES. mass in kg. */
 void cr_result_ees(const struct cr_grid *grid, double mass, double *ees);
 
-/* Phaseless CFC filter of SAE J211 (literature.md 4.3) over n samples of spacing dt, in place.
+/* Phaseless CFC filter of SAE J211 [CFC-FILTER] over n samples of spacing dt, in place.
  * cfc 60, 180, 600, 1000. Errors: RANGE when dt is too coarse for the class. */
 CR_MUST_CHECK enum cr_err cr_cfc_filter(double cfc, double dt, double *x, int n,
                                         struct cr_error *err);

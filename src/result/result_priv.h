@@ -2,6 +2,7 @@
 #ifndef CR_RESULT_RESULT_PRIV_H
 #define CR_RESULT_RESULT_PRIV_H
 
+#include "result/cdc.h"
 #include "result/result.h"
 
 /* What a risk function is asked for. */
@@ -14,19 +15,6 @@ struct cr_irf_case {
 /* Probabilities of all functions that apply to the case into severity->injury. */
 void cr_irf_apply(const struct cr_irf_set *set, const struct cr_irf_case *what,
                   struct cr_severity *severity);
-
-/* What the collision deformation classification of SAE J224 is made of (literature.md 4.2). */
-struct cr_cdc_case {
-    double pdof;       /* rad clockwise */
-    enum cr_face face; /* struck face */
-    double lo, hi;     /* direct damage along the face, 0..1: left to right, rear to front */
-    double width;      /* of the direct damage, m */
-    double depth;      /* residual, square to the face, m */
-    double zone;       /* depth of nine extent zones, m */
-    char vertical;     /* column 5: which heights were struck, A E G H M L; 0: E */
-    bool sideswipe;    /* slid along, with little change of velocity */
-};
-void cr_cdc_write(const struct cr_cdc_case *what, char cdc[12]);
 
 /* Contact of a body in which it took the greatest impulse; -1 without contacts. */
 int cr_result_main_contact(const struct cr_solution *sol, int body);

@@ -1,5 +1,6 @@
 /* From a scene to its result: which model each vehicle gets depends on the direction of the force,
- * and that on the models, so a coarse trial solve goes first (method.md 2, PDOF selection). */
+ * and that on the models, so a coarse trial solve goes first (share/doc/method.md, "PDOF of the
+ * model"). */
 #include "result/result_priv.h"
 
 #include <math.h>
@@ -47,7 +48,7 @@ static double guess_pdof(const struct cr_scene *scene, int i) {
         struct cr_vec2 rel = cr_vec2_sub(approach(&scene->part[k], &from, &unused), vel);
         struct cr_vec2 way = cr_vec2_sub(pos, from);
         double speed2 = cr_vec2_dot(rel, rel);
-        // time of the nearest approach of the reference points
+        /* time of the nearest approach of the reference points */
         double t = speed2 > 0 ? cr_vec2_dot(way, rel) / speed2 : (double)INFINITY;
         t = t < 0 && speed2 > 0 ? 1e3 - t : t;
         if (t < soonest) {
@@ -186,7 +187,7 @@ static int first_moved(const struct cr_scene *scene, const double *a, const doub
     return -1;
 }
 
-/* the solves of method.md 2: trial, solve, at most one repeat */
+/* the solves that find the models: trial, solve, at most one repeat */
 static enum cr_err settle(struct cr_result *r, const struct cr_context *ctx, struct cr_error *err) {
     const struct cr_scene *scene = &r->resolved;
     double pdof[CR_BODY_MAX] = {0}, found[CR_BODY_MAX];

@@ -1,5 +1,6 @@
-/* Limits of validity (method.md 8): each warning says which limit a case leaves, what that means
- * and what can be done. The numbers are the ranges of the tests the models were calibrated on. */
+/* Limits of validity (share/doc/method.md, "Known limits"): each warning says which limit a case
+ * leaves, what that means and what can be done. The numbers are the ranges of the tests the models
+ * were calibrated on. */
 #include "result/result_priv.h"
 
 #include "base/number.h"
@@ -10,17 +11,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* narrow object, m: between NHTSA's 254 mm pole and the 0.41 m of a narrow CDC (literature.md 4.2)
+/* narrow object, m: between NHTSA's 254 mm pole and the 0.41 m of a narrow CDC [CDC-J224]
  */
 static const double NARROW = 0.41;
-/* closing speed of the full-width wall tests, stiffness.md 2: 40 to 56 km/h, with a margin of
+/* closing speed of the full-width wall tests, [WALL-SPEEDS]: 40 to 56 km/h, with a margin of
  * 2 km/h for the scatter of the test speed */
 static const double WALL_LO = 38 / 3.6, WALL_HI = 58 / 3.6;
-/* side pole tests, stiffness.md 3.1: 32 km/h */
+/* side pole tests [POLE-SPEED]: 32 km/h */
 static const double POLE_LO = 28 / 3.6, POLE_HI = 34 / 3.6;
 /* EES above what any calibrated face was crushed with, m/s */
 static const double EES_HI = 65 / 3.6;
-/* restitution of the read points, stiffness.md 6 */
+/* restitution as measured [RESTITUTION-SPEED] */
 static const double RESTITUTION_HI = 0.4;
 static const double DEEP = 0.6;         /* share of the vehicle's length */
 static const double RESIDUAL_HI = 1e-6; /* of momentum or energy, relative */
@@ -77,7 +78,7 @@ static void check_face(struct cr_result *r, const struct cr_contact *c, int car,
                        "given",
                        p->id, q->id);
     }
-    // a narrow object in the middle of the front is no small overlap
+    /* a narrow object in the middle of the front is no small overlap */
     bool edge = s->cdc[0] && (s->cdc[3] == 'L' || s->cdc[3] == 'R');
     if (s->face == CR_FACE_FRONT && edge && q->kind == CR_KIND_OBJECT &&
         c->energy[0] + c->energy[1] > 0 && s->contact_width < SMALL_OVERLAP * p->width) {
@@ -163,7 +164,7 @@ void cr_result_check(struct cr_result *r) {
     const struct cr_solution *sol = r->solution;
     for (int k = 0; k < sol->contacts; k++) {
         const struct cr_contact *c = &sol->contact[k];
-        // only the main contact of a body is worth a word; the others belong to the same crash
+        /* only the main contact of a body is worth a word; the others belong to the same crash */
         if (cr_result_main_contact(sol, c->a) == k || cr_result_main_contact(sol, c->b) == k) {
             check_contact(r, c);
         }

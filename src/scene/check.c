@@ -21,7 +21,7 @@ enum cr_err cr_scene_id_check(struct cr_reader *r, const char *id) {
             return CR_ERR_RANGE;
         }
     }
-    /* the trace of a result has the times under this name beside the participants (formats.md) */
+    /* the trace of a result has the times under this name beside the participants */
     if (strcmp(id, "t_s") == 0) {
         return cr_scene_fail(r, CR_ERR_RANGE, "id \"t_s\" is taken by the times of a result");
     }

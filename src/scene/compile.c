@@ -369,7 +369,7 @@ static struct range meeting(const struct making *m, int i, int k) {
                           fmin(m->scene->part[i].height, other.hi + dive)};
 }
 
-/* Energies of vehicle i in the heights in which it meets k (method.md 2, beyond the paper). */
+/* Energies of vehicle i in the heights in which it meets k (share/doc/method.md, "heights"). */
 static enum cr_err make_against(struct making *m, int i, int k) {
     struct range own = held_out(m, i, k), meet = meeting(m, i, k);
     double height = m->scene->part[i].height;

@@ -7,7 +7,7 @@
  * suspension's geometry takes away. Textbook values of passenger cars (1.1-1.5 Hz, 20-50 %): our
  * assumption, no source of this project gives them. */
 static const double ride_hz = 1.3, anti_dive = 0.35;
-/* rate of the force on a front that is crushed, 1/s (stiffness.md 0: F = m w^2 x) */
+/* rate of the force on a front that is crushed, 1/s (F = m w^2 x) [WALL-RATE] */
 static const double crush_rate = 23.7;
 
 double cr_scene_dive(const struct cr_participant *p, double road_friction, bool front) {

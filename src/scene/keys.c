@@ -57,10 +57,10 @@ static const struct cr_key scene_keys[] = {
 };
 
 /* Ranges: dt and voxel as far as the convergence tests go; restitution below 1, so that every crash
- * ends; friction up to 2, beyond which no published value lies (literature.md 7.1). */
+ * ends; friction up to 2, beyond which no published value lies [TYRE-FRICTION]. */
 static const struct cr_key settings_keys[] = {
     WORD("method", 0, cr_settings, method, method_words,
-         "profile: the paper alone, or extended (method.md 4)"),
+         "profile: the paper alone, or extended beyond it"),
     {ROW("restitution", CR_KEY_NUMBER, 0, 0, IN(cr_settings, restitution),
          "restitution impulse over compression impulse, or auto from the closing speed"),
      RANGED("", NUMBER, 0, 0.95), .def = {NAN, 0.1}, .aux = IN(cr_settings, restitution_auto)},
@@ -75,7 +75,7 @@ static const struct cr_key settings_keys[] = {
          "length of the elastic compression, and of the restitution, or auto from the force"),
      RANGED("ms", TIME, 0.1, 100), .def = {NAN, 5}, .aux = IN(cr_settings, elastic_auto)},
     WORD("end", 0, cr_settings, end, end_words, "where the solve ends"),
-    SWITCH("induced", 1, 0, induced, "induced deformation beside the contact (method.md 5)"),
+    SWITCH("induced", 1, 0, induced, "induced deformation beside the contact"),
     SWITCH("heights", 1, 0, heights, "only the heights in which both partners have material meet"),
     SWITCH("dive", 1, 0, dive, "braking lowers the bumper, which shifts the heights that meet"),
     SWITCH("residual_curve", 0, 1, residual_curve,

@@ -1,4 +1,4 @@
-/* JSON tree -> scene (formats.md, scene version 1). */
+/* JSON tree -> scene (share/schema/scene.schema.json). */
 #include "scene/scene_priv.h"
 
 #include "base/file.h"

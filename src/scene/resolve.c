@@ -15,7 +15,7 @@ struct basis {
     double ref_mass;           /* kg */
 };
 
-/* Regressions of stiffness.md 7.3 (LVI, model years from 2000): CG height and track over mass, per
+/* Regressions over mass of the CG height [CG-HEIGHT] and of the track [TRACK-MASS], per
  * kind of body. */
 static const struct {
     double height, height_per_kg, track, track_per_kg;
@@ -29,7 +29,7 @@ static const struct {
 };
 
 /* Length: in proportion to a wheelbase that is given, else with the cube root of mass, the trend of
- * the class medians of stiffness.md 7.1 (exponents 0.36 to 0.38), by no more than a fifth. */
+ * the class medians (exponents 0.36 to 0.38) [CLASS-SIZES], by no more than a fifth. */
 static double rule_length(const struct basis *b) {
     double size = !isnan(b->part->wheelbase)
                       ? b->part->wheelbase / b->ref->wheelbase
@@ -37,8 +37,7 @@ static double rule_length(const struct basis *b) {
     return b->ref->length * size;
 }
 
-/* Width goes with the square root of length (stiffness.md 7.1: 4.570 to 4.857 m is 6 % of length
- * and 3 % of width). */
+/* Width goes with the square root of length [CLASS-SIZES]. */
 static double rule_width(const struct basis *b) {
     double w = b->ref->width * sqrt(b->part->length / b->ref->length);
     return isnan(b->part->track) ? w : fmax(w, b->part->track / 0.9);
@@ -64,7 +63,7 @@ static double rule_overhang(const struct basis *b) {
     return share * (b->part->length - b->part->wheelbase);
 }
 
-/* share of the wheelbase 0.308 + 7.7e-5 per kg, s 0.025 (stiffness.md 7.3) */
+/* share of the wheelbase 0.308 + 7.7e-5 per kg, s 0.025 [CG-SHARE] */
 double cr_scene_cg_rule(double mass, double wheelbase) {
     return wheelbase * cr_clamp(0.308 + 7.7e-5 * mass, 0.36, 0.6);
 }
@@ -78,7 +77,7 @@ static double rule_cg_height(const struct basis *b) {
     return fmin(h, 0.45 * b->part->height);
 }
 
-/* 0.137 m L WB: six measured vehicles 0.133 to 0.140 (stiffness.md 7.4) */
+/* 0.137 m L WB: six measured vehicles 0.133 to 0.140 [YAW-INERTIA] */
 static double rule_inertia(const struct basis *b) {
     return 0.137 * b->part->mass * b->part->length * b->part->wheelbase;
 }

@@ -1,4 +1,4 @@
-/* The scene: participants, settings, and its JSON form (formats.md, version 1).
+/* The scene: participants, settings, and its JSON form (share/schema/scene.schema.json).
  *
  * A scene is a value without pointers to the outside: copying it is cr_scene_copy, undo is a stack
  * of copies. A number that was not given is NaN until cr_scene_resolve fills it in from type and
@@ -194,9 +194,10 @@ struct cr_assumed {
 };
 void cr_assumed_fini(struct cr_assumed *assumed);
 
-/* Fill in every value that was not given, from type and mass (regressions of literature.md 3.4,
- * stiffness.md 7), and check that the whole is possible (axles within the length, CG between the
- * axles ...). Adds the keys to assumed. Errors: MISSING, RANGE, with JSON pointer and hint. */
+/* Fill in every value that was not given, from type and mass (share/doc/sources.md,
+ * "Sizes, mass and inertia of cars"), and check that the whole is possible (axles within the
+ * length, CG between the axles ...). Adds the keys to assumed. Errors: MISSING, RANGE, with JSON
+ * pointer and hint. */
 CR_MUST_CHECK enum cr_err cr_scene_resolve(struct cr_scene *scene, const struct cr_model_lib *lib,
                                            struct cr_assumed *assumed, struct cr_error *err);
 

@@ -320,7 +320,7 @@ static cJSON *write_locked(const struct cr_key *key, const void *base) {
     return array;
 }
 
-/* whole numbers 1 to 12 are o'clock, all others degrees (formats.md); 3 deg can be written 363 */
+/* whole numbers 1 to 12 are o'clock, all others degrees; 3 deg can be written 363 */
 static enum cr_err read_pdof(struct cr_reader *r, const struct cr_key *key, const cJSON *json,
                              void *base) {
     struct cr_model_choice *m = field(key, base);

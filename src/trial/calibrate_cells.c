@@ -1,5 +1,5 @@
 /* Where the energy of a front sits: the model against the load cells of a wall (NHTSA 10146, 2018
- * Toyota Camry; stiffness.md 2.1 and 5). */
+ * Toyota Camry) [FRONT-GRID]. */
 #include "trial/calibrate.h"
 
 #include "base/arena.h"
@@ -13,7 +13,7 @@
 #include <string.h>
 
 /* The wall: square cells, in columns on both sides of the centre line and rows from its lower
- * edge, which stood 80 mm above the road (from memory: stiffness.md 5). */
+ * edge, which stood 80 mm above the road (from memory [FRONT-GRID]). */
 enum { COLUMNS = 8, ROWS = 11 };
 static const double cell_edge = 0.125, wall_bottom = 0.080;
 /* how far the front was crushed when the compartment stood still, m */

@@ -7,7 +7,7 @@
 
 static const double none = (double)NAN;
 
-/* median of 474 side pole tests (stiffness.md 3.1) */
+/* median of 474 side pole tests [POLE-AREA] */
 const double cr_test_pole_area = 0.223;
 
 static const struct {

@@ -8,7 +8,7 @@
 #include <string.h>
 
 static void take_measures(const struct cr_severity *s, double *to) {
-    const double *c = s->profile_outline; // as the tests' profiles are told
+    const double *c = s->profile_outline; /* as the profiles of the tests are told */
     const double value[CR_MEASURES] = {
         [CR_MEASURE_EES] = cr_kmh(s->ees),
         [CR_MEASURE_DELTA_V] = cr_kmh(s->delta_v_net),

@@ -82,7 +82,7 @@ static void begin_scene(struct cr_str *s, const struct cr_test *c, double mass, 
 }
 
 /* Reference of EES and delta-v: no channel of these tests is at hand, so the speed with the
- * restitution of full walls, 0.17 (stiffness.md 6). */
+ * restitution of full walls, 0.17 [WALL-RESTITUTION]. */
 static const double wall_restitution = 0.17, wall_restitution_from = 36; /* -, km/h */
 
 static enum cr_err wall_case(const struct source *from, int row, struct cr_test *c,

@@ -5,6 +5,9 @@ libtrial_a_SOURCES = \
 	src/trial/crashtest.c src/trial/crashtest.h \
 	src/trial/crashtest_load.c src/trial/crashtest_read.h \
 	src/trial/crashtest_solve.c src/trial/crashtest_table.c \
+	src/trial/field.c src/trial/field.h \
+	src/trial/field_fit.c src/trial/field_load.c src/trial/field_rules.c \
+	src/trial/field_text.c src/trial/field_word.c \
 	src/trial/folds.c src/trial/folds.h \
 	src/trial/trial.h \
 	src/trial/types.c src/trial/types.h \
@@ -13,7 +16,7 @@ libtrial_a_SOURCES = \
 	src/trial/verdict_data.c \
 	src/trial/verdict_plot.c \
 	src/trial/verdict_text.c
-libtrial_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)
+libtrial_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS) $(NLOPT_CFLAGS)
 validationdatadir = $(pkgdatadir)/validation/data
 dist_validationdata_DATA = \
 	share/validation/data/camry_10146_loadcell_energy_kJ.csv \
@@ -59,5 +62,8 @@ validationpulsedir = $(pkgdatadir)/validation/pulse
 dist_validationpulse_DATA = \
 	share/validation/pulse/camry-10146.json
 validationdocdir = $(docdir)
-dist_validationdoc_DATA = share/doc/validation.md share/doc/method.md
+dist_validationdoc_DATA = share/doc/validation.md share/doc/library.md \
+	share/doc/method.md share/doc/sources.md
 dist_man_MANS += man/crumple-validation.7
+validationfielddir = $(pkgdatadir)/validation/field
+dist_validationfield_DATA = share/validation/field/crush_edr.csv share/validation/field/filter.csv

@@ -5,6 +5,7 @@
 /* `crumple validate ...`, `crumple calibrate ...`: argv[0] is the word itself. Return the exit
  * status of the program (crumple(1)). */
 int cr_trial_validate(int argc, char **argv);
+int cr_trial_calibrate_damage(int argc, char **argv); /* likewise */
 int cr_trial_calibrate(int argc, char **argv); /* not in the help: for who maintains models */
 
 #endif

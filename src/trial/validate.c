@@ -1,4 +1,5 @@
 /* crumple validate: crash tests against computed crashes. */
+#include "trial/field.h"
 #include "trial/folds.h"
 #include "trial/trial.h"
 #include "trial/verdict.h"
@@ -19,8 +20,10 @@ static const char about[] =
     "class, speed and vehicle type, for both methods, and cross-validated: walls and poles with\n"
     "models that were calibrated on other tests; beside them the fleet's own scatter and the\n"
     "published figures of impactEES. Classes: wall, pole, car-to-car, small-overlap, pulse,\n"
-    "low-speed (default: all). A FILE with own tests: .csv with the columns of the tables in\n"
-    "share/validation/data, or a scene .json with x_expect; see crumple-validation(7).\n"
+    "low-speed (default: all); field, alone: real crashes, delta-v from the measured damage\n"
+    "against event data recorders and WinSMASH. A FILE with own tests: .csv with the columns of "
+    "the tables in\n"
+    "share/validation/data or field, or a scene .json with x_expect; see crumple-validation(7).\n"
     "Exit status: 0 done; 1 with --targets and one of them missed; 2, 3 as for run.\n";
 
 #define FORMATS "text|json|csv"
@@ -292,6 +295,25 @@ static enum cr_err validate(char **name, int n, const struct options *opt, bool 
     return code;
 }
 
+/* real crashes are no scenes: their damage is evaluated, nothing is solved */
+static bool is_field_table(const char *path) {
+    size_t n = strlen(path);
+    return n > 4 && strcmp(path + n - 4, ".csv") == 0 && cr_field_is(path);
+}
+
+static enum cr_err validate_field(const char *path, const struct options *opt,
+                                  struct cr_error *err) {
+    const struct cr_field_task task = {
+        .path = path, .format = opt->format, .cases = opt->cases, .plot = opt->plot};
+    struct cr_str text = {0};
+    enum cr_err code = cr_field_validate(&task, &text, err);
+    if (code == CR_ERR_OK) {
+        code = cr_cli_emit(opt->out, &text, err);
+    }
+    cr_str_fini(&text);
+    return code;
+}
+
 enum { OPTIONS = 15 };
 
 static void list_options(struct options *opt, struct cr_option list[OPTIONS]) {
@@ -358,6 +380,10 @@ int cr_trial_validate(int argc, char **argv) {
     int status = read_options(argc, argv, &opt, &operands);
     if (status >= 0) {
         return status;
+    }
+    if (operands == 1 && (strcmp(argv[1], "field") == 0 || is_field_table(argv[1]))) {
+        const char *path = strcmp(argv[1], "field") == 0 ? NULL : argv[1];
+        return validate_field(path, &opt, &err) == CR_ERR_OK ? 0 : cr_cli_fail(&err);
     }
     if (validate(argv + 1, operands, &opt, &missed, &err) != CR_ERR_OK) {
         return cr_cli_fail(&err);

@@ -50,7 +50,7 @@ const char *cr_test_class_title(enum cr_test_class class) {
     return classes[class].title;
 }
 
-/* Breitlauch et al. 2023, MPE, SD, MAPE (method.md 8); EES and delta-v are of all their tests */
+/* [PAPER-ACCURACY]: MPE, SD, MAPE; EES and delta-v are of all their tests */
 static const struct {
     enum cr_test_class class;
     enum cr_measure measure;
@@ -285,7 +285,7 @@ static const struct {
 static const double group_limit = 6;                   /* %, of the depth by speed and by type */
 static const int group_least = 8;                      /* tests for a group to have a target */
 static const double spread_more = 2;                   /* points above the fleet's own scatter */
-static const double pulse_rms = 4.9, pulse_iso = 0.65; /* g; literature.md 4.10 */
+static const double pulse_rms = 4.9, pulse_iso = 0.65; /* g, - [PULSE-TARGET] */
 
 static enum cr_err row_targets(const struct cr_verdict_row *r, struct cr_verdict *v) {
     bool crossed = r->of[CR_TEST_CROSS].n > 0;

@@ -1,5 +1,5 @@
 /* The prompt: readline edits, completes and remembers; it never sees the terminal
- * (exemplars.md 9). Its functions know no argument, so the one pointer they need lives here. */
+ * [READLINE-CURSES]. Its functions know no argument, so the one pointer they need lives here. */
 #include "tui/tui_priv.h"
 
 #include "render/picture.h"

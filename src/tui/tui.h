@@ -1,4 +1,4 @@
-/* The full screen (screen.md): curses, panes, keys, mouse; every action is a command line. */
+/* The full screen: curses, panes, keys, mouse; every action is a command line. */
 #ifndef CR_TUI_TUI_H
 #define CR_TUI_TUI_H
 
@@ -8,7 +8,7 @@ const char *cr_tui_refusal(void);
 
 /* The full screen until quit. data_dir: folder of models/ and share/, "" if there is none;
  * state_dir: folder of history and autosave, "" if there is none. Returns the exit status of
- * formats.md; a fatal signal ends the process by itself once the terminal is given back. */
+ * crumple(1); a fatal signal ends the process by itself once the terminal is given back. */
 int cr_tui_main(const char *data_dir, const char *state_dir);
 
 #endif

@@ -24,6 +24,9 @@ same "--per impact: a row per impact and participant" \
     "$(printf '%s\n' "$out" | awk -F, 'NR == 1 { n = NF } NF != n { bad = 1 }
         NR > 1 { at[$2]++ } END { for (i in at) if (at[i] != 2) bad = 1
         print bad + 0, (NR > 4 ? "several" : NR) }')" "0 several"
+run run -f text "$(cd "$(dirname "$demo")" && pwd)/three-cars.json"
+has "text tells each impact" "$out" 'Impacts .*each by itself'
+has "and whose risk it is" "$out" 'injury by the severest impact'
 run run --per wheel "$demo"
 same "--per knows what there is a row for" "$status" 2
 has "and says so" "$errs" 'participant.impact'

@@ -31,6 +31,16 @@ same "standard input gives the same" "$(cksum <"$tmp/out")" "$(cksum <"$tmp/one"
 "$crumple" stack - <"$tmp/array.json" >"$tmp/out" 2>&1
 same "an array on standard input too" "$(cksum <"$tmp/out")" "$(cksum <"$tmp/one")"
 
+sed 's/"name":"s[0-9]*",//' "$tmp/twelve.jsonl" >"$tmp/unnamed.jsonl"
+run stack "$tmp/unnamed.jsonl"
+same "a scene without a name goes by file and line" "$(names | cut -c 1-33)" \
+    "unnamed.jsonl:1 unnamed.jsonl:2 u"
+for dir in C C.UTF-8 de_DE.UTF-8; do
+    mkdir -p "$tmp/order"
+    for i in b B a_1 a1; do small $i 40 >"$tmp/order/$i.json"; done
+    LC_ALL=$dir run stack "$tmp/order"
+    same "a folder is in the order of bytes with LC_ALL=$dir" "$(names)" "sB sa1 sa_1 sb "
+done
 mkdir "$tmp/folder"
 wall_scene >"$tmp/folder/b.json"
 small 7 40 >"$tmp/folder/c.json"
@@ -55,14 +65,17 @@ same "--set works in every scene" "$(printf '%s\n' "$out" | grep -c '"restitutio
     small 4 40 '"pairs":"p",'
     small 5 40
 } >"$tmp/bad.jsonl"
-run stack "$tmp/bad.jsonl" "$tmp/missing.json"
+run stack "$tmp/bad.jsonl"
 same "a bad scene gives status 1" "$status" 1
-same "and the stack goes on" "$(names)" "s1  s3 s4 s5  "
+same "and the stack goes on" "$(names)" "s1 bad.jsonl:2 s3 s4 s5 "
+same "each record has its number" \
+    "$(printf '%s\n' "$out" | sed 's/.*"index":\([0-9]*\),.*/\1/' | tr '\n' ' ')" "0 1 2 3 4 "
 has "line of a syntax error" "$(sed -n 2p "$tmp/out")" '"code":"syntax".*bad.jsonl:2:[0-9]+:'
 has "scenes that never meet" "$(sed -n 3p "$tmp/out")" '"code":"no-contact"'
 has "line and nearest key of a misspelt one" "$(sed -n 4p "$tmp/out")" \
     '"code":"unknown-key".*pair.*bad.jsonl:4:'
-has "a file that is not there" "$(sed -n 6p "$tmp/out")" '"code":"io".*missing.json'
+refused "a file that is not there is told before any work" 2 \
+    'missing.json: error: cannot open: No such file' stack "$tmp/bad.jsonl" "$tmp/missing.json"
 printf '[\n' >"$tmp/open.json"
 small 1 40 >>"$tmp/open.json"
 run stack "$tmp/open.json"
@@ -123,8 +136,42 @@ run stack --resume "$tmp/marked" --trace "$tmp/twelve.jsonl"
 same "nor results without the trace" "$(grep -c 'taken over' "$tmp/out")" 0
 refused "a file to resume that is not there" 2 'nowhere' stack --resume "$tmp/nowhere" "$demo"
 cp "$tmp/cut" "$tmp/r.part"
-refused "the unfinished output is not written over" 2 'one file' \
-    stack -o "$tmp/r" --resume "$tmp/r.part" "$demo"
+run stack -o "$tmp/r" --resume "$tmp/r.part" "$tmp/twelve.jsonl"
+same "-o goes on with its unfinished output" "$status:$errs:$(cksum <"$tmp/r")" \
+    "0::$(cksum <"$tmp/one")"
+same "which is gone then" "$(ls "$tmp" | grep -c 'r\.part')" 0
+
+# --resume FILE alone: what an interrupted -o FILE has left is gone on with
+sed 's/"version":/"x":"taken over",&/' "$tmp/cut" >"$tmp/again.part"
+head -n 9 "$tmp/marked" | tail -n 2 >"$tmp/again.part.1"
+run stack --resume "$tmp/again" "$tmp/twelve.jsonl"
+same "--resume FILE goes on with FILE.part" "$status:$errs:$out" "0::"
+same "takes over what is whole in it" "$(grep -c 'taken over' "$tmp/again")" 7
+same "and differs in nothing" "$(sed 's/"x":"taken over",//' "$tmp/again" | cksum)" \
+    "$(cksum <"$tmp/one")"
+same "the parts are gone then" "$(ls "$tmp" | grep -c 'again\.part')" 0
+echo old >"$tmp/kept.part"
+run stack -o "$tmp/kept" "$tmp/missing.json"
+same "a stack that cannot begin leaves the part of another" "$(cat "$tmp/kept.part")" old
+
+# links
+mkdir "$tmp/real"
+ln -s real/target "$tmp/link"
+: >"$tmp/real/target"
+run stack "$tmp/twelve.jsonl" -o "$tmp/link"
+[ -L "$tmp/link" ]
+report $? "an output that is a link stays one"
+same "and its target is written" "$(cksum <"$tmp/real/target")" "$(cksum <"$tmp/one")"
+ln -s ../elsewhere "$tmp/real/target.part"
+run stack "$tmp/twelve.jsonl" -o "$tmp/link"
+[ ! -e "$tmp/elsewhere" ]
+report $? "a link that lies where the part goes is not followed"
+
+{
+    "$crumple" stack "$tmp/twelve.jsonl" "$tmp/twelve.jsonl" 2>"$tmp/errs"
+    echo $? >"$tmp/status"
+} | head -n 1 >"$tmp/out"
+same "| head ends quietly" "$(cat "$tmp/status"):$(cat "$tmp/errs")" "0:"
 
 # pairs
 {

@@ -18,7 +18,7 @@ run --help
 same "--help succeeds" "$status" 0
 has "--help names run" "$out" 'crumple run SCENE.json'
 has "--help explains the exit status" "$out" 'Exit status: 0 done'
-for word in run stack validate models calibrate; do
+for word in run stack merge validate models calibrate; do
     run $word --help
     same "$word --help succeeds" "$status" 0
     has "$word --help begins with the usage" "$out" "^usage: crumple $word "

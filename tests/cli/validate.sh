@@ -66,7 +66,7 @@ run validate pole --fast --method extended
 area=$(printf '%s\n' "$out" | grep 'median damaged area')
 has "pole:$(printf '%s' "$area" | tr -s ' ' | cut -d: -f2)" "$area" '^ met '
 
-# a deliberately wrong model: without a string the pole goes in twice as deep (method.md 5)
+# a deliberately wrong model: without a string the pole goes in twice as deep
 mkdir "$tmp/models"
 for recipe in "$SRC"/models/*.json; do
     sed 's/"tension_N_per_kg": [0-9.]*/"tension_N_per_kg": 0/' "$recipe" \

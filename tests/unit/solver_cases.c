@@ -117,7 +117,7 @@ static struct cr_body light_car(struct cr_arena *arena, double h, double x, doub
     return car;
 }
 
-/* as in the median side pole test, per kg (method.md 5: 72 kN for 1500 kg) */
+/* as in the median side pole test, per kg (72 kN for 1500 kg) */
 static void add_string(struct cr_body *car) {
     for (int f = 0; f < CR_FACES; f++) {
         car->grid.tension[f] = 48 * car->mass;

@@ -137,7 +137,7 @@ static void test_symmetric_bits(void **state) {
     }
 }
 
-/* CRASH3: category 4 front, A 62.3 kN/m, B 234 kN/m2 (stiffness.md 1.1), 1.8 m wide, residual crush
+/* CRASH3: category 4 front, A 62.3 kN/m, B 234 kN/m2 [FRONT-DEFAULT], 1.8 m wide, residual crush
  * of 0.2 m all over: 1.8 m (12.46 + 4.68 + 8.293) kN = 45.78 kJ. As a dynamic curve the same energy
  * lies the springback deeper. */
 static void test_stiffness(void **state) {
@@ -190,7 +190,7 @@ static void test_residual_curve(void **state) {
 }
 
 /* What is below a height and what is above it are together the whole; bumper and rails of a sedan
- * lie between 0.33 and 0.58 m with two thirds of the front's energy (stiffness.md 5: 62 %). */
+ * lie between 0.33 and 0.58 m with two thirds of the front's energy [FRONT-GRID]. */
 static void test_heights(void **state) {
     (void)state;
     struct cr_arena arena = {0};

@@ -180,7 +180,7 @@ static void test_colour_maps_rise(void **state) {
             last = l;
         }
     }
-    /* exemplars.md 11 gives L* 8 for the first and 87 for the last step of viridis */
+    /* [COLOUR-RAMP] gives L* 8 for the first and 87 for the last step of viridis */
     check_near(lightness(cr_theme_ramp(CR_COLORMAP_VIRIDIS, CR_COLOR_256, 1)), 8, 1);
     check_near(lightness(cr_theme_ramp(CR_COLORMAP_VIRIDIS, CR_COLOR_256, 8)), 87, 1);
 }

@@ -31,7 +31,7 @@ static void lose(int x, int y, double share, uint8_t flag) {
 
 static void springback_of_deep_and_shallow_crush(void **state) {
     (void)state;
-    // beyond 0.2 / 0.4 = 0.5 m the whole springback, below 40 %
+    /* beyond 0.2 / 0.4 = 0.5 m the whole springback, below 40 % */
     check_near(cr_deform_residual(0.6, 0.2), 0.4, 1e-15);
     check_near(cr_deform_residual(0.4, 0.2), 0.24, 1e-15);
     check_near(cr_deform_residual(0.1, 0.2), 0.06, 1e-15);
@@ -62,7 +62,7 @@ static void depth_of_a_crushed_front(void **state) {
     check_near(cr_deform_area(&d, &induced), 0.85, 1e-12);
     check_near(induced, 0, 0);
     assert_int_equal(cr_deform_face(&d, cr_vec2(-1, 0)), CR_FACE_FRONT);
-    // 45 degrees: material lost along the slanted line is longer by sqrt 2
+    /* 45 degrees: material lost along the slanted line is longer by sqrt 2 */
     check_near(cr_deform_max(&d, cr_vec2(-sqrt(0.5), -sqrt(0.5))), 0.425 * sqrt(2), 0.01);
 }
 
@@ -81,7 +81,7 @@ static void depth_of_a_struck_side(void **state) {
     check_near(cr_deform_column(&d, CR_FACE_LEFT, 14, false), 0.2, 1e-12);
     check_near(cr_deform_column(&d, CR_FACE_LEFT, 14, true), 0, 0);
     check_near(cr_deform_column(&d, CR_FACE_LEFT, 13, false), 0, 0);
-    // seen from the front the damage lies behind 2 m of sound material
+    /* seen from the front the damage lies behind 2 m of sound material */
     check_near(cr_deform_column(&d, CR_FACE_FRONT, 0, false), 0, 0);
     check_near(cr_deform_area(&d, &induced), 0.19, 1e-12);
     check_near(induced, 0.04, 1e-12);
@@ -97,7 +97,7 @@ static void one_scraped_line_sets_no_maximum(void **state) {
     (void)state;
     for (double h = 0.005; h < 0.11; h *= 1.37) {
         struct cr_deepest top = {.step = h};
-        // 1.8 m of 0.2 m depth, and a strip 0.02 m wide of 2 m in it
+        /* 1.8 m of 0.2 m depth, and a strip 0.02 m wide of 2 m in it */
         for (double y = 0; y < 1.8; y += h) {
             double in = fmax(0, fmin(y + h, 0.92) - fmax(y, 0.90)) / h;
             cr_deepest_add(&top, 0.2 + 1.8 * in);
@@ -159,7 +159,7 @@ static void small_overlap_is_a_frontal_hit(void **state) {
         }
     }
     assert_int_equal(cr_deform_face(&d, cr_vec2(-cos(0.26), -sin(0.26))), CR_FACE_FRONT);
-    // columns run from left to right
+    /* columns run from left to right */
     check_near(cr_deform_column(&d, CR_FACE_FRONT, 0, false), 1.2, 1e-12);
     check_near(cr_deform_column(&d, CR_FACE_FRONT, 4, false), 0, 0);
 }
@@ -195,7 +195,7 @@ static void outline_of_a_block(void **state) {
     struct cr_vec2 *p;
     int n;
     assert_int_equal(cr_deform_outline(&grid, left, 1e-9, &p, &n, NULL), CR_ERR_OK);
-    // four corners, each cut by half a voxel: 8 points, 4 triangles of 0.05 x 0.05 / 2 missing
+    /* four corners, each cut by half a voxel: 8 points, 4 triangles of 0.05 x 0.05 / 2 missing */
     assert_int_equal(n, 8);
     check_near(area_of(p, n), 8 - 4 * 0.05 * 0.05 / 2, 1e-12);
     free(p);
@@ -210,7 +210,7 @@ static void outline_of_a_damaged_block(void **state) {
         }
     }
     for (int y = 3; y < 6; y++) {
-        // a hole inside and an island that was cut off in front
+        /* a hole inside and an island that was cut off in front */
         lose(30, y, 1, 0);
         lose(NX - 3, y, 1, 0);
     }
@@ -227,7 +227,7 @@ static void outline_of_a_damaged_block(void **state) {
     for (int x = 10; x < 16; x++) {
         lost += NY - (14 + abs(x - 13));
     }
-    // the ring about the island and the island itself: 7 rows of 3
+    /* the ring about the island and the island itself: 7 rows of 3 */
     lost += 21;
     check_near(area_of(p, n), 8 - lost * 0.01, 0.08);
     check_simple(p, n);
@@ -248,8 +248,8 @@ static void outline_of_nothing(void **state) {
 static void cdc_of_known_crashes(void **state) {
     (void)state;
     char cdc[12];
-    // 2018 Camry on a full wall, 0.518 m: 12FDEW2 (literature.md 6.4); pillar 2.4 m behind the
-    // bumper
+    /* 2018 Camry on a full wall, 0.518 m: 12FDEW2 [CAMRY-CDC]; pillar 2.4 m behind the
+     * bumper */
     struct cr_cdc_case what = {.pdof = 0,
                                .face = CR_FACE_FRONT,
                                .lo = 0.05,
@@ -259,7 +259,7 @@ static void cdc_of_known_crashes(void **state) {
                                .zone = 2.4};
     cr_cdc_write(&what, cdc);
     assert_string_equal(cdc, "12FDEW2");
-    // left two thirds of the front, from 11 o'clock
+    /* left two thirds of the front, from 11 o'clock */
     what = (struct cr_cdc_case){.pdof = cr_rad(333),
                                 .face = CR_FACE_FRONT,
                                 .lo = 0,
@@ -269,7 +269,7 @@ static void cdc_of_known_crashes(void **state) {
                                 .zone = 2.4};
     cr_cdc_write(&what, cdc);
     assert_string_equal(cdc, "11FYEW1");
-    // narrow pole in the middle of the right side, above the belt line
+    /* narrow pole in the middle of the right side, above the belt line */
     what = (struct cr_cdc_case){.pdof = cr_rad(75),
                                 .face = CR_FACE_RIGHT,
                                 .lo = 0.45,
@@ -286,7 +286,7 @@ static void cdc_of_rear_and_flank(void **state) {
     (void)state;
     char cdc[12];
     struct cr_cdc_case what;
-    // rear, right third; back third of the left side; all of a side; deep
+    /* rear, right third; back third of the left side; all of a side; deep */
     what = (struct cr_cdc_case){.pdof = CR_PI,
                                 .face = CR_FACE_REAR,
                                 .lo = 0.7,

@@ -261,8 +261,8 @@ static void one_effect_each(void **state) {
     check_near(c->t_elastic_end - c->t_plastic_end, 7e-3, 1e-9);
     check_near(c->t_end - c->t_elastic_end, 7e-3, 1e-9);
     cr_result_free(r);
-    /* head-on at 50 km/h each: 27.8 m/s, far above 10: 0.10 (stiffness.md 6); of the width of both
-     * ends 0.41 is pressed, whole from 0.95 on: sqrt(0.41 / 0.95) = 0.66 of it */
+    /* head-on at 50 km/h each: 27.8 m/s, far above 10: 0.10 [RESTITUTION-SPEED]; of the width of
+     * both ends 0.41 is pressed, whole from 0.95 on: sqrt(0.41 / 0.95) = 0.66 of it */
     r = solved("\"restitution\":\"auto\"", OFFSET);
     check_near(r->solution->contact[0].restitution, 0.066, 0.007);
     cr_result_free(r);
@@ -323,13 +323,13 @@ static void corner_is_no_dent_of_the_flank(void **state) {
                "{\"id\":\"B\",\"kind\":\"object\",\"shape\":\"pole\",\"radius_m\":0.254,"
                "\"position_m\":[0.4,0.713]}");
     assert_true(r->of[0].energy_induced < 0.5 * r->of[0].energy);
-    /* cars at the edge of a wall show 22 to 39 g (stiffness.md 4.1); the flank's string gave 70 */
+    /* cars at the edge of a wall show 22 to 39 g [SMALL-OVERLAP]; the flank's string gave 70 */
     assert_true(r->of[0].acceleration_max < 39 * CR_G);
     cr_result_free(r);
 }
 
 /* 25 % overlap at 64.4 km/h, edge of 15 cm radius: 80 % of 398 cars lose 31 to 52 km/h within
- * 100 ms, and go on past the edge (stiffness.md 4.1). A pole of the same overlap, round all over,
+ * 100 ms, and go on past the edge [SMALL-OVERLAP]. A pole of the same overlap, round all over,
  * leads the car past sooner than the flat side with an edge of 5 cm. */
 static void round_edges_lead_past(void **state) {
     (void)state;

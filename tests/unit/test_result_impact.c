@@ -149,12 +149,12 @@ static void pushed_from_both_ends(void **state) {
     check_near(first->ees, sqrt(2 * 5000 / MASS), 1e-12);
     check_near(first->coe.x, -2, 1e-9);
     check_near(then->coe.x, 2, 1e-9);
-    // a constant push of 50 ms each; CFC60 rounds its corners off
+    /* a constant push of 50 ms each; CFC60 rounds its corners off */
     check_near(first->pulse, 0.05, 0.006);
     check_near(first->acceleration_max, 6 / 0.05, 12);
     check_near(then->acceleration_max, 5.5 / 0.05, 12);
     check_near(first->acceleration_mean * first->pulse, 6, 1e-9);
-    // never netted to zero; the net is told beside it
+    /* never netted to zero; the net is told beside it */
     const struct cr_severity *all = &result->of[1];
     check_near(all->delta_v, 11.5, 1e-9);
     check_near(all->delta_v_net, 0.5, 1e-9);
@@ -237,7 +237,7 @@ static void a_contact_ends_where_it_only_rubs(void **state) {
     c->stop = CR_STOP_NONE;
     measure();
     assert_int_equal(result->impacts, 1);
-    // 20 ms after the last push less than 0.8 km/h is left of it
+    /* 20 ms after the last push less than 0.8 km/h is left of it */
     check_near(result->impact[0].t_end, T0 + 0.05 + 0.02, 2e-3);
     check_near(result->impact[0].of[1].delta_v, 5, 0.02);
     assert_int_equal(result->impact[0].stop, CR_STOP_SEPARATION);
@@ -265,7 +265,7 @@ static void damage_belongs_to_its_impact(void **state) {
     make();
     touch(0, T0, 100, cr_vec2(MASS * 6, 0), 0);
     touch(1, T0 + 0.4, 100, cr_vec2(MASS * 7, 0), 0);
-    for (int i = 0; i < 2; i++) { // how the cars come at each other
+    for (int i = 0; i < 2; i++) { /* how the cars come at each other */
         for (int k = 0; k < 100; k++) {
             trace[3 * (800 * i + k) + i].vel.x += 5;
         }
@@ -294,7 +294,7 @@ static void damage_belongs_to_its_impact(void **state) {
     check_near(front->area_contact, 0.5 * 1.8, 1e-9);
     check_near(result->of[1].area_contact, 0.8 * 1.8, 1e-9);
     assert_string_equal(rear->cdc, "06BDEW1");
-    assert_int_equal(result->of[1].face, CR_FACE_FRONT); // of the severest
+    assert_int_equal(result->of[1].face, CR_FACE_FRONT); /* of the severest */
     for (int i = 0; i < CR_PROFILE; i++) {
         check_near(front->profile_dynamic[i], 0.5, 1e-9);
         check_near(rear->profile_dynamic[i], 0.3, 1e-9);

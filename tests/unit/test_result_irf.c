@@ -1,4 +1,5 @@
-/* Injury risk functions of share/irf/ against the values of literature.md 5, and faulty files. */
+/* Injury risk functions of share/irf/ against values worked out from their sources, and faulty
+ * files. */
 #include "test.h"
 
 #include "result/result_priv.h"

@@ -121,15 +121,15 @@ static void constant_deceleration(void **state) {
     check_near(s->pulse, 0.1, 1e-12);
     check_near(s->speed_after, 0, 1e-9);
     check_near(s->t_depth_max, 0.075, 1e-12);
-    // literature.md 4.4, stopped before t2: t1 = sqrt(0.13 / 160), s = 0.8 m at 0.1 s, from there
-    // 16 m/s: t2 = 2 (0.3 - 0.8) / 16 + 0.2 - t1; CFC60 rounds the corners of the pulse off
+    /* [OLC-STEPS], stopped before t2: t1 = sqrt(0.13 / 160), s = 0.8 m at 0.1 s, from there
+     * 16 m/s: t2 = 2 (0.3 - 0.8) / 16 + 0.2 - t1; CFC60 rounds the corners of the pulse off */
     check_near(s->olc, 16 / (0.1375 - 2 * sqrt(0.13 / 160)), 0.5);
-    // 50 ms inside the pulse
+    /* 50 ms inside the pulse */
     check_near(s->asi, 160 / (12 * CR_G), 1e-6);
-    // stopped 0.8 m after the touch, head travels 0.6 m: sqrt(2 160 0.6)
+    /* stopped 0.8 m after the touch, head travels 0.6 m: sqrt(2 160 0.6) */
     check_near(s->thiv, sqrt(2 * 160 * 0.6), 0.02);
     check_near(s->phd, 160, 1e-6);
-    // overshoot of a two-pole Butterworth run both ways is below 10 %
+    /* overshoot of a two-pole Butterworth run both ways is below 10 % */
     assert_true(s->acceleration_max > 160 && s->acceleration_max < 176);
     assert_string_equal(s->model, "compact/12");
 }
@@ -142,11 +142,11 @@ static void half_sine_pulse(void **state) {
     check_near(s->acceleration_max, 300, 3);
     check_near(s->t_max, 0.05, 1e-3);
     check_near(s->delta_v, 300 * 0.1 * 2 / CR_PI, 2e-3);
-    // the pulse is where the sine is above 0.05
+    /* the pulse is where the sine is above 0.05 */
     double lasts = 0.1 * (1 - 2 * asin(0.05) / CR_PI);
     check_near(s->pulse, lasts, 1e-3);
     check_near(s->acceleration_mean, 60 / CR_PI / lasts, 2);
-    // mean of the middle 50 ms: 300 (2 / pi) sqrt 2
+    /* mean of the middle 50 ms: 300 (2 / pi) sqrt 2 */
     check_near(s->asi, 300 * 2 / CR_PI * sqrt(2) / (12 * CR_G), 1e-3);
 }
 
@@ -178,15 +178,15 @@ static void frontal_crush(void **state) {
         check_near(s->profile[i], 0.35, 1e-9);
         check_near(s->profile_dynamic[i], 0.5, 1e-9);
     }
-    // the outline is that of the car afterwards: 0.35 m shorter
+    /* the outline is that of the car afterwards: 0.35 m shorter */
     double area = 0;
     for (int i = 0; i < s->outline_n; i++) {
         area += cr_vec2_cross(s->outline[i], s->outline[(i + 1) % s->outline_n]) / 2;
     }
     check_near(area, (4 - 0.35) * 1.8, 2 * H * H);
-    // zones from bumper to B-pillar: 0.9 + 2.5 / 2 = 2.15 m, 9 * 0.35 / 2.15 = 1.47
+    /* zones from bumper to B-pillar: 0.9 + 2.5 / 2 = 2.15 m, 9 * 0.35 / 2.15 = 1.47 */
     assert_string_equal(s->cdc, "12FDEW2");
-    // with the residual curve the grid holds what is left on the car
+    /* with the residual curve the grid holds what is left on the car */
     result->resolved.set.method = CR_METHOD_PAPER;
     s = measure();
     check_near(s->deformation_dynamic_max, 0.65, 1e-9);
@@ -208,8 +208,8 @@ static void offset_profile(void **state) {
         }
     }
     const struct cr_severity *s = measure();
-    // right end of the damage: first damaged column, 12 voxels deep; deeper towards the left, where
-    // the beam ends 0.085 of the width from the flank
+    /* right end of the damage: first damaged column, 12 voxels deep; deeper towards the left, where
+     * the beam ends 0.085 of the width from the flank */
     check_near(s->profile_dynamic[5], 12 * H, 1e-9);
     double beam = NY * (1 - 0.83) / 2;
     check_near(s->profile_dynamic[0], (41.5 - beam) * H, 1e-9);

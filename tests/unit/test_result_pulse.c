@@ -1,4 +1,4 @@
-/* Filter and pulse measures against the vectors of literature.md 4.3-4.8 and closed forms. */
+/* Filter and pulse measures against the vectors of [CFC-FILTER] and closed forms. */
 #include "test.h"
 
 #include "result/pulse.h"

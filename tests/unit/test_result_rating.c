@@ -1,4 +1,4 @@
-/* Ratings against the test vectors of literature.md 4.10 and values worked out by hand. */
+/* Ratings against the test vectors of [ISO-18571] and values worked out by hand. */
 #include "test.h"
 
 #include "result/rating.h"
@@ -34,7 +34,7 @@ static void equal_curves_are_excellent(void **state) {
     assert_string_equal(cr_rating_grade(r.total), "excellent");
 }
 
-/* literature.md 4.10: offset of twice the amplitude */
+/* [ISO-18571]: offset of twice the amplitude */
 static void offset_sine(void **state) {
     (void)state;
     sine(t, 3, 0);

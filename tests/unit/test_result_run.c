@@ -46,7 +46,7 @@ static void frontal_hit(void **state) {
     assert_int_equal(s->pdof_clock, 12);
     assert_string_equal(s->model, "compact/12");
     assert_int_equal(s->face, CR_FACE_FRONT);
-    // trial and solve
+    /* trial and solve */
     assert_int_equal(r->passes, 2);
     check_near(cr_angle_wrap(s->pdof), 0, cr_rad(2));
     check_near(s->ees, sqrt(2 * s->energy / 1400), 1e-12);
@@ -70,7 +70,7 @@ static void model_and_direction_agree(void **state) {
         if (strcmp(model, s->model) != 0 && !said) {
             fail_msg("%d deg: force from %.1f deg with model %s", deg, cr_deg(s->pdof), s->model);
         }
-        // off-centre hits turn the direction of the force, but not to another side of the car
+        /* off-centre hits turn the direction of the force, but not to another side of the car */
         assert_true(fabs(cr_angle_wrap(s->pdof - cr_rad(deg))) < cr_rad(35));
         assert_true(r->passes >= 2 && r->passes <= 3);
         cr_result_free(r);
@@ -86,7 +86,7 @@ static void mirrored_hits_give_mirrored_results(void **state) {
     check_near(left->of[0].face_depth, right->of[0].face_depth, 1e-9);
     assert_int_equal(left->of[0].face, CR_FACE_LEFT);
     assert_int_equal(right->of[0].face, CR_FACE_RIGHT);
-    // both profiles run from rear to front
+    /* both profiles run from rear to front */
     for (int i = 0; i < CR_PROFILE; i++) {
         check_near(left->of[0].profile[i], right->of[0].profile[i], 1e-9);
     }
@@ -176,7 +176,7 @@ static void interrupted_solves_leave_their_part(void **state) {
     ctx = before;
 }
 
-/* keys of formats.md in its order; others may stand between them */
+/* keys of the schema of results in its order; others may stand between them */
 static void check_order(const cJSON *object, const char *const *key, int n) {
     const cJSON *item = object->child;
     for (int i = 0; i < n; i++) {
@@ -184,7 +184,7 @@ static void check_order(const cJSON *object, const char *const *key, int n) {
             item = item->next;
         }
         if (!item) {
-            fail_msg("no '%s' where formats.md has it", key[i]);
+            fail_msg("no '%s' where the schema has it", key[i]);
         }
     }
 }
@@ -284,7 +284,7 @@ static void csv_has_as_many_fields_as_its_header(void **state) {
             assert_int_equal(commas, want);
             rows++;
         }
-        // the fixed pole has a trace, but nothing to report
+        /* the fixed pole has a trace, but nothing to report */
         assert_int_equal(rows, trace ? 1 + 2 * r->solution->samples : 2);
         assert_non_null(strstr(text.s, "\n\"one \"\"two\"\" three\",A,"));
         cr_str_fini(&text);

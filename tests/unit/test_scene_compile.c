@@ -49,7 +49,8 @@ static void test_regressions(void **state) {
     resolve(&s, &assumed);
     const struct cr_participant *a = &s.part[0];
     const struct cr_dims *ref = cr_model_dims(lib, CR_TYPE_SUV, &(double){0});
-    /* stiffness.md 7.3: 1.330 + 1.39e-4 m; (0.308 + 7.7e-5 m) WB; 0.511 + 8.05e-5 m; 7.4: 0.137 m L
+    /* [TRACK-MASS] 1.330 + 1.39e-4 m; [CG-SHARE] (0.308 + 7.7e-5 m) WB; [CG-HEIGHT] 0.511 +
+     * 8.05e-5 m; [YAW-INERTIA] 0.137 m L
      * WB */
     check_near(a->track, 1.68445, 1e-9);
     check_near(a->cg_behind_front_axle, 3.002 * 0.50435, 1e-9);

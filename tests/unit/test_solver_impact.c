@@ -5,8 +5,8 @@
 
 static const double length = 4.2, width = 1.8;
 
-/* literature.md 2.7: m' = m1 m2/(m1+m2), k' = k1 k2/(k1+k2), w = sqrt(k'/m'), x = V/w sin wt; equal
- * force splits the energy E1/E2 = k2/k1, and momentum gives the velocities. */
+/* [SPRINGS-IN-SERIES]: m' = m1 m2/(m1+m2), k' = k1 k2/(k1+k2), w = sqrt(k'/m'), x = V/w sin wt;
+ * equal force splits the energy E1/E2 = k2/k1, and momentum gives the velocities. */
 struct pair {
     double m1, w1, v1, m2, w2, v2, e;
 };
@@ -92,7 +92,7 @@ static struct cr_grid nose(struct cr_arena *arena, double x, double y, double ou
                             .energy = energy};
 }
 
-/* The vector of literature.md 2.1 with t = (0, -1), n = (1, 0): CG1 at (-1.9, -0.4), CG2 at
+/* The vector of [PLANAR-IMPACT] with t = (0, -1), n = (1, 0): CG1 at (-1.9, -0.4), CG2 at
  * (1.5, 0.3) from the point of impact, relative velocity n 30, t 1. */
 static struct cr_case planar_case(struct cr_arena *arena, double e) {
     static const double h = 0.005, back = 1e-4; /* s before the touch */

@@ -19,7 +19,7 @@ static struct cr_case gap_case(struct cr_arena *arena, const double *gap, double
     return cs;
 }
 
-/* method.md 9: ending in the gap lost a third of the delta-v */
+/* ending in the gap lost a third of the delta-v */
 static void a_gap_behind_the_bumper_is_not_the_end(void **state) {
     (void)state;
     static const double gap = 0.2;
@@ -95,8 +95,8 @@ static void words(void **state) {
     assert_string_equal(cr_stop_word(CR_STOP_NO_OVERLAP), "no-overlap");
 }
 
-/* stiffness.md 6: wall 0.33 up to 4.3 m/s, linear to 0.15 at 10 m/s; cars 0.3 below 2 m/s, linear
- * to 0.10 at 10 m/s */
+/* [RESTITUTION-SPEED]: wall 0.33 up to 4.3 m/s, linear to 0.15 at 10 m/s; cars 0.3 below 2 m/s,
+ * linear to 0.10 at 10 m/s */
 static void restitution_by_closing_speed(void **state) {
     (void)state;
     check_near(cr_restitution_auto(3, true), 0.33, 1e-12);

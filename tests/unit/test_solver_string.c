@@ -1,8 +1,8 @@
-/* Induced deformation: plastic string on a plastic foundation against its closed form (method.md
- * 5). A flat-nosed box of width b goes w0 deep into a flank of q N per m of length, tension N0:
- *     P(w0) = q b + 2 sqrt(2 N0 q w0),  E(w0) = q b w0 + 4/3 sqrt(2 N0 q) w0^1.5,
- *     xi = sqrt(2 N0 w0 / q) of damage on either side,  area b w0 + 2/3 xi w0.
- * With the numbers of the median 32 km/h side pole: q = 150 kN/m, N0 = 72 kN, 54 kJ, b = 0.25 m. */
+/* Induced deformation: plastic string on a plastic foundation against its closed form
+ * [STRING-FORM]. A flat-nosed box of width b goes w0 deep into a flank of q N per m of length,
+ * tension N0: P(w0) = q b + 2 sqrt(2 N0 q w0),  E(w0) = q b w0 + 4/3 sqrt(2 N0 q) w0^1.5, xi =
+ * sqrt(2 N0 w0 / q) of damage on either side,  area b w0 + 2/3 xi w0. With the numbers of the
+ * median 32 km/h side pole: q = 150 kN/m, N0 = 72 kN, 54 kJ, b = 0.25 m. */
 #include "solver_cases.h"
 #include "test.h"
 

@@ -1,5 +1,5 @@
 /* Motion after the impact: a car bounces off a wall without losing speed (e = 1, no crush) and runs
- * to rest on its tyres. Straight slide: V = sqrt(2 mu g s), t = V / (mu g) (literature.md 7.5). */
+ * to rest on its tyres. Straight slide: V = sqrt(2 mu g s), t = V / (mu g) [STRAIGHT-SLIDE]. */
 #include "solver_cases.h"
 #include "test.h"
 
@@ -90,7 +90,7 @@ static void full_and_half_braking(void **state) {
     cr_arena_free(&arena);
 }
 
-/* 0.010 of the load (literature.md 7.2); at walking pace the fading shows more */
+/* 0.010 of the load [ROLLING-RESISTANCE]; at walking pace the fading shows more */
 static void rolling_resistance(void **state) {
     (void)state;
     struct cr_arena arena = {0};

@@ -1,7 +1,7 @@
 /* A body with the linear front F = m w^2 x against a rigid wall, in closed form:
  *     x = V/w sin wt until the speed is e V,   so with k = sqrt(1 - e^2)
  *     EES = k V,  depth = k V/w,  duration = acos(e)/w,  greatest deceleration = k w V,
- *     delta-v = (1 + e) V;  w = 23.7 1/s is the median of 202 walls (method.md 5). */
+ *     delta-v = (1 + e) V;  w = 23.7 1/s is the median of the tests [WALL-RATE]. */
 #include "solver_cases.h"
 #include "test.h"
 

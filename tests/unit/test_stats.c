@@ -53,12 +53,34 @@ static void correlation(void **state) {
     assert_true(isnan(cr_stats_correlation(x, flat, 3)));
 }
 
+/* by hand: 2 (1 + 10) / 1024 for one of ten; 2 / 64 for none of six, which is the least n that an
+ * interval of 95 % can be had for */
+static void sign_test_and_interval(void **state) {
+    (void)state;
+    check_near(cr_stats_sign_test(1, 9), 22.0 / 1024, 1e-15);
+    check_near(cr_stats_sign_test(0, 6), 2.0 / 64, 1e-15);
+    check_near(cr_stats_sign_test(5, 5), 1, 0);
+    check_near(cr_stats_sign_test(0, 0), 1, 0);
+    check_near(cr_stats_sign_test(40000, 60000), 0, 1e-300);
+    double lo, hi, x[10] = {5, 3, 9, 1, 7, 2, 8, 4, 10, 6};
+    cr_stats_median_interval(x, 5, 0.05, &lo, &hi);
+    assert_true(isnan(lo) && isnan(hi));
+    cr_stats_median_interval(x, 6, 0.05, &lo, &hi);
+    check_near(lo, 1, 0);
+    check_near(hi, 9, 0);
+    double y[10] = {5, 3, 9, 1, 7, 2, 8, 4, 10, 6};
+    cr_stats_median_interval(y, 10, 0.05, &lo, &hi);
+    check_near(lo, 2, 0);
+    check_near(hi, 9, 0);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(mean_and_spread),
         cmocka_unit_test(quantiles_lie_between_the_sorted_values),
         cmocka_unit_test(errors_as_the_paper_counts_them),
         cmocka_unit_test(correlation),
+        cmocka_unit_test(sign_test_and_interval),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,189 @@
+/* Results of a stack as rows of a table: which values, and their text as CSV or JSON. */
+#include "cli/rows.h"
+
+#include "base/arena.h"
+#include "base/json.h"
+#include "base/number.h"
+#include "result/names.h"
+
+#include <cjson/cJSON.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static enum cr_err add(struct cr_fields *f, const char *name, size_t len, struct cr_error *err) {
+    if (len == 0 || len >= CR_FIELD_SIZE) {
+        cr_err_set(err, CR_ERR_USAGE, "--fields: a name is empty or too long");
+        cr_err_hint(err, "for example --fields A.ees_kmh,B.delta_v_kmh");
+        return CR_ERR_USAGE;
+    }
+    if (f->n == CR_FIELDS_MAX) {
+        return cr_err_set(err, CR_ERR_USAGE, "more than %d fields", CR_FIELDS_MAX);
+    }
+    snprintf(f->name[f->n++], CR_FIELD_SIZE, "%.*s", (int)len, name);
+    return CR_ERR_OK;
+}
+
+enum cr_err cr_fields_add(struct cr_fields *fields, const char *list, struct cr_error *err) {
+    enum cr_err code = CR_ERR_OK;
+    for (const char *p = list; p != NULL && code == CR_ERR_OK;) {
+        size_t len = strcspn(p, ",");
+        code = add(fields, p, len, err);
+        p = p[len] == ',' ? p + len + 1 : NULL;
+    }
+    fields->given = true;
+    return code;
+}
+
+static const cJSON *input_of(const cJSON *record) {
+    const cJSON *input = cJSON_GetObjectItemCaseSensitive(record, "input");
+    return cJSON_GetObjectItemCaseSensitive(input, "resolved");
+}
+
+static const cJSON *find(const cJSON *record, const char *name) {
+    const cJSON *value = cr_names_find(record, name), *input = input_of(record);
+    if (value == NULL) {
+        value = cr_names_find(input, name);
+    }
+    if (value == NULL) {
+        value = cr_names_find(cJSON_GetObjectItemCaseSensitive(input, "settings"), name);
+    }
+    return cJSON_IsObject(value) || cJSON_IsArray(value) ? NULL : value;
+}
+
+double cr_fields_value(const cJSON *record, const char *name, const char **text) {
+    const cJSON *value = find(record, name);
+    *text = cJSON_GetStringValue(value);
+    return cJSON_IsNumber(value) ? value->valuedouble
+           : cJSON_IsBool(value) ? cJSON_IsTrue(value)
+                                 : (double)NAN;
+}
+
+static enum cr_err unknown(const char *name, const cJSON *result, struct cr_error *err) {
+    struct cr_arena arena = {0};
+    struct cr_named *value;
+    int n;
+    cr_err_set(err, CR_ERR_USAGE, "there is no value '%.80s' in the first result", name);
+    if (cr_names_list(result, &arena, &value, &n, NULL) == CR_ERR_OK) {
+        const char **list = calloc((size_t)n + 1, sizeof *list);
+        for (int i = 0; list != NULL && i < n; i++) {
+            list[i] = value[i].name;
+        }
+        const char *near = list != NULL ? cr_str_nearest(name, list, n) : NULL;
+        if (near != NULL) {
+            cr_err_hint(err, "did you mean %s?", near);
+        } else {
+            cr_err_hint(err, "names are the keys of a result or scene after a participant's id, "
+                             "as in A.ees_kmh");
+        }
+        free(list);
+    }
+    cr_arena_free(&arena);
+    return CR_ERR_USAGE;
+}
+
+enum cr_err cr_fields_settle(struct cr_fields *fields, const cJSON *result, struct cr_error *err) {
+    static const char *const main_ones[] = {"ees_kmh",           "delta_v_kmh",        "pdof_deg",
+                                            "deformation_max_m", "acceleration_max_g", "olc_g"};
+    enum cr_err code = CR_ERR_OK;
+    for (int i = 0; i < fields->n && code == CR_ERR_OK; i++) {
+        const char *name = fields->name[i];
+        /* null is a value that this result has not got */
+        code = find(result, name) != NULL ? CR_ERR_OK : unknown(name, result, err);
+    }
+    const cJSON *part;
+    cJSON_ArrayForEach(part, cJSON_GetObjectItemCaseSensitive(result, "participants")) {
+        const char *id = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(part, "id"));
+        for (size_t i = 0; i < sizeof main_ones / sizeof main_ones[0] && !fields->given; i++) {
+            char name[CR_FIELD_SIZE];
+            int n = snprintf(name, sizeof name, "%s.%s", id != NULL ? id : "", main_ones[i]);
+            if (cJSON_HasObjectItem(part, main_ones[i]) && fields->n < CR_FIELDS_MAX) {
+                code = code == CR_ERR_OK ? add(fields, name, (size_t)n, err) : code;
+            }
+        }
+    }
+    fields->given = true;
+    return code;
+}
+
+static void csv_text(const char *s, struct cr_str *out) {
+    if (s == NULL) {
+        return;
+    }
+    /* what begins like a formula is quoted, so that spreadsheets take it as text */
+    if (strpbrk(s, ",\"\r\n") == NULL && (s[0] == '\0' || strchr("=+-@", s[0]) == NULL)) {
+        cr_str_add(out, s);
+        return;
+    }
+    cr_str_add(out, "\"");
+    for (; *s != '\0'; s++) {
+        cr_str_addn(out, *s == '"' ? "\"\"" : s, *s == '"' ? 2 : 1);
+    }
+    cr_str_add(out, "\"");
+}
+
+static const char *text_of(const cJSON *record, const char *key) {
+    return cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(record, key));
+}
+
+void cr_rows_csv_header(const struct cr_fields *fields, struct cr_str *out) {
+    cr_str_add(out, "index,scene,pair");
+    for (int i = 0; i < fields->n; i++) {
+        cr_str_add(out, ",");
+        csv_text(fields->name[i], out);
+    }
+    cr_str_add(out, ",error\n");
+}
+
+void cr_rows_csv(const struct cr_fields *fields, const cJSON *record, struct cr_str *out) {
+    const cJSON *error = cJSON_GetObjectItemCaseSensitive(record, "error");
+    const cJSON *index = cJSON_GetObjectItemCaseSensitive(record, "index");
+    if (cJSON_IsNumber(index)) {
+        cr_str_number(out, index->valuedouble);
+    }
+    cr_str_add(out, ",");
+    csv_text(text_of(record, "scene"), out);
+    cr_str_add(out, ",");
+    csv_text(text_of(record, "pair"), out);
+    for (int i = 0; i < fields->n; i++) {
+        const char *text;
+        double x = cr_fields_value(record, fields->name[i], &text);
+        cr_str_add(out, ",");
+        if (text != NULL) {
+            csv_text(text, out);
+        } else if (isfinite(x)) {
+            cr_str_number(out, x);
+        }
+    }
+    cr_str_add(out, ",");
+    csv_text(text_of(error, "message"), out);
+    cr_str_add(out, "\n");
+}
+
+enum cr_err cr_rows_json(const struct cr_fields *fields, const cJSON *record, struct cr_str *out,
+                         struct cr_error *err) {
+    static const char *const keys[] = {"index", "scene", "pair"};
+    cJSON *row = cJSON_CreateObject();
+    for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
+        const cJSON *item = cJSON_GetObjectItemCaseSensitive(record, keys[i]);
+        if (item != NULL) {
+            cJSON_AddItemToObject(row, keys[i], cJSON_Duplicate(item, true));
+        }
+    }
+    const cJSON *error = cJSON_GetObjectItemCaseSensitive(record, "error");
+    if (error != NULL) {
+        cJSON_AddItemToObject(row, "error", cJSON_Duplicate(error, true));
+    }
+    for (int i = 0; i < fields->n && error == NULL; i++) {
+        const char *text;
+        double x = cr_fields_value(record, fields->name[i], &text);
+        cJSON_AddItemToObject(row, fields->name[i],
+                              text != NULL  ? cJSON_CreateString(text)
+                              : isfinite(x) ? cJSON_CreateNumber(x)
+                                            : cJSON_CreateNull());
+    }
+    bool done = cr_json_add(row, false, out);
+    cr_str_add(out, "\n");
+    return done ? CR_ERR_OK : cr_err_set(err, CR_ERR_MEMORY, "no memory for a row");
+}

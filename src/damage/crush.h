@@ -1,0 +1,171 @@
+/* From a measured deformation to energy, EES and delta-v: the way back from a bent car to its
+ * crash.
+ *
+ * The voxels outside the measured outline (residual crush and what has sprung back) give their
+ * energy; two vehicles, or one and an object, give delta-v by energy and momentum. SI units inside,
+ * body frame x forward, y left. Nothing here does I/O but the readers. */
+#ifndef CR_DAMAGE_CRUSH_H
+#define CR_DAMAGE_CRUSH_H
+
+#include "base/arena.h"
+#include "base/err.h"
+#include "base/str.h"
+#include "base/vec.h"
+#include "model/model.h"
+#include "scene/scene.h"
+
+#include <stdbool.h>
+
+enum { CR_STATIONS_MAX = 64, CR_CRUSH_CARS = 2 };
+
+/* What was measured of one vehicle. Along a face positions run from left to right (ends) or from
+ * rear to front (sides), 0 at the middle of the vehicle. */
+struct cr_measured {
+    enum cr_face face;
+    double length, offset;         /* of the damaged field, and of its middle, m */
+    int stations;                  /* even over the field, from its first end to its last */
+    double depth[CR_STATIONS_MAX]; /* residual, square to the face, m */
+    double direct, direct_offset; /* width and middle of what was struck directly; NaN: the field */
+    double pdof;                  /* rad clockwise from ahead; NaN: square to the face */
+    double z_lo, z_hi;            /* heights that were struck; 0 and INFINITY: all */
+    /* tolerances that hold 95 %: of all depths together, length, offset, pdof, and of the mass */
+    double depth_tol, length_tol, offset_tol, pdof_tol, mass_tol;
+};
+/* Nothing measured, usual tolerances: 3 cm, 5 cm, 5 cm, 20 degrees, 3 % of the mass (0: taken from
+ * the vehicle when it is known). */
+void cr_crush_init(struct cr_measured *crush);
+/* The usual PDOF of a face, rad clockwise: 0 of the front, 90 degrees of the right side. */
+double cr_crush_square(enum cr_face face);
+/* Words of faces: front, left, rear, right; -1 if there is none. */
+const char *cr_crush_face_word(enum cr_face face);
+int cr_crush_face_find(const char *word);
+/* Is what was measured possible on this vehicle (resolved)? Errors: MISSING, RANGE with a hint:
+ * stations, depths beyond the vehicle, a field outside of it. */
+CR_MUST_CHECK enum cr_err cr_crush_check(const struct cr_measured *crush,
+                                         const struct cr_participant *p, struct cr_error *err);
+
+/* ---- rules from the calibration on real crashes ---- */
+
+/* Values of share/damage/calibration.json, per end of a recipe (front, side, rear). */
+struct cr_crush_rules {
+    double rise[CR_MODEL_ENDS];   /* dynamic minus residual depth of what was struck, m: the damage
+                                     threshold too, for without residual crush there is this much */
+    double level[CR_MODEL_ENDS];  /* energy of real crashes against that of the recipe */
+    double log_sd[CR_MODEL_ENDS]; /* scatter of the logarithm of the energy, cars of one type */
+    double ramp;                  /* residual depth at which damage beside the contact has the whole
+                                     rise, m */
+    double oblique;               /* energy by 1 + this times tan2 of the force against the face */
+    double drag;                  /* what braking adds to a recorder's reading of a front, m/s */
+    double noise;                 /* of a recorder, share */
+};
+CR_MUST_CHECK enum cr_err cr_crush_rules_parse(const char *text, const char *path,
+                                               struct cr_crush_rules *out, struct cr_error *err);
+CR_MUST_CHECK enum cr_err cr_crush_rules_read(const char *path, struct cr_crush_rules *out,
+                                              struct cr_error *err);
+
+/* ---- one vehicle ---- */
+
+struct cr_crush_car {
+    char id[CR_NAME_MAX];
+    const struct cr_participant *p; /* resolved, borrowed */
+    struct cr_measured m;
+    struct cr_grid grid; /* dynamic, of the heights struck */
+    double whole_share;  /* 1: the grid has all layers */
+};
+/* The grid of a vehicle under its PDOF, in the arena. Errors: those of cr_crush_check and of the
+ * models. */
+CR_MUST_CHECK enum cr_err cr_crush_open(const struct cr_model_lib *lib,
+                                        const struct cr_participant *p,
+                                        const struct cr_measured *measured, struct cr_arena *arena,
+                                        struct cr_crush_car *out, struct cr_error *err);
+
+struct cr_crush_energy {
+    double energy, induced; /* J; of it outside of what was struck directly */
+    struct cr_vec2 coe;     /* centre of the energy, m */
+    double depth, area;     /* greatest residual depth m, residual area m2 */
+    double force;           /* that the last voxels stand for, N */
+};
+/* Depth to which the material was pressed in at a place along the face, m; *direct: struck there */
+double cr_crush_dynamic(const struct cr_measured *m, const struct cr_crush_rules *rules, double at,
+                        bool *direct);
+/* Energy of all voxels outside the outline. left (nullable, [ny * nx]): material that is left;
+ * while pressed in, or with residual = true after springback. */
+void cr_crush_energy(const struct cr_crush_car *car, const struct cr_crush_rules *rules,
+                     struct cr_crush_energy *out);
+void cr_crush_left(const struct cr_crush_car *car, const struct cr_crush_rules *rules,
+                   bool residual, double *left);
+/* CDC of SAE J224. */
+void cr_crush_cdc(const struct cr_crush_car *car, char cdc[12]);
+
+/* ---- an impact ---- */
+
+struct cr_crush_case {
+    int n; /* vehicles, 1 or 2 */
+    struct cr_crush_car car[CR_CRUSH_CARS];
+    bool object;        /* one vehicle against an object */
+    double object_mass; /* NaN: fixed */
+    double restitution; /* NaN: by the closing speed */
+};
+
+/* A number with the interval that holds 95 %. */
+struct cr_crush_value {
+    double best, lo, hi;
+};
+struct cr_crush_part {
+    struct cr_crush_energy e;
+    double pdof, arm, gamma; /* rad; of the force about the CG, m; share of the mass that acts */
+    struct cr_vec2 push;     /* direction of the impulse, body frame */
+    struct cr_crush_value ees, energy, delta_v;
+};
+/* What the width of an interval comes from: share of the variance. */
+enum cr_crush_source {
+    CR_CRUSH_TYPE,
+    CR_CRUSH_TAPE,
+    CR_CRUSH_MASS,
+    CR_CRUSH_PDOF,
+    CR_CRUSH_SOURCES
+};
+struct cr_crush_impact {
+    bool pair; /* there is a partner, so delta-v is known */
+    struct cr_crush_part part[CR_CRUSH_CARS];
+    struct cr_crush_value closing; /* along the force at the places of contact, m/s */
+    double restitution, energy;    /* J in all */
+    double share[CR_CRUSH_CARS][CR_CRUSH_SOURCES]; /* of delta-v (of the EES where there is none) */
+    double balance; /* ratio of the forces that both outlines stand for: 1 in agreement */
+};
+CR_MUST_CHECK enum cr_err cr_crush_solve(const struct cr_crush_case *what,
+                                         const struct cr_crush_rules *rules,
+                                         struct cr_crush_impact *out, struct cr_error *err);
+/* The best values alone, without intervals: fast. */
+void cr_crush_best(const struct cr_crush_case *what, const struct cr_crush_rules *rules,
+                   struct cr_crush_impact *out);
+
+/* ---- files and reports ---- */
+
+/* A damage file: {"crumple_damage": 1, "vehicles": [{"id": "A", "type": "sedan", "mass_kg": 1500,
+ * "damage": {"face": "front", "field_length_m": 1.4, "crush_m": [...]}}], "object": {...}}. The
+ * vehicles have the keys of a scene; the scene is initialised by the call and holds them,
+ * unresolved. Errors: those of scenes, with line and column. */
+struct cr_crush_file {
+    struct cr_scene scene;
+    int n;
+    struct cr_measured crush[CR_CRUSH_CARS];
+    bool object;
+    double object_mass, restitution;
+};
+CR_MUST_CHECK enum cr_err cr_crush_read(const char *path, struct cr_crush_file *out,
+                                        struct cr_error *err);
+void cr_crush_file_fini(struct cr_crush_file *file);
+/* Resolve the vehicles and open the case; grids in the arena, participants in file->scene. */
+CR_MUST_CHECK enum cr_err cr_crush_case_open(struct cr_crush_file *file,
+                                             const struct cr_model_lib *lib, struct cr_arena *arena,
+                                             struct cr_crush_case *out, struct cr_error *err);
+
+/* Report in lines, and as JSON: {"class":"damage", ...}. Errors: MEMORY. */
+CR_MUST_CHECK enum cr_err cr_crush_text(const struct cr_crush_case *what,
+                                        const struct cr_crush_impact *impact, struct cr_str *out,
+                                        struct cr_error *err);
+CR_MUST_CHECK enum cr_err cr_crush_json(const struct cr_crush_case *what,
+                                        const struct cr_crush_impact *impact, struct cr_str *out,
+                                        struct cr_error *err);
+#endif

@@ -1,0 +1,21 @@
+/* A measured outline over the voxel model of its vehicle, from above and from the side. */
+#ifndef CR_DAMAGE_PICTURE_H
+#define CR_DAMAGE_PICTURE_H
+
+#include "damage/crush.h"
+#include "render/render.h"
+
+/* How it is drawn. */
+struct cr_crush_look {
+    const struct cr_model_lib *lib;
+    const struct cr_look *look;
+    int width; /* columns */
+};
+/* Lines of both views: the voxels that gave energy as digits, their depth in dm; shades of EES
+ * elsewhere. Errors: those of the model, MEMORY. */
+CR_MUST_CHECK enum cr_err cr_crush_picture(const struct cr_crush_car *car,
+                                           const struct cr_crush_rules *rules,
+                                           const struct cr_crush_look *how, struct cr_str *out,
+                                           struct cr_error *err);
+
+#endif

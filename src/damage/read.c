@@ -1,0 +1,382 @@
+/* Damage files and the rules of the calibration. */
+#include "damage/crush.h"
+
+#include "base/file.h"
+#include "base/json.h"
+
+#include <cjson/cJSON.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- rules ---- */
+
+static enum cr_err bad_rule(const char *path, const char *name, struct cr_error *err) {
+    cr_err_set(err, CR_ERR_MODEL, "\"%s\" is no number of a calibration", name);
+    cr_err_place(err, path, 0, 0);
+    return CR_ERR_MODEL;
+}
+
+static bool number_of(const cJSON *json, const char *name, double lo, double hi, double *out) {
+    const cJSON *x = cJSON_GetObjectItemCaseSensitive(json, name);
+    *out = cJSON_IsNumber(x) ? x->valuedouble : (double)NAN;
+    return *out >= lo && *out <= hi;
+}
+
+static enum cr_err read_rules(const cJSON *json, const char *path, struct cr_crush_rules *out,
+                              struct cr_error *err) {
+    static const char *const ends[CR_MODEL_ENDS] = {"front", "side", "rear"};
+    const cJSON *faces = cJSON_GetObjectItemCaseSensitive(json, "faces");
+    for (int i = 0; i < CR_MODEL_ENDS; i++) {
+        const cJSON *face = cJSON_GetObjectItemCaseSensitive(faces, ends[i]);
+        if (!number_of(face, "rise_m", 0, 1, &out->rise[i]) ||
+            !number_of(face, "level", 0.05, 20, &out->level[i]) ||
+            !number_of(face, "energy_log_sd", 0, 2, &out->log_sd[i])) {
+            return bad_rule(path, ends[i], err);
+        }
+    }
+    double drag;
+    if (!number_of(json, "ramp_m", 0.001, 1, &out->ramp) ||
+        !number_of(json, "oblique", 0, 5, &out->oblique) ||
+        !number_of(json, "recorder_drag_kmh", 0, 10, &drag) ||
+        !number_of(json, "recorder_noise", 0, 1, &out->noise)) {
+        return bad_rule(path, "ramp_m, oblique or recorder", err);
+    }
+    out->drag = cr_mps(drag);
+    return CR_ERR_OK;
+}
+
+enum cr_err cr_crush_rules_parse(const char *text, const char *path, struct cr_crush_rules *out,
+                                 struct cr_error *err) {
+    enum cr_err code = cr_json_check(text, strlen(text), path, err);
+    if (code == CR_ERR_OK) {
+        cJSON *json = cJSON_Parse(text);
+        code = read_rules(json, path, out, err);
+        cJSON_Delete(json);
+    }
+    return code;
+}
+
+enum cr_err cr_crush_rules_read(const char *path, struct cr_crush_rules *out,
+                                struct cr_error *err) {
+    char *text = NULL;
+    size_t len;
+    enum cr_err code = cr_file_read(path, &text, &len, err);
+    if (code == CR_ERR_OK) {
+        code = cr_crush_rules_parse(text, path, out, err);
+    }
+    free(text);
+    return code;
+}
+
+/* ---- damage files ---- */
+
+struct reader {
+    struct cr_error *err;
+    char where[128];
+};
+
+static enum cr_err fail(const struct reader *r, enum cr_err code, const char *text,
+                        const char *hint) {
+    cr_err_set(r->err, code, "%s", text);
+    cr_err_hint(r->err, "%s", hint);
+    if (r->err != NULL) {
+        snprintf(r->err->where, sizeof r->err->where, "%s", r->where);
+    }
+    return code;
+}
+
+/* 1.4, or {"value": 1.4, "tolerance": 0.05} */
+static bool take_number(const cJSON *x, double *value, double *tolerance) {
+    if (cJSON_IsNumber(x)) {
+        *value = x->valuedouble;
+        return true;
+    }
+    const cJSON *v = cJSON_GetObjectItemCaseSensitive(x, "value");
+    const cJSON *t = cJSON_GetObjectItemCaseSensitive(x, "tolerance");
+    if (!cJSON_IsNumber(v) || !cJSON_IsNumber(t) || t->valuedouble < 0) {
+        return false;
+    }
+    *value = v->valuedouble;
+    *tolerance = t->valuedouble;
+    return true;
+}
+
+static enum cr_err take_stations(struct reader *r, const cJSON *m, struct cr_measured *out) {
+    int n = cJSON_GetArraySize(m), i = 0;
+    if (!cJSON_IsArray(m) || n < 2 || n > CR_STATIONS_MAX) {
+        return fail(r, CR_ERR_TYPE, "crush_m: expected an array of 2 to 64 depths",
+                    "\"crush_m\": [0.12, 0.14, 0.20, 0.22, 0.18, 0.10]");
+    }
+    for (const cJSON *x = m->child; x != NULL; x = x->next, i++) {
+        double tol = out->depth_tol;
+        if (!take_number(x, &out->depth[i], &tol)) {
+            return fail(r, CR_ERR_TYPE, "crush_m: every station is a number",
+                        "0 where nothing is left of the crush");
+        }
+        out->depth_tol = fmax(out->depth_tol, tol); /* the worst of them counts for all */
+    }
+    out->stations = n;
+    return CR_ERR_OK;
+}
+
+/* A measured outline as points [along, depth] becomes stations: 24 of them, evenly. */
+static enum cr_err take_outline(struct reader *r, const cJSON *m, struct cr_measured *out) {
+    enum { EVEN = 24, POINTS = 256 };
+    double at[POINTS], depth[POINTS];
+    int n = 0;
+    for (const cJSON *p = cJSON_IsArray(m) ? m->child : NULL; p != NULL; p = p->next) {
+        const cJSON *x = cJSON_GetArrayItem(p, 0), *y = cJSON_GetArrayItem(p, 1);
+        if (n == POINTS || cJSON_GetArraySize(p) != 2 || !cJSON_IsNumber(x) || !cJSON_IsNumber(y) ||
+            (n > 0 && x->valuedouble <= at[n - 1])) {
+            return fail(r, CR_ERR_TYPE, "outline_m: expected points [along, depth], along rising",
+                        "\"outline_m\": [[-0.7, 0.1], [0, 0.3], [0.7, 0.2]]");
+        }
+        at[n] = x->valuedouble;
+        depth[n++] = y->valuedouble;
+    }
+    if (n < 2) {
+        return fail(r, CR_ERR_MISSING, "outline_m has fewer than two points",
+                    "\"outline_m\": [[-0.7, 0.1], [0, 0.3], [0.7, 0.2]]");
+    }
+    out->length = at[n - 1] - at[0];
+    out->offset = (at[n - 1] + at[0]) / 2;
+    out->stations = EVEN;
+    for (int i = 0, k = 0; i < EVEN; i++) {
+        double x = at[0] + out->length * i / (EVEN - 1);
+        while (k + 2 < n && x > at[k + 1]) {
+            k++;
+        }
+        double u = cr_clamp((x - at[k]) / (at[k + 1] - at[k]), 0, 1);
+        out->depth[i] = depth[k] + u * (depth[k + 1] - depth[k]);
+    }
+    return CR_ERR_OK;
+}
+
+static enum cr_err take_face(struct reader *r, const cJSON *m, struct cr_measured *out) {
+    int face = cJSON_IsString(m) ? cr_crush_face_find(m->valuestring) : -1;
+    if (face < 0) {
+        return fail(r, CR_ERR_NAME, "face: expected front, left, rear or right",
+                    "the side of the vehicle that was struck");
+    }
+    out->face = (enum cr_face)face;
+    return CR_ERR_OK;
+}
+
+static enum cr_err take_heights(struct reader *r, const cJSON *m, struct cr_measured *out) {
+    const cJSON *lo = cJSON_GetArrayItem(m, 0), *hi = cJSON_GetArrayItem(m, 1);
+    if (!cJSON_IsNumber(lo) || !cJSON_IsNumber(hi)) {
+        return fail(r, CR_ERR_TYPE, "height_m: expected [lower, upper]", "m above the road");
+    }
+    out->z_lo = lo->valuedouble;
+    out->z_hi = hi->valuedouble;
+    return CR_ERR_OK;
+}
+
+static enum cr_err take_key(struct reader *r, const cJSON *m, struct cr_measured *out) {
+    double none = 0;
+    const struct {
+        const char *key;
+        double *value, *tolerance;
+    } numbers[] = {
+        {"field_length_m", &out->length, &out->length_tol},
+        {"field_offset_m", &out->offset, &out->offset_tol},
+        {"direct_width_m", &out->direct, &out->length_tol},
+        {"direct_offset_m", &out->direct_offset, &out->offset_tol},
+        {"crush_tolerance_m", &out->depth_tol, &none},
+        {"pdof_deg", &out->pdof, &out->pdof_tol},
+    };
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        if (strcmp(m->string, numbers[i].key) == 0) {
+            return take_number(m, numbers[i].value, numbers[i].tolerance)
+                       ? CR_ERR_OK
+                       : fail(r, CR_ERR_TYPE, "expected a number",
+                              "or {\"value\": 1.4, \"tolerance\": 0.05}");
+        }
+    }
+    return strcmp(m->string, "face") == 0        ? take_face(r, m, out)
+           : strcmp(m->string, "crush_m") == 0   ? take_stations(r, m, out)
+           : strcmp(m->string, "outline_m") == 0 ? take_outline(r, m, out)
+           : strcmp(m->string, "height_m") == 0  ? take_heights(r, m, out)
+           : strncmp(m->string, "x_", 2) == 0
+               ? CR_ERR_OK
+               : fail(r, CR_ERR_KEY, "unknown key",
+                      "face, field_length_m, field_offset_m, crush_m, outline_m, direct_width_m, "
+                      "direct_offset_m, pdof_deg, height_m, crush_tolerance_m");
+}
+
+static enum cr_err take_damage(struct reader *r, const cJSON *json, struct cr_measured *out) {
+    double face = NAN;
+    cr_crush_init(out);
+    out->face = CR_FACES;
+    size_t up = strlen(r->where);
+    if (!cJSON_IsObject(json)) {
+        return fail(r, CR_ERR_MISSING, "this vehicle has no \"damage\"",
+                    "{\"face\": \"front\", \"field_length_m\": 1.4, \"crush_m\": [...]}");
+    }
+    for (const cJSON *m = json->child; m != NULL; m = m->next) {
+        cr_json_pointer_add(r->where, sizeof r->where, m->string);
+        enum cr_err code = take_key(r, m, out);
+        if (code != CR_ERR_OK) {
+            return code;
+        }
+        r->where[up] = '\0';
+    }
+    (void)face;
+    const cJSON *pdof = cJSON_GetObjectItemCaseSensitive(json, "pdof_deg");
+    if (pdof != NULL) {
+        out->pdof = cr_rad(out->pdof);
+        out->pdof_tol = cJSON_IsObject(pdof) ? cr_rad(out->pdof_tol) : out->pdof_tol;
+    }
+    return out->face != CR_FACES ? CR_ERR_OK
+                                 : fail(r, CR_ERR_MISSING, "the damage has no \"face\"",
+                                        "front, left, rear or right");
+}
+
+/* the vehicles as a scene: they stand apart, which is of no account */
+static cJSON *as_scene(const cJSON *vehicles) {
+    cJSON *root = cJSON_CreateObject(), *list = cJSON_AddArrayToObject(root, "participants");
+    cJSON_AddNumberToObject(root, "crumple", 1);
+    int i = 0;
+    for (const cJSON *v = vehicles->child; v != NULL; v = v->next, i++) {
+        cJSON *copy = cJSON_Duplicate(v, 1), *pos = cJSON_CreateArray();
+        cJSON_DeleteItemFromObjectCaseSensitive(copy, "damage");
+        cJSON_AddStringToObject(copy, "kind", "vehicle");
+        cJSON_AddItemToArray(pos, cJSON_CreateNumber(50.0 * i));
+        cJSON_AddItemToArray(pos, cJSON_CreateNumber(0));
+        cJSON_AddItemToObject(copy, "position_m", pos);
+        cJSON_AddItemToArray(list, copy);
+    }
+    if (i == 1) {
+        cJSON *wall = cJSON_Parse("{\"id\":\"other-object\",\"kind\":\"object\",\"shape\":\"wall\","
+                                  "\"position_m\":[100,0],\"heading_deg\":180}");
+        cJSON_AddItemToArray(list, wall);
+    }
+    return root;
+}
+
+static enum cr_err take_vehicles(struct reader *r, const cJSON *json, struct cr_crush_file *out) {
+    int n = cJSON_GetArraySize(json);
+    snprintf(r->where, sizeof r->where, "/vehicles");
+    if (!cJSON_IsArray(json) || n < 1 || n > CR_CRUSH_CARS) {
+        return fail(r, CR_ERR_MISSING, "expected \"vehicles\", one or two in an array",
+                    "{\"crumple_damage\": 1, \"vehicles\": [{\"id\": \"A\", ...}]}");
+    }
+    cJSON *scene = as_scene(json);
+    enum cr_err code = cr_scene_from_json(scene, &out->scene, r->err);
+    cJSON_Delete(scene);
+    if (code != CR_ERR_OK && r->err != NULL) {
+        int i, k = 0;
+        char rest[128];
+        snprintf(rest, sizeof rest, "%s", r->err->where);
+        if (sscanf(rest, "/participants/%d%n", &i, &k) == 1) {
+            snprintf(r->err->where, sizeof r->err->where, "/vehicles/%d%.90s", i, rest + k);
+        }
+        return code;
+    }
+    out->n = n;
+    for (int i = 0; i < n && code == CR_ERR_OK; i++) {
+        snprintf(r->where, sizeof r->where, "/vehicles/%d/damage", i);
+        code =
+            take_damage(r, cJSON_GetObjectItemCaseSensitive(cJSON_GetArrayItem(json, i), "damage"),
+                        &out->crush[i]);
+        const struct cr_tolerances *t = &out->scene.part[i].tolerances;
+        for (int k = 0; k < t->n; k++) { /* the mass is the one that counts here */
+            if (t->of[k].half < out->scene.part[i].mass && t->of[k].half > 1) {
+                out->crush[i].mass_tol = t->of[k].half;
+            }
+        }
+    }
+    return code;
+}
+
+static enum cr_err take_rest(struct reader *r, const cJSON *json, struct cr_crush_file *out) {
+    for (const cJSON *m = json->child; m != NULL; m = m->next) {
+        snprintf(r->where, sizeof r->where, "/%.60s", m->string);
+        double none = 0;
+        if (strcmp(m->string, "object") == 0) {
+            const cJSON *mass = cJSON_GetObjectItemCaseSensitive(m, "mass_kg");
+            out->object = true;
+            out->object_mass = cJSON_IsNumber(mass) ? mass->valuedouble : (double)NAN;
+            if (!cJSON_IsObject(m) || (mass != NULL && !(out->object_mass > 0))) {
+                return fail(r, CR_ERR_TYPE, "object: expected {} (fixed) or {\"mass_kg\": 100}",
+                            "a tree or a pole is {}");
+            }
+        } else if (strcmp(m->string, "restitution") == 0) {
+            if (!take_number(m, &out->restitution, &none) ||
+                !(out->restitution >= 0 && out->restitution < 0.95)) {
+                return fail(r, CR_ERR_RANGE, "restitution must be 0 to 0.95",
+                            "left out: by the closing speed");
+            }
+        } else if (strcmp(m->string, "vehicles") != 0 && strcmp(m->string, "crumple_damage") != 0 &&
+                   strncmp(m->string, "x_", 2) != 0 && strcmp(m->string, "name") != 0) {
+            return fail(r, CR_ERR_KEY, "unknown key", "vehicles, object, restitution, name");
+        }
+    }
+    return CR_ERR_OK;
+}
+
+static enum cr_err read_file(struct reader *r, const cJSON *json, struct cr_crush_file *out) {
+    const cJSON *version = cJSON_GetObjectItemCaseSensitive(json, "crumple_damage");
+    if (!cJSON_IsNumber(version) || version->valuedouble != 1) {
+        return fail(r, CR_ERR_MISSING, "this is no damage file of version 1",
+                    "it begins with {\"crumple_damage\": 1");
+    }
+    enum cr_err code = take_vehicles(r, cJSON_GetObjectItemCaseSensitive(json, "vehicles"), out);
+    if (code == CR_ERR_OK) {
+        code = take_rest(r, json, out);
+    }
+    if (code == CR_ERR_OK && out->n == 2 && out->object) {
+        code = fail(r, CR_ERR_RANGE, "two vehicles and an object are too many",
+                    "one impact is between two");
+    }
+    return code;
+}
+
+enum cr_err cr_crush_read(const char *path, struct cr_crush_file *out, struct cr_error *err) {
+    char *text = NULL;
+    size_t len = 0;
+    struct cr_error own = {0};
+    err = err != NULL ? err : &own;
+    struct reader r = {.err = err};
+    *out = (struct cr_crush_file){.object_mass = NAN, .restitution = NAN};
+    cr_scene_init(&out->scene);
+    enum cr_err code = cr_file_read(path, &text, &len, err);
+    if (code == CR_ERR_OK) {
+        code = cr_json_check(text, len, path, err);
+    }
+    if (code == CR_ERR_OK) {
+        cJSON *json = cJSON_Parse(text);
+        code = read_file(&r, json, out);
+        cJSON_Delete(json);
+        if (code != CR_ERR_OK && err->src[0] == '\0') {
+            cr_scene_locate(text, len, path, err);
+        }
+    }
+    free(text);
+    if (code != CR_ERR_OK) {
+        cr_crush_file_fini(out);
+    }
+    return code;
+}
+
+void cr_crush_file_fini(struct cr_crush_file *file) {
+    cr_scene_fini(&file->scene);
+}
+
+enum cr_err cr_crush_case_open(struct cr_crush_file *file, const struct cr_model_lib *lib,
+                               struct cr_arena *arena, struct cr_crush_case *out,
+                               struct cr_error *err) {
+    struct cr_assumed assumed = {0};
+    *out = (struct cr_crush_case){.n = file->n,
+                                  .object = file->object,
+                                  .object_mass = file->object_mass,
+                                  .restitution = file->restitution};
+    enum cr_err code = cr_scene_resolve(&file->scene, lib, &assumed, err);
+    for (int i = 0; i < file->n && code == CR_ERR_OK; i++) {
+        code = cr_crush_open(lib, &file->scene.part[i], &file->crush[i], arena, &out->car[i], err);
+    }
+    cr_assumed_fini(&assumed);
+    return code;
+}

@@ -1,0 +1,78 @@
+/* Real crashes evaluated: the values of damage, and their statistics by kind and type. */
+#include "trial/field.h"
+
+#include "base/stats.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *const kinds[] = {
+#define X(name, word) word,
+    CR_FIELD_KIND_LIST(X)
+#undef X
+};
+
+const char *cr_field_kind_word(enum cr_field_kind kind) {
+    return kinds[kind];
+}
+
+void cr_field_evaluate(struct cr_field_table *field, const struct cr_crush_rules *rules,
+                       bool folds) {
+    for (int i = 0; i < field->n; i++) {
+        struct cr_field_row *row = &field->row[i];
+        const struct cr_crush_rules *by = &rules[folds ? row->fold : 0];
+        struct cr_crush_impact impact;
+        cr_crush_best(&row->what, by, &impact);
+        const struct cr_crush_part *own = &impact.part[0];
+        double forward = own->push.x * own->delta_v.best, right = -own->push.y * own->delta_v.best;
+        /* a front's recorder counts what braking takes meanwhile */
+        forward -= row->what.car[0].m.face == CR_FACE_FRONT ? by->drag : 0;
+        row->value = hypot(isnan(row->forward) ? 0 : forward, isnan(row->right) ? 0 : right);
+    }
+}
+
+static void collect(struct cr_field_stats *s, const double *value, const double *reference,
+                    double *scratch) {
+    struct cr_stats_error e = cr_stats_errors(value, reference, s->n);
+    s->bias = e.mpe;
+    s->mape = e.mape;
+    for (int i = 0; i < s->n; i++) {
+        scratch[i] = log(value[i] / reference[i]);
+    }
+    s->log_sd = cr_stats_sd(scratch, s->n);
+    s->median = 100 * (exp(cr_stats_median(scratch, s->n)) - 1);
+}
+
+enum cr_err cr_field_result(const struct cr_field_table *field, int kind, int type,
+                            struct cr_field_result *out, struct cr_error *err) {
+    size_t size = (size_t)field->n + 1;
+    double *a = calloc(6 * size, sizeof *a);
+    memset(out, 0, sizeof *out);
+    if (a == NULL) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for the statistics");
+    }
+    double *value = a, *reference = a + size, *same = a + 2 * size, *with = a + 3 * size;
+    double *smash = a + 4 * size, *scratch = a + 5 * size;
+    for (int i = 0; i < field->n; i++) {
+        const struct cr_field_row *row = &field->row[i];
+        if ((kind >= 0 && (int)row->kind != kind) ||
+            (type >= 0 && (int)row->what.car[0].p->type != type) || !(row->value > 0)) {
+            continue;
+        }
+        value[out->own.n] = row->value;
+        reference[out->own.n++] = row->measured;
+        if (!isnan(row->winsmash)) {
+            same[out->same.n] = row->value;
+            with[out->same.n] = row->measured;
+            smash[out->same.n++] = row->winsmash;
+        }
+    }
+    out->smash.n = out->same.n;
+    collect(&out->own, value, reference, scratch);
+    collect(&out->same, same, with, scratch);
+    collect(&out->smash, smash, with, scratch);
+    free(a);
+    return CR_ERR_OK;
+}

@@ -1,0 +1,90 @@
+/* The calibration of damage as a file: rules of all crashes and of each fold. */
+#include "trial/field.h"
+
+#include "base/file.h"
+#include "base/json.h"
+
+#include <cjson/cJSON.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static cJSON *rules_json(const struct cr_crush_rules *r) {
+    static const char *const ends[CR_MODEL_ENDS] = {"front", "side", "rear"};
+    cJSON *o = cJSON_CreateObject(), *faces = cJSON_AddObjectToObject(o, "faces");
+    for (int i = 0; i < CR_MODEL_ENDS; i++) {
+        cJSON *face = cJSON_AddObjectToObject(faces, ends[i]);
+        cJSON_AddNumberToObject(face, "rise_m", round(r->rise[i] * 1e4) / 1e4);
+        cJSON_AddNumberToObject(face, "level", round(r->level[i] * 1e4) / 1e4);
+        cJSON_AddNumberToObject(face, "energy_log_sd", round(r->log_sd[i] * 1e4) / 1e4);
+    }
+    cJSON_AddNumberToObject(o, "ramp_m", r->ramp);
+    cJSON_AddNumberToObject(o, "oblique", round(r->oblique * 1e4) / 1e4);
+    cJSON_AddNumberToObject(o, "recorder_drag_kmh", cr_kmh(r->drag));
+    cJSON_AddNumberToObject(o, "recorder_noise", r->noise);
+    return o;
+}
+
+enum cr_err cr_field_write(const struct cr_crush_rules *all,
+                           const struct cr_crush_rules folds[CR_FIELD_FOLDS],
+                           const struct cr_field_table *field, struct cr_str *out,
+                           struct cr_error *err) {
+    char basis[160];
+    cJSON *root = rules_json(all);
+    snprintf(basis, sizeof basis,
+             "%d recorders of share/validation/field/crush_edr.csv (filter.csv); folds by case",
+             field->n);
+    cJSON_AddNumberToObject(root, "crumple_damage_calibration", 1);
+    cJSON_AddStringToObject(root, "basis", basis);
+    cJSON_AddStringToObject(root, "made_by", "crumple calibrate-damage");
+    cJSON *list = cJSON_AddArrayToObject(root, "folds");
+    for (int i = 0; i < CR_FIELD_FOLDS; i++) {
+        cJSON_AddItemToArray(list, rules_json(&folds[i]));
+    }
+    bool done = cr_json_add(root, true, out);
+    cr_str_add(out, "\n");
+    return done && !out->failed ? CR_ERR_OK : cr_err_set(err, CR_ERR_MEMORY, "no memory");
+}
+
+/* the part of a file that holds one set of rules, through a file of its own */
+static enum cr_err read_fold(const cJSON *fold, const char *path, struct cr_crush_rules *out,
+                             struct cr_error *err) {
+    struct cr_str text = {0};
+    cJSON *copy = cJSON_Duplicate(fold, 1);
+    enum cr_err code = CR_ERR_OK;
+    if (copy == NULL || !cr_json_add(copy, false, &text)) {
+        code = cr_err_set(err, CR_ERR_MEMORY, "no memory for the rules");
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_crush_rules_parse(cr_str_get(&text), path, out, err);
+    }
+    cr_str_fini(&text);
+    return code;
+}
+
+enum cr_err cr_field_folds_read(const char *path, struct cr_crush_rules out[CR_FIELD_FOLDS],
+                                struct cr_error *err) {
+    char *text = NULL;
+    size_t len;
+    enum cr_err code = cr_file_read(path, &text, &len, err);
+    if (code == CR_ERR_OK) {
+        code = cr_json_check(text, len, path, err);
+    }
+    if (code != CR_ERR_OK) {
+        free(text);
+        return code;
+    }
+    cJSON *json = cJSON_Parse(text);
+    const cJSON *list = cJSON_GetObjectItemCaseSensitive(json, "folds");
+    if (cJSON_GetArraySize(list) != CR_FIELD_FOLDS) {
+        code = cr_err_set(err, CR_ERR_MODEL, "\"folds\" has not the rules of %d folds",
+                          CR_FIELD_FOLDS);
+        cr_err_place(err, path, 0, 0);
+    }
+    for (int i = 0; i < CR_FIELD_FOLDS && code == CR_ERR_OK; i++) {
+        code = read_fold(cJSON_GetArrayItem(list, i), path, &out[i], err);
+    }
+    cJSON_Delete(json);
+    free(text);
+    return code;
+}

@@ -1,0 +1,216 @@
+/* Real crashes as a table in text, with a scatter plot, as JSON and as CSV. */
+#include "trial/field.h"
+
+#include "base/json.h"
+
+#include <cjson/cJSON.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static void say_row(struct cr_str *out, const char *name, const struct cr_field_result *r) {
+    cr_str_addf(out,
+                "  %-24s %4d %+6.1f %6.1f %+7.1f %7.3f | %4d %6.1f %7.3f | %+6.1f %6.1f %7.3f\n",
+                name, r->own.n, r->own.bias, r->own.mape, r->own.median, r->own.log_sd, r->same.n,
+                r->same.mape, r->same.log_sd, r->smash.bias, r->smash.mape, r->smash.log_sd);
+}
+
+static enum cr_err say_groups(const struct cr_field_table *field, struct cr_str *out,
+                              struct cr_error *err) {
+    struct cr_field_result r;
+    enum cr_err code = cr_field_result(field, -1, -1, &r, err);
+    if (code == CR_ERR_OK) {
+        say_row(out, "all", &r);
+    }
+    for (int k = 0; k < CR_FIELD_KINDS && code == CR_ERR_OK; k++) {
+        code = cr_field_result(field, k, -1, &r, err);
+        if (code == CR_ERR_OK && r.own.n > 0) {
+            say_row(out, cr_field_kind_word((enum cr_field_kind)k), &r);
+        }
+    }
+    for (int t = 0; t < CR_TYPES && code == CR_ERR_OK; t++) {
+        code = cr_field_result(field, -1, t, &r, err);
+        if (code == CR_ERR_OK && r.own.n > 0) {
+            say_row(out, cr_type_word((enum cr_type)t), &r);
+        }
+    }
+    return code;
+}
+
+static void say_plot(const struct cr_field_table *field, struct cr_str *out) {
+    enum { WIDE = 60, HIGH = 24 };
+    static const char marks[] = " .:+*#@";
+    int count[HIGH][WIDE] = {{0}};
+    double top = 0;
+    for (int i = 0; i < field->n; i++) {
+        top = fmax(top, fmax(cr_kmh(field->row[i].measured), cr_kmh(field->row[i].value)));
+    }
+    top = 10 * ceil(top / 10);
+    for (int i = 0; i < field->n; i++) {
+        int x = (int)(cr_kmh(field->row[i].measured) / top * (WIDE - 1) + 0.5);
+        int y = (int)(cr_kmh(field->row[i].value) / top * (HIGH - 1) + 0.5);
+        count[y][x]++;
+    }
+    cr_str_add(out, "  delta-v from damage over recorder, km/h; / is equality\n");
+    for (int y = HIGH - 1; y >= 0; y--) {
+        char line[WIDE + 1] = "";
+        for (int x = 0; x < WIDE; x++) {
+            bool equal = (int)((double)x / (WIDE - 1) * (HIGH - 1) + 0.5) == y;
+            line[x] = count[y][x] > 0 ? marks[count[y][x] < 6 ? count[y][x] : 6]
+                      : equal         ? '/'
+                                      : ' ';
+        }
+        if (y == HIGH - 1) {
+            cr_str_addf(out, "  %6.0f |%s|\n", top, line);
+        } else {
+            cr_str_addf(out, "         |%s|\n", line);
+        }
+    }
+    cr_str_addf(out, "          0%*.0f\n", WIDE, top);
+}
+
+static void say_cases(const struct cr_field_table *field, struct cr_str *out) {
+    cr_str_add(out,
+               "  case/vehicle          kind         type            recorder  damage WinSMASH "
+               "km/h\n");
+    for (int i = 0; i < field->n; i++) {
+        const struct cr_field_row *r = &field->row[i];
+        cr_str_addf(out, "  %-21s %-12s %-15s %8.1f %7.1f", r->name, cr_field_kind_word(r->kind),
+                    cr_type_word(r->what.car[0].p->type), cr_kmh(r->measured), cr_kmh(r->value));
+        if (isnan(r->winsmash)) {
+            cr_str_add(out, "        -\n");
+        } else {
+            cr_str_addf(out, " %8.1f\n", cr_kmh(r->winsmash));
+        }
+    }
+}
+
+enum cr_err cr_field_text(const struct cr_field_table *field, const struct cr_field_form *form,
+                          const struct cr_crush_rules *rules, struct cr_str *out,
+                          struct cr_error *err) {
+    cr_str_addf(out, "field: delta-v from the measured damage against event data recorders (%s)\n",
+                form->title);
+    cr_str_addf(
+        out, "  %d recorders pass the filter (share/validation/field/filter.csv), %d do not%s\n",
+        field->n, field->dropped, form->crossed ? "; cross-validated by case in five folds" : "");
+    cr_str_addf(out, "  %-24s %4s %6s %6s %7s %7s | %4s %6s %7s | WinSMASH on the same rows\n", "",
+                "n", "bias%", "MAPE%", "median%", "log SD", "n", "MAPE%", "log SD");
+    cr_str_addf(out, "  %-24s %4s %6s %6s %7s %7s | %4s %6s %7s | %6s %6s %7s\n", "", "", "", "",
+                "", "", "", "", "", "bias%", "MAPE%", "log SD");
+    if (field->n == 0) {
+        cr_str_add(out, "  no row passes the filter\n");
+        return CR_ERR_OK;
+    }
+    enum cr_err code = say_groups(field, out, err);
+    cr_str_addf(
+        out,
+        "  Only the directions that a recorder gave are compared; a front's recorder counts "
+        "%.1f km/h\n  of braking. A recorder's own noise is about %.0f %%: no model can be "
+        "judged finer per car.\n",
+        cr_kmh(rules->drag), 100 * rules->noise);
+    if (form->plot) {
+        say_plot(field, out);
+    }
+    if (form->cases) {
+        say_cases(field, out);
+    }
+    return code == CR_ERR_OK && out->failed ? cr_err_set(err, CR_ERR_MEMORY, "no memory") : code;
+}
+
+/* ---- JSON, CSV ---- */
+
+static cJSON *number(double x) {
+    return isfinite(x) ? cJSON_CreateNumber(x) : cJSON_CreateNull();
+}
+
+static void add_summary(cJSON *to, const char *name, const struct cr_field_result *r) {
+    cJSON *o = cJSON_AddObjectToObject(to, name);
+    const struct {
+        const char *key;
+        double value;
+    } values[] = {
+        {"bias_percent", r->own.bias},
+        {"mape_percent", r->own.mape},
+        {"median_percent", r->own.median},
+        {"log_sd", r->own.log_sd},
+        {"same_rows_bias_percent", r->same.bias},
+        {"same_rows_mape_percent", r->same.mape},
+        {"same_rows_log_sd", r->same.log_sd},
+        {"winsmash_bias_percent", r->smash.bias},
+        {"winsmash_mape_percent", r->smash.mape},
+        {"winsmash_median_percent", r->smash.median},
+        {"winsmash_log_sd", r->smash.log_sd},
+    };
+    cJSON_AddNumberToObject(o, "n", r->own.n);
+    cJSON_AddNumberToObject(o, "winsmash_n", r->smash.n);
+    for (size_t i = 0; i < sizeof values / sizeof values[0]; i++) {
+        cJSON_AddItemToObject(o, values[i].key, number(values[i].value));
+    }
+}
+
+static cJSON *row_json(const struct cr_field_row *r) {
+    cJSON *o = cJSON_CreateObject();
+    cJSON_AddStringToObject(o, "case", r->name);
+    cJSON_AddNumberToObject(o, "line", r->line);
+    cJSON_AddStringToObject(o, "kind", cr_field_kind_word(r->kind));
+    cJSON_AddStringToObject(o, "type", cr_type_word(r->what.car[0].p->type));
+    cJSON_AddStringToObject(o, "face", cr_crush_face_word(r->what.car[0].m.face));
+    cJSON_AddItemToObject(o, "recorder_kmh", number(cr_kmh(r->measured)));
+    cJSON_AddItemToObject(o, "damage_kmh", number(cr_kmh(r->value)));
+    cJSON_AddItemToObject(o, "winsmash_kmh", number(cr_kmh(r->winsmash)));
+    return o;
+}
+
+enum cr_err cr_field_json(const struct cr_field_table *field, const struct cr_field_form *form,
+                          const struct cr_crush_rules *rules, struct cr_str *out,
+                          struct cr_error *err) {
+    cJSON *root = cJSON_CreateObject();
+    struct cr_field_result r;
+    cJSON_AddStringToObject(root, "class", "field");
+    cJSON_AddBoolToObject(root, "cross_validated", form->crossed);
+    cJSON_AddNumberToObject(root, "left_out_by_filter", field->dropped);
+    cJSON_AddNumberToObject(root, "recorder_noise_percent", 100 * rules->noise);
+    cJSON *rows = cJSON_AddArrayToObject(root, "rows");
+    for (int i = 0; i < field->n; i++) {
+        cJSON_AddItemToArray(rows, row_json(&field->row[i]));
+    }
+    cJSON *summary = cJSON_AddObjectToObject(root, "summary");
+    enum cr_err code = cr_field_result(field, -1, -1, &r, err);
+    if (code == CR_ERR_OK) {
+        add_summary(summary, "all", &r);
+    }
+    for (int k = 0; k < CR_FIELD_KINDS && code == CR_ERR_OK; k++) {
+        code = cr_field_result(field, k, -1, &r, err);
+        if (code == CR_ERR_OK) {
+            add_summary(summary, cr_field_kind_word((enum cr_field_kind)k), &r);
+        }
+    }
+    cJSON *types = cJSON_AddObjectToObject(root, "types");
+    for (int t = 0; t < CR_TYPES && code == CR_ERR_OK; t++) {
+        code = cr_field_result(field, -1, t, &r, err);
+        if (code == CR_ERR_OK) {
+            add_summary(types, cr_type_word((enum cr_type)t), &r);
+        }
+    }
+    bool done = cr_json_add(root, true, out);
+    cr_str_add(out, "\n");
+    return code != CR_ERR_OK ? code
+           : done            ? CR_ERR_OK
+                             : cr_err_set(err, CR_ERR_MEMORY, "no memory");
+}
+
+enum cr_err cr_field_csv(const struct cr_field_table *field, struct cr_str *out,
+                         struct cr_error *err) {
+    cr_str_add(out, "case,line,kind,type,face,recorder_kmh,damage_kmh,winsmash_kmh\n");
+    for (int i = 0; i < field->n; i++) {
+        const struct cr_field_row *r = &field->row[i];
+        cr_str_addf(out, "%s,%d,%s,%s,%s,%.4g,%.4g,", r->name, r->line, cr_field_kind_word(r->kind),
+                    cr_type_word(r->what.car[0].p->type), cr_crush_face_word(r->what.car[0].m.face),
+                    cr_kmh(r->measured), cr_kmh(r->value));
+        if (!isnan(r->winsmash)) {
+            cr_str_addf(out, "%.4g", cr_kmh(r->winsmash));
+        }
+        cr_str_add(out, "\n");
+    }
+    return out->failed ? cr_err_set(err, CR_ERR_MEMORY, "no memory for the table") : CR_ERR_OK;
+}

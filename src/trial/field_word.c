@@ -1,0 +1,154 @@
+/* `crumple validate field`, and `crumple calibrate-damage`, which fits the rules of damage to the
+ * recorders of real crashes, with all of them and without each fold. */
+#include "trial/field.h"
+#include "trial/trial.h"
+
+#include "cli/cli.h"
+#include "cli/word.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const char about[] =
+    "Fits threshold and level of the energies of front, side and rear to the event data\n"
+    "recorders of TABLE (the shipped one), for all and for each of five folds of cases, and\n"
+    "prints the calibration file that crumple damage reads. A minute; after the models changed.\n";
+
+static enum cr_err write_form(const struct cr_field_table *field, const struct cr_field_task *task,
+                              const struct cr_field_form *form, const struct cr_crush_rules *rules,
+                              struct cr_str *out, struct cr_error *err) {
+    return task->format == 1   ? cr_field_json(field, form, rules, out, err)
+           : task->format == 2 ? cr_field_csv(field, out, err)
+                               : cr_field_text(field, form, rules, out, err);
+}
+
+enum cr_err cr_field_validate(const struct cr_field_task *task, struct cr_str *out,
+                              struct cr_error *err) {
+    char path[4200], table[4200], filter_path[4200];
+    struct cr_crush_rules rules, folds[CR_FIELD_FOLDS];
+    struct cr_field_filter filter;
+    struct cr_cli_shared shared = {0};
+    struct cr_field_table field = {0};
+    bool shipped = task->path == NULL;
+    enum cr_err code = cr_cli_data("damage/calibration.json", path, sizeof path, err);
+    if (code == CR_ERR_OK) {
+        code = cr_crush_rules_read(path, &rules, err);
+    }
+    if (code == CR_ERR_OK && shipped) {
+        code = cr_field_folds_read(path, folds, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_cli_data("validation/field/crush_edr.csv", table, sizeof table, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_cli_data("validation/field/filter.csv", filter_path, sizeof filter_path, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_field_filter_read(filter_path, &filter, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_cli_open(&shared, CR_CLI_ALL, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_field_load(shipped ? table : task->path, &filter, shared.models, &field, err);
+    }
+    if (code == CR_ERR_OK) {
+        const struct cr_field_form form = {.cases = task->cases,
+                                           .plot = task->plot,
+                                           .crossed = shipped,
+                                           .title = shipped ? "NHTSA CISS" : task->path};
+        cr_field_evaluate(&field, shipped ? folds : &rules, shipped);
+        code = write_form(&field, task, &form, &rules, out, err);
+    }
+    cr_field_fini(&field);
+    cr_cli_close(&shared);
+    return code;
+}
+
+static enum cr_err fit_all(struct cr_field_table *field, struct cr_crush_rules *rules,
+                           struct cr_crush_rules folds[CR_FIELD_FOLDS], struct cr_error *err) {
+    enum cr_err code = CR_ERR_OK;
+    for (int turn = 0; turn < 2 && code == CR_ERR_OK; turn++) { /* again from where it came to */
+        code = cr_field_fit(field, -1, rules, err);
+    }
+    for (int k = 0; k < CR_FIELD_FOLDS && code == CR_ERR_OK; k++) {
+        folds[k] = *rules;
+        code = cr_field_fit(field, k, &folds[k], err);
+        if (code == CR_ERR_OK && cr_cli_cancelled(NULL)) {
+            code = cr_err_set(err, CR_ERR_INTERRUPTED, "interrupted");
+        }
+    }
+    if (code == CR_ERR_OK) {
+        cr_field_evaluate(field, folds, true);
+        cr_field_scatter(field, rules);
+    }
+    for (int k = 0; k < CR_FIELD_FOLDS; k++) {
+        memcpy(folds[k].log_sd, rules->log_sd, sizeof rules->log_sd);
+    }
+    return code;
+}
+
+static enum cr_err calibrate(const char *table, struct cr_str *out, struct cr_error *err) {
+    char path[4200], filter_path[4200], shipped[4200];
+    struct cr_crush_rules rules, folds[CR_FIELD_FOLDS];
+    struct cr_field_filter filter;
+    struct cr_cli_shared shared = {0};
+    struct cr_field_table field = {0};
+    enum cr_err code = cr_cli_data("damage/calibration.json", path, sizeof path, err);
+    if (code == CR_ERR_OK) {
+        code = cr_crush_rules_read(path, &rules, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_cli_data("validation/field/filter.csv", filter_path, sizeof filter_path, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_cli_data("validation/field/crush_edr.csv", shipped, sizeof shipped, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_field_filter_read(filter_path, &filter, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_cli_open(&shared, CR_CLI_ALL, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_field_load(table != NULL ? table : shipped, &filter, shared.models, &field, err);
+    }
+    cr_cli_catch();
+    if (code == CR_ERR_OK) {
+        code = fit_all(&field, &rules, folds, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_field_write(&rules, folds, &field, out, err);
+    }
+    cr_field_fini(&field);
+    cr_cli_close(&shared);
+    return code;
+}
+
+int cr_trial_calibrate_damage(int argc, char **argv) {
+    const char *path = NULL;
+    const struct cr_option table[] = {{.name = "output",
+                                       .letter = 'o',
+                                       .arg = "FILE",
+                                       .text = &path,
+                                       .help = "write to FILE, whole or not at all"}};
+    const struct cr_usage usage = {.word = "calibrate-damage",
+                                   .operands = "[TABLE.csv]",
+                                   .about = about,
+                                   .option = table,
+                                   .options = 1,
+                                   .least = 0,
+                                   .most = 1};
+    struct cr_error err = {0};
+    struct cr_str out = {0};
+    int operands, status = cr_cli_options(&usage, argc, argv, &operands);
+    if (status >= 0) {
+        return status;
+    }
+    enum cr_err code = calibrate(operands > 0 ? argv[1] : NULL, &out, &err);
+    if (code == CR_ERR_OK) {
+        code = cr_cli_emit(path, &out, &err);
+    }
+    cr_str_fini(&out);
+    return code == CR_ERR_OK ? 0 : cr_cli_fail(&err);
+}

@@ -1,0 +1,69 @@
+#!/bin/sh
+# crumple damage: files of one and two vehicles, forms, intervals, faults with their place.
+. "$SRC/tests/cli/cli.sh"
+
+crush='"face": "front", "field_length_m": 1.4, "crush_m": [0.3, 0.32, 0.33, 0.33, 0.3, 0.25]'
+# pair DAMAGE_OF_A REST: a damage file
+pair() {
+    cat <<END
+{ "crumple_damage": 1, "vehicles": [
+    { "id": "A", "type": "sedan", "mass_kg": 1600, "damage": { $1 } },
+    { "id": "B", "type": "compact", "mass_kg": 1300,
+      "damage": { "face": "rear", "field_length_m": {"value": 1.2, "tolerance": 0.1},
+                  "crush_m": [0.1, 0.2, 0.2, 0.2, 0.2, 0.1] } } ]$2 }
+END
+}
+pair "$crush" >"$tmp/pair.json"
+run damage "$tmp/pair.json"
+same "two vehicles" "$status:$errs" "0:"
+has "EES with its interval" "$out" '^  EES +[0-9.]+ km/h +95 %: [0-9.]+ to [0-9.]+$'
+has "delta-v with its interval" "$out" '^  delta-v +[0-9.]+ km/h +95 %: [0-9.]+ to [0-9.]+$'
+has "closing speed" "$out" '^  closing speed +[0-9.]+ km/h'
+has "CDC" "$out" 'CDC 12FDEW[1-9]'
+has "what the interval comes from" "$out" 'uncertain by type [0-9]+ %, tape'
+run damage "$tmp/pair.json" --picture --width 80 --ascii
+has "a picture from above" "$out" '^ A  sedan  top'
+has "and from the side" "$out" '^ B  compact  side'
+run damage "$tmp/pair.json" -f json
+if command -v python3 >/dev/null 2>&1; then
+    same "JSON keeps momentum" "$(printf '%s' "$out" | python3 -c 'import json, sys
+d = json.load(sys.stdin); a, b = d["vehicles"]; j = [v["mass_kg"] * v["delta_v_kmh"]["value"]
+                                                     for v in (a, b)]
+print(abs(j[0] - j[1]) < 1e-6 * j[0], a["ees_kmh"]["low"] < a["ees_kmh"]["value"],
+      abs(sum(a["variance_shares"].values()) - 1) < 1e-9)')" "True True True"
+else
+    skip "JSON keeps momentum" "no python3"
+fi
+
+sed '/"id": "B"/,/\]/d; s/} },$/} } ] }/' "$tmp/pair.json" >"$tmp/one.json"
+echo '{ "crumple_damage": 1, "vehicles": [ { "id": "A", "type": "sedan", "mass_kg": 1600,
+  "damage": { '"$crush"' } } ] }' >"$tmp/one.json"
+run damage "$tmp/one.json"
+has "one vehicle alone has its EES" "$out" '^  EES +[0-9.]+'
+has "and is told what is missing" "$out" 'delta-v needs its partner'
+echo '{ "crumple_damage": 1, "object": {}, "vehicles": [ { "id": "A", "type": "sedan",
+  "mass_kg": 1600, "damage": { "face": "right", "pdof_deg": 75, "field_offset_m": 0.3,
+  "outline_m": [[-0.7, 0], [0, 0.35], [0.7, 0]], "height_m": [0.2, 1.2] } } ] }' >"$tmp/tree.json"
+run damage "$tmp/tree.json"
+has "an outline, at a tree" "$out" '^  delta-v +[0-9.]+'
+
+bad() { # NAME STATUS PATTERN DAMAGE [REST]
+    pair "$4" "$5" >"$tmp/bad.json"
+    refused "$1" "$2" "$3" damage "$tmp/bad.json"
+}
+bad "no face" 3 'bad\.json:[0-9]+:[0-9]+: .*no "face"' '"field_length_m": 1.4, "crush_m": [0, 0]'
+bad "a face that is none" 3 'front, left, rear or right' '"face": "top"'
+bad "one station" 3 'array of 2 to 64' '"face": "front", "crush_m": [0.1]'
+bad "no length" 3 'no length' '"face": "front", "crush_m": [0.1, 0.2]'
+bad "an outline outside the car" 3 'outside' "$crush, \"field_offset_m\": 1.5"
+bad "depths in cm" 3 'C1 of 30' '"face": "front", "field_length_m": 1.4, "crush_m": [30, 20]'
+bad "a force that pulls" 3 'pulls' "$crush, \"pdof_deg\": 170"
+bad "an unknown key" 3 'bad\.json:[0-9]+:.*unknown key.*field_length_m' "$crush, \"width_m\": 1"
+bad "two vehicles and an object" 3 'too many' "$crush" ', "object": {}'
+bad "restitution" 3 'restitution must' "$crush" ', "restitution": 2'
+pair "$crush" | sed 's/"mass_kg": 1600, //' >"$tmp/bad.json"
+refused "a missing mass" 3 'mass_kg' damage "$tmp/bad.json"
+echo '{ "crumple": 1 }' >"$tmp/bad.json"
+refused "a scene is no damage file" 3 'no damage file' damage "$tmp/bad.json"
+refused "no file" 2 'cannot open|No such' damage "$tmp/none.json"
+finish

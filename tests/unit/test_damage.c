@@ -1,0 +1,232 @@
+/* Measured damage: energies against closed forms of CRASH3's A and B, impulse and momentum, what is
+ * refused. */
+#include "test.h"
+
+#include "damage/crush.h"
+#include "model_lib.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* a = 0: the energy of a width L crushed to c is B L c2 / 2 with no threshold */
+static const double stiff = 800e3; /* N/m2 */
+
+static const struct cr_crush_rules plain = {
+    .rise = {0, 0, 0}, .level = {1, 1, 1}, .log_sd = {0.5, 0.5, 0.5}, .ramp = 0.05};
+
+static struct cr_participant vehicle(double mass) {
+    struct cr_participant p;
+    struct cr_scene scene;
+    struct cr_participant *made;
+    struct cr_error err = {0};
+    struct cr_assumed assumed = {0};
+    cr_scene_init(&scene);
+    assert_int_equal(cr_scene_add(&scene, "A", CR_KIND_VEHICLE, &made, &err), CR_ERR_OK);
+    made->type = CR_TYPE_SEDAN;
+    made->mass = mass;
+    made->pos = cr_vec2(0, 0);
+    struct cr_participant *wall;
+    assert_int_equal(cr_scene_add(&scene, "W", CR_KIND_OBJECT, &wall, &err), CR_ERR_OK);
+    wall->pos = cr_vec2(50, 0);
+    assert_int_equal(cr_scene_resolve(&scene, lib, &assumed, &err), CR_ERR_OK);
+    p = *made;
+    p.model.kind = CR_MODEL_STIFFNESS;
+    for (int i = 0; i < 3; i++) {
+        p.model.face[i] = (struct cr_stiffness){.a = 1, .b = stiff};
+    }
+    cr_assumed_fini(&assumed);
+    cr_scene_fini(&scene);
+    return p;
+}
+
+static struct cr_measured front(double length, double offset, double depth) {
+    struct cr_measured m;
+    cr_crush_init(&m);
+    m.face = CR_FACE_FRONT;
+    m.length = length;
+    m.offset = offset;
+    m.stations = 6;
+    for (int i = 0; i < 6; i++) {
+        m.depth[i] = depth;
+    }
+    return m;
+}
+
+static struct cr_crush_car car(const struct cr_participant *p, const struct cr_measured *m,
+                               struct cr_arena *arena) {
+    struct cr_crush_car out;
+    struct cr_error err = {0};
+    if (cr_crush_open(lib, p, m, arena, &out, &err) != CR_ERR_OK) {
+        fail_msg("%s", err.text);
+    }
+    return out;
+}
+
+/* a uniform block of q J/m2: the energy is that of the crushed rectangle */
+static void energy_of_a_uniform_block(void **state) {
+    (void)state;
+    const double q = 200e3;
+    struct cr_arena arena = {0};
+    struct cr_participant p = vehicle(1500);
+    struct cr_crush_energy e;
+    struct cr_error err = {0};
+    struct cr_measured m = front(1.0, 0, 0.2);
+    struct cr_crush_car a = car(&p, &m, &arena);
+    assert_int_equal(cr_model_block(4, 2, 0.025, q, &arena, &a.grid, &err), CR_ERR_OK);
+    cr_crush_energy(&a, &plain, &e);
+    check_near(e.energy, q * 1.0 * 0.2, 1e-6 * q);
+    check_near(e.coe.x, a.grid.x0 + 4 - 0.1, 0.013); /* to half a voxel */
+    check_near(e.coe.y, a.grid.y0 + 1, 1e-9);
+    check_near(e.depth, 0.2, 1e-12);
+    check_near(e.area, 0.2, 1e-9);
+    check_near(e.force, q * 1.0, 1e-6 * q); /* energy per depth */
+    check_near(e.induced, 0, 1e-9);
+    /* half of the field was struck directly; at 45 degrees oblique = 1 doubles the energy */
+    struct cr_crush_rules rules = plain;
+    rules.oblique = 1;
+    a.m.direct = 0.5;
+    a.m.direct_offset = 0.25;
+    a.m.pdof = cr_rad(45);
+    cr_crush_energy(&a, &rules, &e);
+    check_near(e.energy, 2 * q * 0.2, 1e-6 * q);
+    check_near(e.induced, q * 0.2, 1e-6 * q);
+    /* to the right end of the block, with level and rise */
+    rules = plain;
+    rules.level[CR_MODEL_FRONT] = 1.5;
+    rules.rise[CR_MODEL_FRONT] = 0.1;
+    a.m = front(0.5, 0.75, 0.2);
+    a.m.pdof = 0;
+    cr_crush_energy(&a, &rules, &e);
+    check_near(e.energy, 1.5 * q * 0.5 * 0.3, 1e-6 * q);
+    check_near(e.coe.y, a.grid.y0 + 0.25, 1e-9);
+    cr_arena_free(&arena);
+}
+
+static void a_mirrored_damage_is_mirrored(void **state) {
+    (void)state;
+    struct cr_arena arena = {0};
+    struct cr_participant p = vehicle(1500);
+    struct cr_crush_impact a, b;
+    struct cr_measured m = front(0.6, 0.4, 0.3), w = front(0.6, -0.4, 0.3);
+    m.depth[5] = w.depth[0] = 0.1;
+    m.pdof = cr_rad(20);
+    w.pdof = cr_rad(340);
+    struct cr_crush_case what = {.n = 1, .object = true, .object_mass = NAN, .restitution = 0.1};
+    what.car[0] = car(&p, &m, &arena);
+    cr_crush_best(&what, &plain, &a);
+    what.car[0] = car(&p, &w, &arena);
+    cr_crush_best(&what, &plain, &b);
+    check_near(a.part[0].e.energy, b.part[0].e.energy, 1e-6 * a.part[0].e.energy);
+    check_near(a.part[0].e.coe.y, -b.part[0].e.coe.y, 1e-9);
+    check_near(a.part[0].arm, -b.part[0].arm, 1e-9);
+    check_near(a.part[0].delta_v.best, b.part[0].delta_v.best, 1e-9);
+    cr_arena_free(&arena);
+}
+
+/* central impact of two cars: J = sqrt(2 E m (1 + e) / (1 - e)) with the reduced mass m */
+static void impulse_of_a_central_impact(void **state) {
+    (void)state;
+    struct cr_arena arena = {0};
+    struct cr_participant p = vehicle(1500), q = vehicle(1000);
+    struct cr_measured m = front(1.2, 0, 0.3), n = front(1.2, 0, 0.2);
+    struct cr_crush_case what = {.n = 2, .object_mass = NAN, .restitution = 0.2};
+    struct cr_crush_impact out;
+    struct cr_error err = {0};
+    what.car[0] = car(&p, &m, &arena);
+    what.car[1] = car(&q, &n, &arena);
+    assert_int_equal(cr_crush_solve(&what, &plain, &out, &err), CR_ERR_OK);
+    double energy = out.part[0].e.energy + out.part[1].e.energy;
+    double mass = 1500.0 * 1000 / 2500;
+    double impulse = sqrt(2 * energy * mass * 1.2 / 0.8);
+    check_near(out.energy, energy, 1e-6);
+    check_near(out.part[0].gamma, 1, 1e-6);
+    check_near(out.part[0].delta_v.best, impulse / 1500, 1e-3);
+    check_near(1500 * out.part[0].delta_v.best, 1000 * out.part[1].delta_v.best, 1e-6);
+    /* closing speed takes its loss of kinetic energy */
+    check_near(mass * pow(out.closing.best, 2) * (1 - 0.04) / 2, energy, 1e-3);
+    assert_true(out.part[0].ees.lo < out.part[0].ees.best);
+    assert_true(out.part[0].ees.hi > out.part[0].ees.best);
+    check_near(out.part[0].ees.best, sqrt(2 * out.part[0].e.energy / 1500), 1e-9);
+    double sum = 0;
+    for (int s = 0; s < CR_CRUSH_SOURCES; s++) {
+        sum += out.share[0][s];
+    }
+    check_near(sum, 1, 1e-9);
+    cr_arena_free(&arena);
+}
+
+/* arm h and radius of gyration k: gamma = k2 / (k2 + h2) of the mass acts (CRASH3) */
+static void an_eccentric_force_moves_less_mass(void **state) {
+    (void)state;
+    struct cr_arena arena = {0};
+    struct cr_participant p = vehicle(1500);
+    struct cr_measured m = front(0.4, -0.6, 0.3);
+    struct cr_crush_case what = {.n = 1, .object = true, .object_mass = NAN, .restitution = 0};
+    struct cr_crush_impact out;
+    what.car[0] = car(&p, &m, &arena);
+    cr_crush_best(&what, &plain, &out);
+    double k2 = p.yaw_inertia / p.mass, h = out.part[0].e.coe.y;
+    check_near(fabs(out.part[0].arm), h, 1e-9);
+    check_near(out.part[0].gamma, k2 / (k2 + h * h), 1e-12);
+    check_near(out.closing.best, sqrt(2 * out.energy / (out.part[0].gamma * p.mass)), 1e-9);
+    /* nobody there: EES alone */
+    what.object = false;
+    cr_crush_best(&what, &plain, &out);
+    assert_false(out.pair);
+    assert_true(isnan(out.part[0].delta_v.best));
+    cr_arena_free(&arena);
+}
+
+static void depth_while_pressed_in(void **state) {
+    (void)state;
+    struct cr_crush_rules rules = plain;
+    struct cr_measured m = front(1.2, 0, 0);
+    bool direct;
+    rules.rise[CR_MODEL_FRONT] = 0.1;
+    m.depth[5] = 0.2; /* 0 to 0.96 of the field, then up to 0.2 */
+    m.direct = 0.6;
+    m.direct_offset = -0.3;
+    check_near(cr_crush_dynamic(&m, &rules, -0.3, &direct), 0.1, 1e-12);
+    assert_true(direct); /* struck, nothing left: the threshold */
+    check_near(cr_crush_dynamic(&m, &rules, 0.3, &direct), 0, 1e-12);
+    assert_false(direct);
+    check_near(cr_crush_dynamic(&m, &rules, 0.6, &direct), 0.3, 1e-12);
+    check_near(cr_crush_dynamic(&m, &rules, 0.7, &direct), 0, 1e-12);
+}
+
+static void refused(const struct cr_measured *m, enum cr_err code, const char *says) {
+    struct cr_participant p = vehicle(1500);
+    struct cr_error err = {0};
+    assert_int_equal(cr_crush_check(m, &p, &err), code);
+    if (strstr(err.text, says) == NULL || err.hint[0] == '\0') {
+        fail_msg("'%s' (%s) does not say '%s'", err.text, err.hint, says);
+    }
+}
+
+static void what_cannot_be_measured(void **state) {
+    (void)state;
+    struct cr_measured m = front(1.2, 0, 0.2);
+    m.stations = 1;
+    refused(&m, CR_ERR_MISSING, "stations");
+    m = front(NAN, 0, 0.2);
+    refused(&m, CR_ERR_MISSING, "length");
+    m = front(1.2, 1.0, 0.2);
+    refused(&m, CR_ERR_RANGE, "outside");
+    m = front(1.2, 0, 20);
+    refused(&m, CR_ERR_RANGE, "C1");
+    m = front(1.2, 0, 0.2);
+    m.pdof = cr_rad(180);
+    refused(&m, CR_ERR_RANGE, "pulls");
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(energy_of_a_uniform_block),
+        cmocka_unit_test(a_mirrored_damage_is_mirrored),
+        cmocka_unit_test(impulse_of_a_central_impact),
+        cmocka_unit_test(an_eccentric_force_moves_less_mass),
+        cmocka_unit_test(depth_while_pressed_in),
+        cmocka_unit_test(what_cannot_be_measured),
+    };
+    return cmocka_run_group_tests(tests, open_lib, close_lib);
+}
