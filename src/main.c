@@ -27,6 +27,7 @@ static const char help[] =
     "       crumple merge PART ...           put the parts of a stack in order\n"
     "       crumple validate [CLASS ...]     compare with crash tests\n"
     "       crumple damage FILE.json         EES and delta-v out of a measured deformation\n"
+    "       crumple fit SCENE.json ... to ... search inputs that explain what was measured\n"
     "       crumple mc SCENE.json            solve many draws of its uncertain inputs\n"
     "       crumple report SCENE|RESULT      expert's report as HTML or PDF\n"
     "       crumple audit RESULT [SCENE]     compute a result again and compare\n"
@@ -59,6 +60,7 @@ static const struct word words[] = {
     {"calibrate", cr_trial_calibrate},
     {"calibrate-damage", cr_trial_calibrate_damage},
     {"damage", cr_cli_damage},
+    {"fit", cr_cli_fit},
     {"report", cr_expert_report},
     {"audit", cr_expert_audit},
 };

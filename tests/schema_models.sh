@@ -41,7 +41,7 @@ for name in ("flat", "full"):
     check(name + " energy", voxels, put(m, -1, "energy_J", 0), False)
     check(name + " fill", voxels, put(m, 1.5, "fill", 0), False)
     check(name + " count", voxels, put(m, [0, 1], "count"), False)
-    check(name + " tension", voxels, put(m, [1, 2, 3], "tension_N"), False)
+    check(name + " slopes", voxels, put(m, [1, 2, 3], "drag_slope"), False)
     check(name + " vehicle", voxels, put(m, {}, "vehicle"), False)
 print("\n".join(faults))
 PY

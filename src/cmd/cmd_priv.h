@@ -262,6 +262,7 @@ enum cr_err cr_cmd_project(struct cr_session *s, int view, struct cr_error *err)
     X(explain)                                                                                     \
     X(compare)                                                                                     \
     X(assert)                                                                                      \
+    X(fit)                                                                                         \
     X(mc)                                                                                          \
     X(sweep)                                                                                       \
     X(load)                                                                                        \

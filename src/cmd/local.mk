@@ -11,6 +11,7 @@ libcmd_a_SOURCES = \
 	src/cmd/export.c src/cmd/export.h \
 	src/cmd/export_picture.c \
 	src/cmd/files.c \
+	src/cmd/fit.c \
 	src/cmd/help.c \
 	src/cmd/hints.c \
 	src/cmd/look.c \

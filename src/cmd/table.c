@@ -290,6 +290,22 @@ static const struct cr_arg mc_args[] = {
     END,
 };
 
+static const struct cr_arg fit_args[] = {
+    REST("KEY ... to EVIDENCE ...", CR_VALUE_SWEEP,
+         .help =
+             "inputs to search for (A.speed, B.overlap=20%:60%), then what was measured: "
+             "dv.A=43km/h, ees.B, crush.A=12,14,20,22,18,10cm, rest.A=12,3m, other results; with "
+             "+- or a usual tolerance"),
+    KEY("starts", CR_VALUE_COUNT, .lo = 1, .hi = 20, .def = "3",
+        .help = "local searches, from the best of a coarse look"),
+    KEY("solves", CR_VALUE_COUNT, .lo = 20, .hi = 100000, .def = "400", .help = "most in all"),
+    KEY("seed", CR_VALUE_COUNT, .lo = 1, .hi = 2147483647, .def = "1",
+        .help = "of the coarse look"),
+    KEY("out", CR_VALUE_FILE, .words = ".json", .help = "file for the findings"),
+    FLAG("take", .help = "put the best values into the scene"),
+    END,
+};
+
 static const struct cr_arg load_args[] = {
     OPTION("FILE", CR_VALUE_FILE, .words = ".json", .help = "scene"),
     FLAG("recover", .help = "the scene of a session that ended by a crash"),
@@ -410,6 +426,11 @@ static const struct cr_command commands[] = {
      .example = {"mc A.speed=56+-3km/h B.overlap=40+-5% draws=50",
                  "mc B.mass=1060+-50kg:uniform draws=50 sampling=sobol"},
      .setup = PAIR_SETUP, .see = "sweep solve"},
+    {ROW(fit, SOLVE, fit_args, "search inputs that explain measured damage, recorders, rest"),
+     .example = {"fit A.speed to dv.A=30km/h starts=1 solves=30",
+                 "fit A.speed=40:70km/h B.overlap=30%:60% to ees.B=60km/h dv.A=30+-3km/h starts=1 "
+                 "solves=40"},
+     .setup = PAIR_SETUP, .see = "sweep mc compare"},
     {ROW(compare, SOLVE, compare_args, "errors of the result against measured values"),
      .example = {"compare share/tutorial/reference.json",
                  "compare share/validation/data/taurus_7292_veh1_pulse.csv of=A"},

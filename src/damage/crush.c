@@ -267,8 +267,8 @@ void cr_crush_cdc(const struct cr_crush_car *car, char cdc[12]) {
     for (int i = 0; i < m->stations; i++) {
         depth = fmax(depth, m->depth[i]);
     }
-    /* nine zones of an end reach from it to the far end of the passengers' room (literature.md
-     * 4.2): to the middle of the wheelbase; those of a side across the vehicle */
+    /* nine zones of an end reach from it to the far end of the passengers' room
+     * [CDC-J224]: to the middle of the wheelbase; those of a side across the vehicle */
     double zone = cr_face_is_end(m->face) ? p->length / 2 : p->width;
     const struct cr_cdc_case what = {.pdof = m->pdof,
                                      .face = m->face,

@@ -4,6 +4,8 @@
 
 #include "model/model_priv.h"
 
+#include <math.h>
+
 /* Segment of the knots that x lies in, or the nearest one; the ends are extended. */
 static int segment(const struct cr_model_knots *k, double x) {
     int i = 0;
@@ -20,11 +22,24 @@ double cr_model_knots_at(const struct cr_model_knots *k, double x) {
     return u == 1 ? k->y[i + 1] : k->y[i] + u * (k->y[i + 1] - k->y[i]);
 }
 
-/* Energy per kg of the dynamic curve; behind the last knot its last slope goes on. */
+/* per kg, N/kg, at the last knot */
+static double force_at_end(const struct cr_model_face *f) {
+    const struct cr_model_knots *k = &f->ees;
+    double a = k->y[k->n - 2], b = k->y[k->n - 1], per = 1 / (k->x[k->n - 1] - k->x[k->n - 2]);
+    return f->energy_linear ? (b * b - a * a) / 2 * per : b * (b - a) * per;
+}
+
+/* Energy per kg of the dynamic curve; behind the last knot its last slope goes on, or the steady
+ * force of the compartment, which is never less than what stands before it. */
 static double dynamic_energy(const struct cr_model_face *f, double depth) {
     const struct cr_model_knots *k = &f->ees;
+    double last = k->x[k->n - 1];
     if (depth <= 0) {
         return 0;
+    }
+    if (f->beyond > 0 && depth > last) {
+        return k->y[k->n - 1] * k->y[k->n - 1] / 2 +
+               fmax(f->beyond, force_at_end(f)) * (depth - last);
     }
     int i = segment(k, depth);
     double u = (depth - k->x[i]) / (k->x[i + 1] - k->x[i]);

@@ -14,7 +14,8 @@ struct cr_grid {
     const double *fill; /* [iy * nx + ix] share of the voxel that is material, 0..1 */
     const double
         *energy; /* [iy * nx + ix] energy that crushes all its material, J (whole vehicle) */
-    double tension[CR_FACES];    /* string of the induced deformation per face, N (0: none) */
+    double drag_slope[CR_FACES]; /* by which the depth falls beside a contact at most, per face
+                                    (0: nothing is dragged along) */
     double springback[CR_FACES]; /* dynamic minus residual depth of a deep crush per face, m */
 };
 

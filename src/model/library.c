@@ -142,6 +142,10 @@ const struct cr_dims *cr_model_dims(const struct cr_model_lib *lib, enum cr_type
     return &r->dims;
 }
 
+const struct cr_model_rules *cr_model_rules(const struct cr_model_lib *lib, enum cr_type type) {
+    return &recipe_of(lib, type)->rules;
+}
+
 void cr_model_pillars(const struct cr_model_lib *lib, enum cr_type type, double *a, double *b) {
     const struct cr_model_recipe *r = recipe_of(lib, type);
     *a = (r->a_pillar - r->dims.front_overhang) / r->dims.wheelbase;
@@ -291,6 +295,7 @@ static void stiffness_face(const struct cr_stiffness *s, double width, double ma
                            struct cr_model_face *f) {
     const double far = 3; /* m, deeper than any half of a car */
     f->own_metres = true;
+    f->beyond = 0;
     if (s->b <= 0) { /* steady force A, no energy without residual depth */
         f->energy_linear = true;
         f->springback = 0;

@@ -66,9 +66,11 @@ struct cr_model_face {
     struct cr_model_knots ees; /* depth m -> EES m/s, dynamic */
     bool energy_linear;        /* between the knots EES^2 is linear (steady force), not EES */
     bool own_metres;           /* depth in m of the vehicle itself, not of the reference vehicle */
+    double compartment;        /* force beyond the last knot on the reference vehicle, N, and at */
+    double beyond;             /* least this per kg; 0: the last slope of the curve goes on */
     double springback;         /* dynamic minus residual depth, m */
     double spread;             /* of the residual curve: it takes here what springs back, m */
-    double tension_per_kg;     /* string of the induced deformation, N/kg */
+    double drag_slope;         /* by which the depth falls beside a contact at most */
 };
 
 struct cr_model_lib;
@@ -89,6 +91,15 @@ CR_MUST_CHECK enum cr_err cr_model_need_all(const struct cr_model_lib *lib, stru
 /* Reference dimensions and mass (kg) of a type's recipe. */
 const struct cr_dims *cr_model_dims(const struct cr_model_lib *lib, enum cr_type type,
                                     double *mass_kg);
+
+/* What is assumed of a vehicle of a type that was not given: offset and rise per kg of its mass,
+ * and the share of the height from which its front and rear have material that crushes. */
+struct cr_model_rules {
+    double cg_height, cg_height_per_kg; /* m, m/kg */
+    double track, track_per_kg;         /* m, m/kg */
+    double end_low;                     /* of the height */
+};
+const struct cr_model_rules *cr_model_rules(const struct cr_model_lib *lib, enum cr_type type);
 
 /* Where the pillars stand: share of the wheelbase behind the front axle, the same for all vehicles
  * of a type (stretch.c). */
@@ -166,9 +177,9 @@ struct cr_voxels {
     double mass_kg;    /* of the vehicle whose energies these are */
     double pdof;       /* rad, as in the query */
     struct cr_dims dims;
-    double tension[CR_FACES], springback[CR_FACES]; /* as in struct cr_grid */
-    const double *fill;                             /* 0..1 */
-    const double *energy;                           /* J */
+    double drag_slope[CR_FACES], springback[CR_FACES]; /* as in struct cr_grid */
+    const double *fill;                                /* 0..1 */
+    const double *energy;                              /* J */
 };
 enum { CR_VOXELS_MAX = 50000000 };
 

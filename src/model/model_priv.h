@@ -25,7 +25,8 @@ struct cr_model_recipe {
     char label[CR_MODEL_NAME];
     char hash[CR_HASH_SIZE];
     struct cr_dims dims;
-    double mass;                       /* kg */
+    double mass; /* kg */
+    struct cr_model_rules rules;
     double a_pillar, b_pillar;         /* x, m */
     struct cr_model_knots end[2];      /* front, rear: share of half width -> setback m */
     struct cr_model_knots top, bottom; /* x -> z, m */

@@ -187,7 +187,7 @@ enum cr_err cr_voxels_substitute(const struct cr_voxels *v, const struct cr_mode
         to.fill[i] = fmin(to.fill[i], 1);
     }
     for (int i = 0; i < CR_FACES; i++) {
-        g.tension[i] = v->tension[i] * scale;
+        g.drag_slope[i] = v->drag_slope[i];
         g.springback[i] = v->springback[i];
     }
     g.fill = to.fill;

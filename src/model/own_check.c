@@ -8,14 +8,14 @@
 
 int cr_voxels_fields(struct cr_voxels *v, double count[3], struct cr_voxels_field *out) {
     struct cr_dims *d = &v->dims;
-    double *t = v->tension, *s = v->springback;
+    double *slope = v->drag_slope, *s = v->springback;
     const struct cr_voxels_field row[] = {
         {"edge_m", 1, 1, false, false, {&v->edge}},
         {"count", 3, 2, false, false, {&count[0], &count[1], &count[2]}},
         {"origin_m", 3, 2, false, false, {&v->x0, &v->y0, &v->z0}},
         {"mass_kg", 1, 1, false, false, {&v->mass_kg}},
         {"pdof_deg", 1, 1, false, true, {&v->pdof}},
-        {"tension_N", 4, 4, false, true, {t, t + 1, t + 2, t + 3}},
+        {"drag_slope", 4, 4, false, true, {slope, slope + 1, slope + 2, slope + 3}},
         {"springback_m", 4, 4, false, true, {s, s + 1, s + 2, s + 3}},
         {"length_m", 1, 1, true, false, {&d->length}},
         {"width_m", 1, 1, true, false, {&d->width}},
@@ -111,8 +111,8 @@ bool cr_voxels_check_header(const struct cr_voxels *v, struct cr_voxels_fault *f
         }
     }
     for (int i = 0; i < CR_FACES; i++) {
-        if (!(v->tension[i] >= 0 && v->tension[i] <= 1e8)) {
-            return fail(f, CR_ERR_RANGE, "tension_N", "tensions must be 0 to 1e8 N");
+        if (!(v->drag_slope[i] >= 0 && v->drag_slope[i] <= 100)) {
+            return fail(f, CR_ERR_RANGE, "drag_slope", "slopes must be 0 to 100");
         }
         if (!(v->springback[i] >= 0 && v->springback[i] <= 1)) {
             return fail(f, CR_ERR_RANGE, "springback_m", "springbacks must be 0 to 1 m");

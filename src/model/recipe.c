@@ -35,6 +35,16 @@ static void read_reference(struct cr_model_json *j, const cJSON *root, struct cr
     cr_model_json_leave(j);
 }
 
+static void read_rules(struct cr_model_json *j, const cJSON *root, struct cr_model_rules *r) {
+    const cJSON *o = cr_model_json_object(j, root, "rules");
+    r->cg_height = cr_model_json_number(j, o, "cg_height_m", 0.2, 1);
+    r->cg_height_per_kg = cr_model_json_number(j, o, "cg_height_m_per_kg", 0, 1e-3);
+    r->track = cr_model_json_number(j, o, "track_m", 0.5, 2);
+    r->track_per_kg = cr_model_json_number(j, o, "track_m_per_kg", 0, 1e-3);
+    r->end_low = cr_model_json_number(j, o, "end_low_share", 0, 0.5);
+    cr_model_json_leave(j);
+}
+
 /* Setback of an end over the share of the half width: 0 on the centre line, so that every layer
  * of depth has material. */
 static void read_end(struct cr_model_json *j, const cJSON *shape, const char *key,
@@ -68,7 +78,7 @@ static void read_shape(struct cr_model_json *j, const cJSON *root, struct cr_mod
     cr_model_json_leave(j);
 }
 
-static void read_face(struct cr_model_json *j, const cJSON *faces, const char *key,
+static void read_face(struct cr_model_json *j, const cJSON *faces, const char *key, double mass,
                       struct cr_model_face *f) {
     const cJSON *o = cr_model_json_object(j, faces, key);
     cr_model_json_knots(j, o, "depth_m_ees_kmh", &f->ees);
@@ -84,9 +94,14 @@ static void read_face(struct cr_model_json *j, const cJSON *faces, const char *k
     }
     static const char *const between[] = {"ees", "energy"};
     f->energy_linear = cr_model_json_word(j, o, "between", between, 2) == 1;
+    f->compartment = 0;
+    if (cJSON_HasObjectItem(o, "compartment_N")) {
+        f->compartment = cr_model_json_number(j, o, "compartment_N", 0, 1e7);
+    }
+    f->beyond = f->compartment / mass;
     f->springback = cr_model_json_number(j, o, "springback_m", 0, 0.6);
     f->spread = cr_model_json_number(j, o, "residual_spread_m", 0.01, 0.6);
-    f->tension_per_kg = cr_model_json_number(j, o, "tension_N_per_kg", 0, 1000);
+    f->drag_slope = cr_model_json_number(j, o, "drag_slope", 0, 100);
     cr_model_json_leave(j);
 }
 
@@ -122,9 +137,9 @@ static void read_structures(struct cr_model_json *j, const cJSON *root, struct c
 
 enum cr_err cr_model_recipe_read(const char *text, size_t len, const char *src,
                                  struct cr_model_recipe *r, struct cr_error *err) {
-    static const char *const known[] = {"crumple_recipe", "type",      "label",       "reference",
-                                        "shape",          "faces",     "body_weight", "structures",
-                                        "calibration",    "provenance"};
+    static const char *const known[] = {"crumple_recipe", "type",       "label",       "reference",
+                                        "shape",          "faces",      "body_weight", "structures",
+                                        "calibration",    "provenance", "rules"};
     *r = (struct cr_model_recipe){.boxes = 0};
     struct cr_model_json j;
     cJSON *root = cr_model_json_parse(&j, text, len, src, err);
@@ -135,11 +150,12 @@ enum cr_err cr_model_recipe_read(const char *text, size_t len, const char *src,
     cr_model_json_number(&j, root, "crumple_recipe", 1, 1);
     cr_model_json_text(&j, root, "label", r->label, sizeof r->label);
     read_reference(&j, root, r);
+    read_rules(&j, root, &r->rules);
     read_shape(&j, root, r);
     const cJSON *faces = cr_model_json_object(&j, root, "faces");
-    read_face(&j, faces, "front", &r->face[CR_MODEL_FRONT]);
-    read_face(&j, faces, "side", &r->face[CR_MODEL_SIDE]);
-    read_face(&j, faces, "rear", &r->face[CR_MODEL_REAR]);
+    read_face(&j, faces, "front", r->mass, &r->face[CR_MODEL_FRONT]);
+    read_face(&j, faces, "side", r->mass, &r->face[CR_MODEL_SIDE]);
+    read_face(&j, faces, "rear", r->mass, &r->face[CR_MODEL_REAR]);
     cr_model_json_leave(&j);
     read_structures(&j, root, r);
     cJSON_Delete(root);

@@ -236,7 +236,7 @@ static void set_faces(const struct work *w, struct cr_grid *g) {
                                          [CR_FACE_RIGHT] = CR_MODEL_SIDE};
     for (int i = 0; i < CR_FACES; i++) {
         const struct cr_model_face *f = &w->face[end_of[i]];
-        g->tension[i] = f->tension_per_kg * w->q->mass_kg;
+        g->drag_slope[i] = f->drag_slope;
         g->springback[i] = w->q->curve == CR_CURVE_DYNAMIC ? f->springback : 0;
     }
 }

@@ -138,7 +138,7 @@ static void describe(const struct cr_model_query *q, const struct cr_grid *g, st
                             .pdof = q->pdof,
                             .dims = q->dims};
     snprintf(v->name, sizeof v->name, "%s/%d", cr_type_word(q->type), cr_pdof_clock(q->pdof));
-    memcpy(v->tension, g->tension, sizeof v->tension);
+    memcpy(v->drag_slope, g->drag_slope, sizeof v->drag_slope);
     memcpy(v->springback, g->springback, sizeof v->springback);
 }
 

@@ -80,7 +80,7 @@ static uint8_t field_step(const struct cr_pic *pic, double v) {
     return pic->field == CR_FIELD_EES && v >= 1 ? CR_STEPS + 1 : cr_shade_step(v);
 }
 
-/* Crushed voxels: x; those that only the string pulled in: ~. */
+/* Crushed voxels: x; those that were only dragged along: ~. */
 static bool draw_crushed(struct cr_pic *pic, struct cr_cell *cell, const struct pixel *px,
                          const struct cr_look *look) {
     int hurt = px->crushed + px->induced;

@@ -9,8 +9,8 @@
 #include <string.h>
 
 /* the trial's voxels and time slices, never finer than the scene's own */
-static const double TRIAL_VOXEL = 0.05; /* m */
-static const double TRIAL_DT = 1e-3;    /* s */
+static const double TRIAL_VOXEL = 0.1; /* m */
+static const double TRIAL_DT = 2e-3;   /* s */
 /* a blended model is solved anew when the direction moved by more than half a sector */
 static const double BLEND_MOVED = CR_PI / 12;
 

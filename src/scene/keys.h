@@ -45,7 +45,8 @@ struct cr_key {
     const char *unit;  /* of lo, hi and the number in JSON, "" for a bare number */
     enum cr_dim dim;
     double lo, hi;  /* allowed range in that unit */
-    double def[2];  /* where nothing is given: extended, paper (participants: the first); NaN:
+    double def[2];  /* where nothing is given: extended, paper (participants: the first,
+                       model.blend as the method says); NaN:
                        "auto" where that is a word of the key, else cr_scene_resolve fills it in */
     size_t at, aux; /* offset of the field; CR_KEY_TEXT: its size; CR_KEY_WORD: number of words;
                        CR_KEY_NUMBER: offset of its bool "auto" if it has one, else 0 */

@@ -12,20 +12,8 @@
 struct basis {
     const struct cr_participant *part;
     const struct cr_dims *ref; /* of the type's recipe */
-    double ref_mass;           /* kg */
-};
-
-/* Regressions over mass of the CG height [CG-HEIGHT] and of the track [TRACK-MASS], per
- * kind of body. */
-static const struct {
-    double height, height_per_kg, track, track_per_kg;
-} body[CR_TYPES] = {
-    [CR_TYPE_SUPER_COMPACT] = {0.535, 1.97e-5, 1.225, 1.94e-4}, /* hatchback */
-    [CR_TYPE_MINI_COMPACT] = {0.535, 1.97e-5, 1.225, 1.94e-4},
-    [CR_TYPE_COMPACT] = {0.535, 1.97e-5, 1.225, 1.94e-4},
-    [CR_TYPE_STATION_WAGON] = {0.464, 7.27e-5, 1.219, 1.84e-4},
-    [CR_TYPE_SEDAN] = {0.515, 1.99e-5, 1.263, 1.80e-4},
-    [CR_TYPE_SUV] = {0.511, 8.05e-5, 1.330, 1.39e-4},
+    const struct cr_model_rules *rules;
+    double ref_mass; /* kg */
 };
 
 /* Length: in proportion to a wheelbase that is given, else with the cube root of mass, the trend of
@@ -52,8 +40,9 @@ static double rule_wheelbase(const struct basis *b) {
     return b->ref->wheelbase * b->part->length / b->ref->length;
 }
 
+/* regressions of the type's recipe [TRACK-MASS], [CG-HEIGHT] */
 static double rule_track(const struct basis *b) {
-    double t = body[b->part->type].track + body[b->part->type].track_per_kg * b->part->mass;
+    double t = b->rules->track + b->rules->track_per_kg * b->part->mass;
     return cr_clamp(t, 0.7 * b->part->width, 0.9 * b->part->width);
 }
 
@@ -73,7 +62,7 @@ static double rule_cg(const struct basis *b) {
 }
 
 static double rule_cg_height(const struct basis *b) {
-    double h = body[b->part->type].height + body[b->part->type].height_per_kg * b->part->mass;
+    double h = b->rules->cg_height + b->rules->cg_height_per_kg * b->part->mass;
     return fmin(h, 0.45 * b->part->height);
 }
 
@@ -125,6 +114,7 @@ static enum cr_err resolve_vehicle(struct cr_participant *p, const struct cr_mod
         return code;
     }
     b.ref = cr_model_dims(lib, p->type, &b.ref_mass);
+    b.rules = cr_model_rules(lib, p->type);
     for (size_t i = 0; i < sizeof rules / sizeof rules[0]; i++) {
         const struct cr_key *key =
             cr_scene_key_find(CR_KEYS_PARTICIPANT, rules[i].key, CR_FOR_VEHICLE);
@@ -152,10 +142,25 @@ static enum cr_err resolve_object(struct cr_participant *p, struct cr_assumed *a
     return assume(assumed, p->id, "height_m", err);
 }
 
+/* what the method decides of a vehicle's model where the scene does not */
+static void resolve_model(struct cr_participant *p, int method) {
+    int n;
+    const struct cr_key *row = cr_scene_keys(CR_KEYS_PARTICIPANT, &n);
+    const struct cr_key *blend =
+        cr_scene_key_find(CR_KEYS_PARTICIPANT, "model.blend", CR_FOR_VEHICLE);
+    if ((p->given >> (blend - row) & 1) == 0) {
+        cr_scene_value_reset(blend, p, method);
+    }
+}
+
 static enum cr_err resolve_part(struct cr_reader *r, struct cr_participant *p,
-                                const struct cr_model_lib *lib, struct cr_assumed *assumed) {
+                                const struct cr_model_lib *lib, int method,
+                                struct cr_assumed *assumed) {
     enum cr_err code = cr_scene_part_complete(r, p);
     cr_scene_model_kind(p);
+    if (p->kind == CR_KIND_VEHICLE) {
+        resolve_model(p, method);
+    }
     if (code == CR_ERR_OK) {
         code = cr_scene_part_check(r, p);
     }
@@ -200,7 +205,7 @@ enum cr_err cr_scene_resolve(struct cr_scene *scene, const struct cr_model_lib *
         char token[12];
         snprintf(token, sizeof token, "%d", i);
         size_t up = cr_scene_enter(&r, token);
-        code = resolve_part(&r, &scene->part[i], lib, assumed);
+        code = resolve_part(&r, &scene->part[i], lib, (int)scene->set.method, assumed);
         cr_scene_leave(&r, up);
     }
     return code;

@@ -488,6 +488,7 @@ bool cr_scene_plain_known(const struct cr_key *key, const void *base) {
 void cr_scene_value_reset(const struct cr_key *key, void *base, int method) {
     double x = cr_unit_to_si(cr_scene_key_unit(key), key->def[method]);
     int on = -1;
+    bool yes = key->def[method] != 0;
     bool by_itself = key->aux != 0 && isnan(x); /* a default of NaN stands for auto */
     switch (key->type) {
     case CR_KEY_NUMBER:
@@ -498,6 +499,9 @@ void cr_scene_value_reset(const struct cr_key *key, void *base, int method) {
         break;
     case CR_KEY_SWITCH:
         memcpy(field(key, base), &on, sizeof on);
+        break;
+    case CR_KEY_BOOL:
+        memcpy(field(key, base), &yes, sizeof yes);
         break;
     case CR_KEY_TEXT:
         memset(field(key, base), 0, key->aux);

@@ -137,15 +137,11 @@ static inline double bilinear(struct four f, double u, double v) {
     return lerp(lerp(f.a, f.b, u), lerp(f.c, f.d, u), v);
 }
 
-/* what a body is met against: material, strength against the body, string */
+/* what a body is met against: material, strength against the body */
 struct partner {
     const struct cr_grid *g;
     const double *left, *unit;
-    const double *pull; /* on the lines of its face */
-    int lines;
-    bool row;   /* which are rows */
     bool solid; /* all material has strength */
-    bool weigh; /* it will be asked which of the two is stronger */
 };
 
 /* A place in the opponent's grid: so far on from the middle of voxel (i, j) to the next ones. */
@@ -172,28 +168,42 @@ static struct four with_strength(struct four there, struct four theirs) {
                          theirs.c > 0 ? there.c : 0, theirs.d > 0 ? there.d : 0};
 }
 
-/* Energy of the opponent's material about a place, the string's pull included. */
-static inline double energy_at(const struct partner *o, struct four there, struct four theirs,
-                               struct place p) {
-    const double *pull = o->pull + (o->row ? p.j : p.i);
-    double here = pull[0], next = pull[1];
-    struct four energy = {
-        there.a * (theirs.a + here), there.b * (theirs.b + (o->row ? here : next)),
-        there.c * (theirs.c + (o->row ? next : here)), there.d * (theirs.d + next)};
-    return bilinear(energy, p.u, p.v);
+/* reach of the window from which a surface's normal is read, m: a thin layer in a voxel would bend
+ * that of a single cell */
+static const double normal_reach = 0.05;
+
+/* The normal into a body's material about a voxel, times the length of surface in the window: the
+ * sum of the normals along a boundary is the difference of what lies on opposite edges. */
+static struct cr_vec2 inward_at(const struct partner *o, int i, int j) {
+    const struct cr_grid *g = o->g;
+    int m = (int)lround(normal_reach / g->h);
+    m = m > 1 ? m : 1;
+    struct cr_vec2 sum = {0, 0};
+    for (int k = -m; k <= m; k++) {
+        sum.x += value_at(g, o->left, i + m, j + k) - value_at(g, o->left, i - m, j + k);
+        sum.y += value_at(g, o->left, i + k, j + m) - value_at(g, o->left, i + k, j - m);
+    }
+    return sum;
 }
 
-/* the opponent's lines on which a loss at a place among them presses */
-static inline void press_on(struct cr_loss *l, double place, int lines) {
-    int last = lines > 1 ? lines - 2 : 0;
-    place = cr_clamp(place, 0, lines - 1);
-    l->line = (int)place < last ? (int)place : last;
-    l->next = place - l->line;
+/* What gives up the energy e presses on the surface of the opponent there, along its normal: the
+ * way in which its material grows; within it, along the approach. */
+static void press_on(const struct partner *o, struct place p, double e, double unit,
+                     const struct motion *motion, struct cr_losses *losses) {
+    const struct cr_grid *g = o->g;
+    struct cr_vec2 in = inward_at(o, p.i + (p.u > 0.5), p.j + (p.v > 0.5));
+    struct cover at = {.p = {g->x0 + (p.i + p.u + 0.5) * g->h, g->y0 + (p.j + p.v + 0.5) * g->h}};
+    struct cr_vec2 v = cr_vec2_axpy(motion->still, motion->turn, cr_vec2_perp(at.p));
+    double steep = cr_vec2_len(in);
+    at.n = steep > 1e-3 ? cr_vec2_scale(in, -1 / steep) : cr_vec2_scale(cr_vec2_unit(v, v), -1);
+    at.width = g->h;
+    losses->normal = cr_vec2_axpy(losses->normal, pressure(motion, &at, e, unit), at.n);
 }
 
 /* the voxels span of a row against another body's voxels */
 static void meet_grid(const struct cr_reach *r, const struct partner *o, struct cr_span span,
-                      const struct row *row, struct cr_losses *losses) {
+                      const struct row *row, const struct motion *motion,
+                      struct cr_losses *losses) {
     double c = r->map.c, s = r->map.s;
     double u0 = r->map.u - s * row->iy, v0 = r->map.v + c * row->iy;
     struct cr_loss *l = losses->loss + losses->n;
@@ -203,68 +213,45 @@ static void meet_grid(const struct cr_reach *r, const struct partner *o, struct 
             continue;
         }
         struct place p = place_at(o->g, u, v);
-        struct four there = field_at(o->g, o->left, p), theirs = {0};
+        struct four there = field_at(o->g, o->left, p);
         double phi = bilinear(there, p.u, p.v), excess = excess_of(left, phi);
         if (excess <= 0) {
             continue;
         }
-        if (o->weigh || !o->solid) {
-            theirs = field_at(o->g, o->unit, p);
-        }
         if (!o->solid) {
-            there = with_strength(there, theirs);
+            there = with_strength(there, field_at(o->g, o->unit, p));
             phi = bilinear(there, p.u, p.v);
             excess = excess_of(left, phi);
             if (excess <= 0) {
                 continue;
             }
         }
-        note_loss(l, row, ix, excess);
-        if (o->weigh) {
-            l->beside = energy_at(o, there, theirs, p) / phi;
-            press_on(l, o->row ? v : u, o->lines);
-        }
-        l++;
+        note_loss(l++, row, ix, excess);
+        press_on(o, p, excess * row->unit[ix], row->unit[ix], motion, losses);
     }
     losses->n = (int)(l - losses->loss);
 }
 
-/* energy of the losses and its moments; a line on which the string pulls weighs in the place of the
- * force with that pull too: what the string makes give way elsewhere is paid for where it is held
- */
+/* energy of the losses and where it is */
 static void sum_losses(const struct cr_moving *m, struct cr_losses *losses) {
     const struct cr_grid *g = &m->body->grid;
-    const double *pull = losses->press->pull;
-    bool row = cr_face_is_end(losses->face);
-    double energy = 0, weight = 0, xx = 0, xy = 0, yy = 0;
-    struct cr_vec2 first = {0, 0}, loaded = {0, 0};
+    double energy = 0;
+    struct cr_vec2 first = {0, 0};
     for (int i = 0; i < losses->n; i++) {
         const struct cr_loss *l = &losses->loss[i];
-        double e = l->energy, w = e + l->amount * pull[row ? l->iy : l->ix];
+        double e = l->energy;
         struct cr_vec2 at = {g->x0 + (l->ix + 0.5) * g->h, g->y0 + (l->iy + 0.5) * g->h};
-        w = w > 0 ? w : 0;
         energy += e;
         first = cr_vec2_axpy(first, e, at);
-        xx += e * at.x * at.x;
-        xy += e * at.x * at.y;
-        yy += e * at.y * at.y;
-        weight += w;
-        loaded = cr_vec2_axpy(loaded, w, at);
     }
     losses->contact = losses->n;
     losses->energy = energy;
     losses->first = first;
-    losses->xx = xx;
-    losses->xy = xy;
-    losses->yy = yy;
-    losses->weight = weight;
-    losses->loaded = loaded;
-    losses->induced = losses->stretch = 0;
+    losses->induced = 0;
 }
 
 /* of one body: all that has no room beside the other's material */
-static bool collect_side(struct cr_solver *s, int me, int other, struct cr_losses *losses,
-                         enum cr_face their_face) {
+static bool collect_side(struct cr_solver *s, int me, int other, struct cr_losses *losses) {
     struct cr_moving *m = &s->m[me], *o = &s->m[other];
     const struct cr_grid *g = &m->body->grid;
     losses->n = 0;
@@ -273,18 +260,9 @@ static bool collect_side(struct cr_solver *s, int me, int other, struct cr_losse
     if (g->nx == 0) {
         return true;
     }
-    struct partner partner = {.g = &o->body->grid,
-                              .left = o->left,
-                              .unit = o->unit[me],
-                              .pull = o->press[me][their_face].pull,
-                              .lines = cr_face_lines(&o->body->grid, their_face),
-                              .row = cr_face_is_end(their_face),
-                              .solid = o->solid[me],
-                              .weigh = !s->probing};
-    struct motion motion = {{0, 0}, 0, 0};
-    if (o->left == NULL) {
-        motion = motion_of(m, o, s->dt);
-    }
+    struct partner partner = {
+        .g = &o->body->grid, .left = o->left, .unit = o->unit[me], .solid = o->solid[me]};
+    struct motion motion = motion_of(m, o, s->dt);
     struct cr_reach reach;
     cr_reach_begin(&reach, m, o);
     int voxels = cr_reach_rows(&reach, s->met);
@@ -302,7 +280,7 @@ static bool collect_side(struct cr_solver *s, int me, int other, struct cr_losse
         if (o->left == NULL) {
             meet_shape(&reach, span, &row, &motion, losses);
         } else {
-            meet_grid(&reach, &partner, span, &row, losses);
+            meet_grid(&reach, &partner, span, &row, &motion, losses);
         }
     }
     return true;
@@ -313,9 +291,15 @@ static void choose_faces(struct cr_solver *s, int a, int b) {
     const struct cr_touch *t = &s->touch[cr_pair(s, a, b)];
     struct cr_moving *ma = &s->m[a], *mb = &s->m[b];
     struct cr_vec2 v = cr_vec2_sub(ma->vel, mb->vel), back = cr_vec2_scale(v, -1);
-    bool touched = t->record >= 0;
-    cr_losses_face(&s->losses[0], ma, b, touched ? t->face[0] : cr_string_face(ma, back, back));
-    cr_losses_face(&s->losses[1], mb, a, touched ? t->face[1] : cr_string_face(mb, v, v));
+    if (t->record >= 0) {
+        cr_losses_turn(ma, &s->losses[0], cr_vec2_scale(t->normal, -1), back);
+        cr_losses_turn(mb, &s->losses[1], t->normal, v);
+        s->losses[0].face = t->face[0];
+        s->losses[1].face = t->face[1];
+    } else {
+        cr_losses_turn(ma, &s->losses[0], back, back);
+        cr_losses_turn(mb, &s->losses[1], v, v);
+    }
 }
 
 /* what of the excess each of the two gives; false when memory is out */
@@ -329,8 +313,6 @@ static bool share_out(struct cr_solver *s, int a, int b) {
     if (s->probing) {
         return true;
     }
-    cr_yield_range(s, &s->m[a], la);
-    cr_yield_range(s, &s->m[b], lb);
     if (!both) {
         return true;
     }
@@ -341,7 +323,7 @@ static bool share_out(struct cr_solver *s, int a, int b) {
 bool cr_deform_collect(struct cr_solver *s, int a, int b) {
     struct cr_losses *la = &s->losses[0], *lb = &s->losses[1];
     choose_faces(s, a, b);
-    if (!collect_side(s, a, b, la, lb->face) || !collect_side(s, b, a, lb, la->face)) {
+    if (!collect_side(s, a, b, la) || !collect_side(s, b, a, lb)) {
         return false;
     }
     if (!share_out(s, a, b)) {
@@ -358,18 +340,53 @@ void cr_deform_scale(struct cr_losses *losses, double share) {
         losses->loss[i].energy *= share;
     }
     losses->energy *= share;
-    losses->weight *= share;
     losses->first = cr_vec2_scale(losses->first, share);
-    losses->loaded = cr_vec2_scale(losses->loaded, share);
     losses->induced *= share;
-    losses->stretch *= share;
+}
+
+const double cr_deform_made_up = 1.1;
+
+/* Area of the losses, m2, and the stretch along `tangent` from the COE that they cover, m. */
+static double area_of(const struct cr_moving *m, const struct cr_losses *losses, struct cr_vec2 coe,
+                      struct cr_vec2 tangent, double *lo, double *hi) {
+    const struct cr_grid *g = &m->body->grid;
+    struct cr_vec2 u = cr_vec2_unrotate(tangent, m->c, m->s);
+    double amount = 0, at = cr_vec2_dot(cr_vec2_sub(m->pos, coe), tangent);
+    double half = 0.5 * g->h * (fabs(u.x) + fabs(u.y));
+    for (int i = 0; i < losses->n; i++) {
+        const struct cr_loss *l = &losses->loss[i];
+        double along =
+            at + u.x * (g->x0 + (l->ix + 0.5) * g->h) + u.y * (g->y0 + (l->iy + 0.5) * g->h);
+        *lo = fmin(*lo, along - half);
+        *hi = fmax(*hi, along + half);
+        amount += l->amount;
+    }
+    return amount * g->h * g->h;
+}
+
+double cr_deform_bound(const struct cr_solver *s, int a, int b, const struct cr_force *f) {
+    double lo = INFINITY, hi = -(double)INFINITY;
+    struct cr_vec2 tangent = cr_vec2_perp(f->normal);
+    double area = area_of(&s->m[a], &s->losses[0], f->coe, tangent, &lo, &hi) +
+                  area_of(&s->m[b], &s->losses[1], f->coe, tangent, &lo, &hi);
+    if (!(area > 0)) {
+        return 1;
+    }
+    double width = hi - lo, v = cr_force_approach(s, a, b, f);
+    /* what strength times width takes off the approach within the slice is not passed over */
+    double give = cr_vec2_dot(cr_compliance(s, a, b, f->coe, f->direction), f->normal);
+    double slower = 0.5 * cr_deform_made_up * f->energy / area * width * s->dt * give;
+    v = fmax(v - fmax(slower, 0), 0.5 * v);
+    /* the faster end of the contact, where the bodies turn against each other */
+    v += fabs(s->m[a].yaw_rate - s->m[b].yaw_rate) * fmax(fabs(lo), fabs(hi));
+    return fmin(cr_deform_made_up * width * v * s->dt / area, 1);
 }
 
 /* what rounding leaves of a voxel that is gone */
 static const double dust = 1e-12;
 
 /* Takes a share of the losses [from, n) out of the body. Only the face that the force acts on is
- * dented: a crushed front corner is no dent of the flank, or the flank's string would be pulled by
+ * dented: a crushed front corner is no dent of the flank, or the flank would be dragged along by
  * it as soon as the normal turns past 45 degrees. */
 static void take_out(struct cr_moving *m, const struct cr_losses *losses, int from, double share) {
     const struct cr_grid *g = &m->body->grid;
@@ -450,7 +467,6 @@ void cr_deform_settle(struct cr_solver *s, struct cr_moving *m, struct cr_losses
             shrink(m, &loss[i]);
         }
     }
-    m->membrane[losses->face] += losses->stretch;
     m->energy += losses->energy;
     m->induced += losses->induced;
     m->crushed += area;

@@ -33,10 +33,12 @@ static double width_share(const struct cr_moving *m, const struct cr_losses *los
     for (int i = 0; i < n; i++) {
         deepest = depth[i] > 0 ? fmax(deepest, outline[i] + depth[i]) : deepest;
     }
+    double wide = 0;
     for (int i = 0; i < n; i++) { /* in lines full of material */
-        reached += outline[i] + h < deepest ? h / m->pitch[face][i] : 0;
+        double full = h / m->pitch[face][i], whole = deepest - outline[i];
+        reached += whole > h ? full : 0;
+        wide += whole > h ? fmin(1, depth[i] / whole) * full : 0;
     }
-    double wide = losses->met.hi - losses->met.lo;
     return reached > 0 ? cr_clamp(wide / (whole_width * reached), 0, 1) : 1;
 }
 

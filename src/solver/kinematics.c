@@ -3,7 +3,7 @@
 
 /* Share of a voxel that two bodies may approach each other by in one slice: half of one on an exact
  * outline; of two that deform each crushes the other's voxels. */
-static const double approach_max = 0.5, approach_both = 0.35;
+static const double approach_max = 1, approach_both = 1;
 /* half the size of a contact patch: what turns about the COE within it, m */
 static const double patch_reach = 0.75;
 /* free motion after a contact: slices up to this many times longer */

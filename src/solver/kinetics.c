@@ -65,9 +65,12 @@ static double impulse_to_end(const struct cr_solver *s, int a, int b, const stru
 
 /* Eq. (2), (4), (5) as an impulse: J v - J^2 / (2 m_eff) = W takes exactly the work W out of the
  * two bodies, where |F| = E / s would overshoot as the approach goes to zero (method.md 3, step
- * 3). W is the crush energy and the friction work of the slice. Where the bodies have less energy
- * than W, or the plastic phase ends within the slice, only the share lambda of the deformation
- * takes place: what a smaller J pays for. */
+ * 3). W is the crush energy E and the friction work of the slice. On a rigid surface crush goes
+ * along the normal and the rest of the motion rubs, W = E (1 + mu tan a), a between motion and
+ * normal. Structures that crush each other hook: what sticks is crushed along its motion and
+ * nothing rubs, W = E; what slides rubs with what exceeds the cone, W = E (1 + mu tan a) / (1 +
+ * mu^2). Where the bodies have less energy than W, or the plastic phase ends within the slice, only
+ * the share lambda of the deformation takes place: what a smaller J pays for. */
 bool cr_kinetics_slice(struct cr_solver *s, int pair, int a, int b, const struct cr_force *f) {
     struct cr_touch *t = &s->touch[pair];
     struct cr_contact *c = &s->contact[t->record];
@@ -77,7 +80,9 @@ bool cr_kinetics_slice(struct cr_solver *s, int pair, int a, int b, const struct
         c->restitution = t->restitution * cr_restitution_share(s, a, b, c);
     }
     double mass = 1 / cr_vec2_dot(cr_compliance(s, a, b, f->coe, f->direction), f->direction);
-    double work = f->energy * vf / (vn * f->cosine), most = 0.5 * mass * vf * vf;
+    bool hooked = s->m[a].left != NULL && s->m[b].left != NULL;
+    double cosine2 = hooked ? f->cosine * f->cosine : 1;
+    double work = f->energy * vf / (vn * f->cosine) * cosine2, most = 0.5 * mass * vf * vf;
     double whole = work < most ? mass * (vf - sqrt(vf * vf - 2 * work / mass)) : mass * vf;
     double j = fmin(whole, impulse_to_end(s, a, b, f, t, c));
     double lambda = fmin(j < whole || work > most ? j * (vf - 0.5 * j / mass) / work : 1, 1);
@@ -105,7 +110,6 @@ bool cr_kinetics_slice(struct cr_solver *s, int pair, int a, int b, const struct
     t->moment_weight += j;
     double fade = exp(-s->dt / cr_force_memory);
     t->energy_recent = t->energy_recent * fade + f->energy;
-    t->patch = f->patch;
     t->thrust = f->thrust;
     t->normal_sum = cr_vec2_axpy(t->normal_sum, lambda * f->energy, f->normal);
     return cr_record_slice(

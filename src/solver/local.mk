@@ -4,6 +4,7 @@ libsolver_a_SOURCES = \
 	src/solver/case.h \
 	src/solver/check.c \
 	src/solver/deform.c \
+	src/solver/drag.c \
 	src/solver/elastic.c \
 	src/solver/ending.c \
 	src/solver/force.c \
@@ -16,7 +17,6 @@ libsolver_a_SOURCES = \
 	src/solver/solver.h \
 	src/solver/solver_priv.h \
 	src/solver/start.c \
-	src/solver/string.c \
 	src/solver/tyre.c \
 	src/solver/yield.c
 libsolver_a_CFLAGS = $(CR_CFLAGS) $(CR_VECTOR_CFLAGS)

@@ -31,22 +31,6 @@ struct cr_opts cr_opts_default(void) {
                             .rest_time = 30};
 }
 
-/* memory of what a partner does to a face of n lines; a place between two lines may be before the
- * first or behind the last one */
-static bool new_press(struct cr_solver *s, struct cr_press *press, size_t n) {
-    double **array[] = {&press->pressed, &press->more,  &press->all,
-                        &press->lean,    &press->share, &press->pull};
-    press->t_pressed = press->t_weighed = -INFINITY;
-    for (size_t i = 0; i < sizeof array / sizeof *array; i++) {
-        double *lines = cr_arena_take(&s->arena, n + 2, sizeof(double));
-        if (lines == NULL) {
-            return false;
-        }
-        *array[i] = lines + 1;
-    }
-    return true;
-}
-
 static bool new_lines(struct cr_solver *s, struct cr_moving *m) {
     const struct cr_grid *g = &m->body->grid;
     size_t nx = (size_t)g->nx, ny = (size_t)g->ny;
@@ -59,11 +43,6 @@ static bool new_lines(struct cr_solver *s, struct cr_moving *m) {
         m->pitch[f] = cr_arena_take(&s->arena, n, sizeof(double));
         if (m->depth[f] == NULL || m->outline[f] == NULL || m->pitch[f] == NULL) {
             return false;
-        }
-        for (int p = 0; p < s->cs->n; p++) {
-            if (m != &s->m[p] && !new_press(s, &m->press[p][f], n)) {
-                return false;
-            }
         }
     }
     return m->row != NULL && m->col != NULL;
@@ -118,28 +97,6 @@ static void measure_faces(struct cr_moving *m) {
     }
 }
 
-/* The string is of the layers that meet a partner as the foundation is: its tension is the face's
- * by the share of energy that these layers have in the half of the body behind the face. */
-static void tune_string(struct cr_moving *m, int partner, const double *energy) {
-    const struct cr_grid *g = &m->body->grid;
-    double whole[CR_FACES] = {0}, met[CR_FACES] = {0};
-    for (int iy = 0; iy < g->ny && energy != g->energy; iy++) {
-        enum cr_face side = 2 * iy >= g->ny ? CR_FACE_LEFT : CR_FACE_RIGHT;
-        for (int ix = 0; ix < g->nx; ix++) {
-            enum cr_face end = 2 * ix >= g->nx ? CR_FACE_FRONT : CR_FACE_REAR;
-            int k = iy * g->nx + ix;
-            whole[end] += g->energy[k];
-            whole[side] += g->energy[k];
-            met[end] += energy[k];
-            met[side] += energy[k];
-        }
-    }
-    for (int f = 0; f < CR_FACES; f++) {
-        double share = energy == g->energy ? 1 : whole[f] > 0 ? met[f] / whole[f] : 0;
-        m->tension[partner][f] = g->tension[f] * share;
-    }
-}
-
 /* energy per unit of material against each partner, shared where the layers are the same */
 static bool new_units(struct cr_solver *s, struct cr_moving *m) {
     const struct cr_grid *g = &m->body->grid;
@@ -154,13 +111,11 @@ static bool new_units(struct cr_solver *s, struct cr_moving *m) {
             if ((other != NULL ? other : g->energy) == energy) {
                 m->unit[p] = m->unit[q];
                 m->solid[p] = m->solid[q];
-                memcpy(m->tension[p], m->tension[q], sizeof m->tension[p]);
             }
         }
         if (m->unit[p] != NULL) {
             continue;
         }
-        tune_string(m, p, energy);
         size_t n = (size_t)g->nx * (size_t)g->ny;
         double *unit = cr_arena_take_raw(&s->arena, n, sizeof *unit);
         if (unit == NULL) {
@@ -242,21 +197,13 @@ static bool new_scratch(struct cr_solver *s) {
         longest = g->nx > longest ? g->nx : longest;
         longest = g->ny > longest ? g->ny : longest;
     }
-    struct cr_string *st = &s->string;
+    struct cr_drag *d = &s->drag;
     size_t n = (size_t)longest;
-    st->w = cr_arena_take(&s->arena, n, sizeof *st->w);
-    st->bend = cr_arena_take(&s->arena, n, sizeof *st->bend);
-    st->spread = cr_arena_take(&s->arena, n, sizeof *st->spread);
-    st->surface = cr_arena_take(&s->arena, n, sizeof *st->surface);
-    st->held = cr_arena_take(&s->arena, n + 2, sizeof *st->held);
-    st->taut = cr_arena_take(&s->arena, n, sizeof *st->taut);
-    s->yield.more = cr_arena_take(&s->arena, n, sizeof(double));
-    s->yield.all = cr_arena_take(&s->arena, n, sizeof(double));
+    d->w = cr_arena_take(&s->arena, n, sizeof *d->w);
+    d->own = cr_arena_take(&s->arena, n, sizeof *d->own);
     s->met = cr_arena_take(&s->arena, n, sizeof *s->met);
     s->freed = cr_arena_take(&s->arena, 1, sizeof *s->freed);
-    return st->w != NULL && st->bend != NULL && st->spread != NULL && st->surface != NULL &&
-           st->held != NULL && st->taut != NULL && s->yield.more != NULL && s->yield.all != NULL &&
-           s->met != NULL && s->freed != NULL;
+    return d->w != NULL && d->own != NULL && s->met != NULL && s->freed != NULL;
 }
 
 /* the bodies of a checked case in their places; NULL when memory is out */
@@ -364,13 +311,13 @@ static void soften(struct cr_solver *s, int pair, int a, int b, struct cr_force 
     }
 }
 
-/* The face that the force acts on, and which of its lines are met: those known so far are of the
- * face before, whose lines may run the other way. */
-static void turn_to(struct cr_solver *s, struct cr_moving *m, int partner, struct cr_losses *losses,
-                    enum cr_face face) {
-    if (losses->face != face) {
-        cr_losses_face(losses, m, partner, face);
-        cr_yield_range(s, m, losses);
+/* no more force than strength times width */
+static void bound(struct cr_solver *s, int a, int b, struct cr_force *f) {
+    double share = cr_deform_bound(s, a, b, f);
+    if (share < 1) {
+        cr_deform_scale(&s->losses[0], share);
+        cr_deform_scale(&s->losses[1], share);
+        f->energy *= share;
     }
 }
 
@@ -387,17 +334,20 @@ static bool crush(struct cr_solver *s, int pair, int a, int b, struct cr_force *
             return false;
         }
     }
+    bound(s, a, b, f);
     soften(s, pair, a, b, f);
     struct cr_vec2 v = cr_relative_velocity(s, a, b, f->coe);
     struct cr_vec2 back = cr_vec2_scale(v, -1), inward = cr_vec2_scale(f->normal, -1);
-    turn_to(s, ma, b, &s->losses[0], cr_string_face(ma, inward, back));
-    turn_to(s, mb, a, &s->losses[1], cr_string_face(mb, f->normal, v));
+    cr_losses_turn(ma, &s->losses[0], inward, back);
+    cr_losses_turn(mb, &s->losses[1], f->normal, v);
     s->touch[pair].face[0] = s->losses[0].face;
     s->touch[pair].face[1] = s->losses[1].face;
     cr_deform_apply(ma, &s->losses[0], 0);
     cr_deform_apply(mb, &s->losses[1], 0);
     if (s->cs->opts.induced) {
-        if (!cr_string_pull(s, ma, b, &s->losses[0]) || !cr_string_pull(s, mb, a, &s->losses[1])) {
+        double most = cr_deform_made_up * cr_vec2_len(v) * s->dt;
+        if (!cr_drag_along(s, ma, &s->losses[0], most) ||
+            !cr_drag_along(s, mb, &s->losses[1], most)) {
             return false;
         }
         cr_force_update(s, pair, a, b, f);

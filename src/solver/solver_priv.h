@@ -19,18 +19,6 @@ struct cr_range {
     double lo, hi;
 };
 
-/* Memory of how one partner has pressed on a face lately, line by line; older slices fade. There is
- * one more line on either side. */
-struct cr_press {
-    double *pressed; /* material that had no room */
-    double *more;    /* strength pressing on the line above its own, J, */
-    double *all;     /* and both together, J */
-    double *lean;    /* how far the excess is this body's lately, -1..1 */
-    double *share;   /* and in this slice, 0..1 */
-    double *pull;    /* of the string on the line after its last slice, J per unit of material */
-    double t_pressed, t_weighed; /* when these were last renewed, s */
-};
-
 /* What changes of a body while the solve runs. */
 struct cr_moving {
     const struct cr_body *body;
@@ -45,23 +33,20 @@ struct cr_moving {
     int wheel_voxel[CR_WHEELS]; /* at the wheel's place, -1: beside the grid */
     bool drag[CR_WHEELS];       /* that was crushed: the wheel slides */
     /* grid, NULL for rigid shapes */
-    double *left;                          /* material left, 0..fill */
-    double *t_sum;                         /* sum of time x material lost: gives t_crushed */
-    uint8_t *how;                          /* enum cr_crush flags */
-    const double *unit[CR_BODY_MAX];       /* energy per unit of material against each partner, J */
-    bool solid[CR_BODY_MAX];               /* all material has energy against it */
-    double tension[CR_BODY_MAX][CR_FACES]; /* of the string against each partner, N */
-    struct cr_span *row, *col; /* live span of each row (along x) and column (along y) */
-    struct cr_span rows, cols; /* rows and columns between which there is material */
+    double *left;                    /* material left, 0..fill */
+    double *t_sum;                   /* sum of time x material lost: gives t_crushed */
+    uint8_t *how;                    /* enum cr_crush flags */
+    const double *unit[CR_BODY_MAX]; /* energy per unit of material against each partner, J */
+    bool solid[CR_BODY_MAX];         /* all material has energy against it */
+    struct cr_span *row, *col;       /* live span of each row (along x) and column (along y) */
+    struct cr_span rows, cols;       /* rows and columns between which there is material */
     /* [k + 2]: part of the lines k and k + 1 that has live material within one voxel */
     struct cr_range *between_rows, *between_cols;
-    double *depth[CR_FACES];   /* crush of each line of a face, m: rows for front and
-                                  rear, columns for left and right */
-    double *outline[CR_FACES]; /* undeformed surface behind the foremost one, m */
-    double *pitch[CR_FACES];   /* depth of a line per unit of material, m: more than a voxel's
-                                  edge at the sides, where voxels are filled in part */
-    double membrane[CR_FACES]; /* string energy of a face, J */
-    struct cr_press press[CR_BODY_MAX][CR_FACES]; /* memory of each partner's pressing */
+    double *depth[CR_FACES];         /* crush of each line of a face, m: rows for front and
+                                        rear, columns for left and right */
+    double *outline[CR_FACES];       /* undeformed surface behind the foremost one, m */
+    double *pitch[CR_FACES];         /* depth of a line per unit of material, m: more than a voxel's
+                                        edge at the sides, where voxels are filled in part */
     struct cr_span dented[CR_FACES]; /* lines that have lost material, both ends included */
     double energy, induced;          /* plastic so far, J */
     double crushed;                  /* plan area so far, m2 */
@@ -79,70 +64,29 @@ struct cr_moving {
 /* One voxel that would lose material in this slice. */
 struct cr_loss {
     int voxel, ix, iy;
-    int line;      /* of the opponent's face that it meets, */
-    double next;   /* and how far it is on to the next one */
     double amount; /* material, 0..1 */
     double energy; /* J */
-    double beside; /* strength of the opponent there, J per unit of material */
+    double before; /* scratch of yield.c: what the voxel held */
 };
 
 /* Losses of one body in one contact and slice. */
 struct cr_losses {
     int n, size;
     struct cr_loss *loss;
-    const double *unit;     /* energy per unit of material of the body's voxels, J */
-    double energy;          /* of all, string included, J */
-    struct cr_vec2 first;   /* sum of energy x place of those in the contact, body frame, J m */
-    double xx, xy, yy;      /* second moments alike, J m2 */
-    double weight;          /* of those in the contact with the string's pull on them, J */
-    struct cr_vec2 loaded;  /* sum of such weight x place, J m */
-    struct cr_vec2 normal;  /* what presses on a rigid partner along its normals, its frame, N s */
-    double induced;         /* part outside the contact, string included, J */
-    double area;            /* m2 */
-    double stretch;         /* energy that stretched the string in this slice, J */
-    enum cr_face face;      /* it acts on */
-    struct cr_press *press; /* of the partner on that face */
-    struct cr_range met;    /* of that face's lines that the opponent presses on */
-    int contact;            /* the first losses are of contact, the rest induced */
+    const double *unit;    /* energy per unit of material of the body's voxels, J */
+    double energy;         /* of all, J */
+    struct cr_vec2 first;  /* sum of energy x place of those in the contact, body frame, J m */
+    struct cr_vec2 normal; /* what presses on the partner along its normals, its frame, N s */
+    double induced;        /* part that is dragged along, J */
+    double area;           /* m2 */
+    enum cr_face face;     /* it acts on */
+    double slant;          /* slope of the contact against that face */
+    int contact;           /* the first losses are of contact, the rest induced */
 };
 
-/* A line that holds the string. */
-struct cr_hold {
-    double line;  /* half way to the next at the edge of a contact */
-    double over;  /* its depth, less the bow of the string, m */
-    double slope; /* of the hull between the hold before and this one, m a line */
-};
-
-/* Scratch of yield.c: sums about the lines of a face. */
-struct cr_yield {
-    double *more, *all;
-};
-
-/* Where a contact ends, and from where the string hangs: inside a line, not in its middle. */
-struct cr_edge {
-    double at;        /* in lines */
-    int inner, outer; /* the lines at least half a line away on either side */
-    int below;        /* the line at or below it */
-    int above;        /* the next one, -1 where a line is at the edge */
-};
-
-/* Scratch of string.c, one entry a line of the longest face. */
-struct cr_string {
-    double *w;              /* depth, m */
-    double *bend;           /* h^2 q / N0: second difference of the bow, m */
-    struct cr_range met;    /* lines that the opponent presses on */
-    struct cr_edge edge[2]; /* its lower and its upper end */
-    double *spread;         /* scratch of what is spread over lines */
-    int *surface;          /* place of the surface along the line, -1: the string is nailed there */
-    bool *taut;            /* segment between lines i - 1 and i is stretched */
-    struct cr_hold *held;  /* a stack */
-    struct cr_span window; /* lines looked at, both ends included */
-};
-
-/* Second moments of deformed voxels about a COE, each weighing its energy, world axes. */
-struct cr_moments {
-    double xx, xy, yy; /* J m2 */
-    double weight;     /* J */
+/* Scratch of drag.c, one entry a line of the longest face. */
+struct cr_drag {
+    double *w, *own; /* depth, and that without what is dragged, m */
 };
 
 /* A contact being worked: the record that is reported and what only the solver needs. */
@@ -170,8 +114,7 @@ struct cr_touch {
     double moment_weight;
     struct cr_vec2 normal_sum; /* energy-weighted, J */
     double energy_recent;      /* of the last slices, older ones fading, J */
-    struct cr_moments patch;   /* of the last slices, older ones fading */
-    struct cr_vec2 thrust;     /* likewise */
+    struct cr_vec2 thrust;     /* of the last slices, older ones fading, N s */
 };
 
 struct cr_solver {
@@ -180,8 +123,7 @@ struct cr_solver {
     struct cr_moving m[CR_BODY_MAX];
     struct cr_losses losses[2]; /* of the pair being worked */
     struct cr_span *met;        /* scratch: voxels of each row that the opponent can meet */
-    struct cr_string string;
-    struct cr_yield yield;
+    struct cr_drag drag;
     struct cr_touch touch[CR_PAIR_MAX];
     double t, dt, dt_contact;
     bool probing;    /* bodies are moved to see who would overlap: nothing is remembered */
@@ -294,60 +236,53 @@ static inline double cr_with_crumb(double left, double amount) {
 bool cr_losses_reserve(struct cr_losses *losses, int n);
 /* take only a share of the losses */
 void cr_deform_scale(struct cr_losses *losses, double share);
+/* What a contact may crush more than it passes over in a slice: what has been left standing is made
+ * up for, and no force is more than so many times strength times width. */
+extern const double cr_deform_made_up;
+/* Share of the losses, 0..1, that the contact's width passes over in this slice; the rest stays as
+ * overlap, so that no slice has more force than strength times width. */
+struct cr_force;
+double cr_deform_bound(const struct cr_solver *s, int a, int b, const struct cr_force *f);
 /* take the losses [from, n) out of the body; what is taken back is settled below */
 void cr_deform_apply(struct cr_moving *m, const struct cr_losses *losses, int from);
 /* give back the share 1 - lambda of the losses, and book the rest */
 void cr_deform_settle(struct cr_solver *s, struct cr_moving *m, struct cr_losses *losses,
                       double lambda);
 
-/* the face that the opponent strikes, and with it what is remembered of its pressing there */
-static inline void cr_losses_face(struct cr_losses *losses, struct cr_moving *m, int opponent,
-                                  enum cr_face face) {
-    losses->face = face;
-    losses->press = &m->press[opponent][face];
-}
-
-/* step 1, yield.c: time over which strength is a mean, s */
-extern const double cr_yield_memory;
-/* Each of n lines of width h with what the lines beside it add, which fades with their distance:
- * the weights by which strength is a mean along the contact. */
-void cr_yield_spread(const double *of, int n, double h, double *to);
-/* Which lines of its face the opponent presses on, into losses->met. The contact ends where the
- * material pressed on lately amounts to less than half of a line's worth, and half a line further
- * out: that is the edge of a box wherever it lies in a line, and no jump where a line is just
- * touched. */
-void cr_yield_range(struct cr_solver *s, struct cr_moving *m, struct cr_losses *losses);
 /* of losses of both bodies that hold all that has no room, what each has to give */
 void cr_yield_share(struct cr_solver *s, int a, int b);
 /* what is left of voxels that were hit before goes before the material behind them; false when
  * memory is out */
 bool cr_yield_order(struct cr_moving *m, struct cr_losses *losses);
 
-/* string.c: the face that is crushed by a surface with the normal `inward` that approaches with the
+/* drag.c: the face that is crushed by a surface with the normal `inward` that approaches with the
  * velocity v relative to the body, world: the end where its motion along the body does more of the
  * work, else the flank. A corner that is driven on is no dent of the flank, however far the normal
  * has turned. */
-enum cr_face cr_string_face(const struct cr_moving *m, struct cr_vec2 inward, struct cr_vec2 v);
-/* string.c: induced deformation of losses->face, added to the losses of one body and applied
- * (method.md 5) */
-bool cr_string_pull(struct cr_solver *s, struct cr_moving *m, int partner,
-                    struct cr_losses *losses);
+enum cr_face cr_struck_face(const struct cr_moving *m, struct cr_vec2 inward, struct cr_vec2 v);
+/* the struck face into losses, and how the contact slopes against it */
+void cr_losses_turn(const struct cr_moving *m, struct cr_losses *losses, struct cr_vec2 inward,
+                    struct cr_vec2 v);
+/* energy of what the losses would drag along, J; nothing changes */
+double cr_drag_energy(struct cr_solver *s, const struct cr_moving *m,
+                      const struct cr_losses *losses);
+/* induced deformation of losses->face, at most `most` m deep, added to the losses of one body and
+ * applied; false when memory is out */
+bool cr_drag_along(struct cr_solver *s, struct cr_moving *m, struct cr_losses *losses, double most);
 
 /* step 2, force.c */
 extern const double cr_force_memory;
 struct cr_force {
     struct cr_vec2 coe;       /* Eq. (3) */
     struct cr_vec2 normal;    /* from a to b */
-    struct cr_moments patch;  /* the deformed voxels it comes from */
-    struct cr_vec2 thrust;    /* or what presses on a rigid surface, N s */
-    double trust;             /* weight of this slice's normal against those before it */
+    struct cr_vec2 thrust;    /* what presses on the surfaces that it comes from, N s */
     struct cr_vec2 direction; /* of the force on b */
     double cosine;            /* between the two */
     double energy;            /* Eq. (1), J */
     bool sliding;
 };
 bool cr_force_find(struct cr_solver *s, int pair, int a, int b, struct cr_force *force);
-/* energy and COE again once the string has added its losses */
+/* energy and COE again once what is dragged along has added its losses */
 void cr_force_update(struct cr_solver *s, int pair, int a, int b, struct cr_force *force);
 double cr_force_friction(const struct cr_solver *s, int a, int b);
 /* approach along the normal at the COE, m/s */

@@ -1,6 +1,10 @@
 noinst_LIBRARIES += libstudy.a
 libstudy_a_SOURCES = \
 	src/study/draw.c src/study/draw.h \
+	src/study/evidence.c \
+	src/study/fit.c src/study/fit.h \
+	src/study/fit_inputs.c \
+	src/study/fit_text.c \
 	src/study/inputs.c \
 	src/study/mc.c \
 	src/study/mc_data.c \

@@ -73,8 +73,8 @@ static void print_fit(const struct cr_calibration *f, struct cr_str *out) {
                             face->springback);
             } else {
                 double depth = face->ees.x[2], v = face->ees.y[2];
-                cr_str_addf(out, "%24s flank %.0f N/kg, tension %.1f N/kg\n", "", v * v / 2 / depth,
-                            face->tension_per_kg);
+                cr_str_addf(out, "%24s flank %.0f N/kg, drag slope %.3f\n", "", v * v / 2 / depth,
+                            face->drag_slope);
             }
         }
     }

@@ -1,9 +1,9 @@
 /* Fits the faces of the six types to public crash tests by solving them.
  *
  * Front: wall tests; force factor and springback by least squares on the measured dynamic crush and
- * the greatest residual depth. Side: pole tests; force of the flank and tension of the string, so
- * that the greatest depth of each type and the damaged area of all come out. Types with few tests
- * lean on the mean of all. */
+ * the greatest residual depth. Side: pole tests; strength of the flank and slope of what it drags
+ * along, so that the greatest depth of each type and the damaged area of all come out. Types with
+ * few tests lean on the mean of all. */
 #include "trial/calibrate.h"
 
 #include "base/stats.h"
@@ -17,6 +17,9 @@ static const double sd_dynamic = 0.06, sd_residual = 0.065;
 /* how far a type may lie from the mean of all before its tests say so: of 1/w, relative; of the
  * springback, m; of the flank, as a number of tests */
 static const double prior_slope = 0.04, prior_springback = 0.02, prior_poles = 4;
+/* width on which a pole of 254 mm presses before it is deep, m, and the power of a type's depths
+ * with which its flank is corrected: steps of the iteration, not of its result */
+static const double pole_width = 0.2, pole_force = 1.6;
 /* cars before this year count half: today's cars are stiffer at 40 km/h and softer at 56 */
 static const int new_from = 2009;
 
@@ -184,10 +187,7 @@ static enum cr_err front_round(struct cr_calibration *f, struct cr_error *err) {
         struct cr_model_face front = *cr_model_face(f->lib, (enum cr_type)t, CR_MODEL_FRONT);
         scale_face(&front, 1 / (u[t] * cr_calibration_slope(&front)));
         front.springback = s[t] + f->shift;
-        struct cr_model_face rear = front;
-        scale_face(&rear, sqrt(0.8)); /* of the front's force: stiffness.md 4.4 */
         cr_model_set_face(f->lib, (enum cr_type)t, CR_MODEL_FRONT, &front);
-        cr_model_set_face(f->lib, (enum cr_type)t, CR_MODEL_REAR, &rear);
     }
     return CR_ERR_OK;
 }
@@ -207,6 +207,17 @@ static double pole_ratio(const struct cr_calibration *f, int type, double *n) {
     return *n > 0 ? log(sum / *n) : 0;
 }
 
+static double median_of(const struct cr_calibration *f, int what) {
+    double value[CR_CALIBRATE_TESTS];
+    memcpy(value, f->sim[what], (size_t)f->data->poles.n * sizeof *value);
+    return cr_stats_median(value, f->data->poles.n);
+}
+
+/* slope of what a pole drags along, from its depth and the area that it damages */
+static double slope_from(double depth, double area) {
+    return depth * depth / (area - pole_width * depth);
+}
+
 static enum cr_err side_round(struct cr_calibration *f, struct cr_error *err) {
     for (int i = 0; i < f->data->poles.n; i++) {
         enum cr_err code = solve(f, &f->data->poles, i, f->data->poles.item[i]->type, err);
@@ -214,17 +225,20 @@ static enum cr_err side_round(struct cr_calibration *f, struct cr_error *err) {
             return code;
         }
     }
-    double n, all = pole_ratio(f, CR_TYPES, &n), area[CR_CALIBRATE_TESTS];
-    memcpy(area, f->sim[2], (size_t)f->data->poles.n * sizeof *area);
-    /* E ~ sqrt(q N) w^1.5 and damaged length ~ sqrt(N w / q): depth from the product of flank and
-     * tension, area from their quotient (literature.md 3.2, closed form) */
-    double quotient = cr_test_pole_area / cr_stats_median(area, f->data->poles.n);
+    double n, all = pole_ratio(f, CR_TYPES, &n), damaged = median_of(f, 2), deep = median_of(f, 1);
+    double want = deep * exp(-all);
+    /* E = q A and A = b w + w^2 / k for a steady flank q, slope k and a pole that is b wide: the
+     * flank of all from their area, the slope of all from their depth, then the flank of each type
+     * from its own depth, which goes with about q^-0.6 */
+    double slope = slope_from(want, cr_test_pole_area) / slope_from(deep, damaged);
+    slope = cr_clamp(slope, 0.6, 1.6); /* a step that the next round can take back */
     for (int t = 0; t < CR_TYPES; t++) {
         double ratio = pole_ratio(f, t, &n);
-        double force = exp(1.5 * (all + (ratio - all) * n / (n + prior_poles)));
+        double force =
+            damaged / cr_test_pole_area * exp(pole_force * (ratio - all) * n / (n + prior_poles));
         struct cr_model_face side = *cr_model_face(f->lib, (enum cr_type)t, CR_MODEL_SIDE);
-        scale_face(&side, sqrt(force / quotient));
-        side.tension_per_kg *= force * quotient;
+        scale_face(&side, sqrt(force));
+        side.drag_slope *= slope;
         cr_model_set_face(f->lib, (enum cr_type)t, CR_MODEL_SIDE, &side);
     }
     return CR_ERR_OK;

@@ -3,7 +3,7 @@ check_LIBRARIES += libcases.a
 libcases_a_SOURCES = tests/unit/solver_cases.c tests/unit/solver_cases.h tests/unit/test.h
 libcases_a_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 solver_tests = test_solver_wall test_solver_impact test_solver_oblique \
-	test_solver_conserve test_solver_symmetry test_solver_converge test_solver_string \
+	test_solver_conserve test_solver_symmetry test_solver_converge test_solver_drag \
 	test_solver_phases test_solver_tyre test_solver_input test_solver_objects \
 	test_solver_trace test_solver_memory
 solver_test_libs = libcases.a libsolver.a libmodel.a libbase.a $(CMOCKA_LIBS) $(NETTLE_LIBS)
@@ -28,9 +28,9 @@ test_solver_symmetry_LDADD = $(solver_test_libs)
 test_solver_converge_SOURCES = tests/unit/test_solver_converge.c
 test_solver_converge_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 test_solver_converge_LDADD = $(solver_test_libs)
-test_solver_string_SOURCES = tests/unit/test_solver_string.c
-test_solver_string_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
-test_solver_string_LDADD = $(solver_test_libs)
+test_solver_drag_SOURCES = tests/unit/test_solver_drag.c
+test_solver_drag_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
+test_solver_drag_LDADD = $(solver_test_libs)
 test_solver_phases_SOURCES = tests/unit/test_solver_phases.c
 test_solver_phases_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 test_solver_phases_LDADD = $(solver_test_libs)

@@ -117,10 +117,11 @@ static struct cr_body light_car(struct cr_arena *arena, double h, double x, doub
     return car;
 }
 
-/* as in the median side pole test, per kg (72 kN for 1500 kg) */
-static void add_string(struct cr_body *car) {
+/* as in the median side pole test at the flanks, and between the rails and the corners at the ends
+ */
+static void add_drag(struct cr_body *car) {
     for (int f = 0; f < CR_FACES; f++) {
-        car->grid.tension[f] = 48 * car->mass;
+        car->grid.drag_slope[f] = f == CR_FACE_LEFT || f == CR_FACE_RIGHT ? 0.555 : 1.4;
     }
 }
 
@@ -148,9 +149,9 @@ struct cr_case typical_case(struct cr_arena *arena, enum typical which, double h
             : which == TYPICAL_SIDE ? cr_vec2(50 / 3.6, 0)
                                     : a.vel;
     a.grid = car_grid(arena, h, phase);
-    add_string(&a);
+    add_drag(&a);
     if (b.grid.nx > 0) {
-        add_string(&b);
+        add_drag(&b);
     }
     return (struct cr_case){.n = 2, .body = {a, b}, .opts = cr_opts_default()};
 }

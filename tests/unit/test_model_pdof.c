@@ -77,8 +77,8 @@ static void test_borders(void **state) {
         for (int k = 0; k < 4; k++) {
             char model[64];
             /* a wall at an angle counter-clockwise is hit from a direction clockwise */
-            snprintf(model, sizeof model, "{\"pdof\": %.3f%s}", border + (k % 2 ? 0.001 : -0.001),
-                     k / 2 ? ", \"blend\": true" : "");
+            snprintf(model, sizeof model, "{\"pdof\": %.3f, \"blend\": %s}",
+                     border + (k % 2 ? 0.001 : -0.001), k / 2 ? "true" : "false");
             hit[k / 2][k % 2] = against_wall(-border, model);
         }
         check_near(hit[1][0].ees, hit[1][1].ees, fabs(border - 180.0) == 45 ? 0.6 : 0.05);

@@ -274,13 +274,16 @@ static void one_effect_each(void **state) {
     cr_result_free(r);
 }
 
+#define NEAREST ",\"model\":{\"blend\":false}"
 static void paper_is_extended_without_its_settings(void **state) {
     (void)state;
     struct cr_result *paper = solved("\"method\":\"paper\"", OFFSET);
     struct cr_result *off = solved(
         "\"restitution\":0.1,\"friction\":0,\"induced\":false,\"heights\":false,\"dive\":false,"
-        "\"residual_curve\":true,\"elastic_ms\":5",
-        OFFSET);
+        "\"residual_curve\":true,\"elastic_ms\":5,\"dt_ms\":0.5",
+        SUV(",\"brake\":1" NEAREST),
+        "{\"id\":\"B\",\"kind\":\"vehicle\",\"type\":\"sedan\",\"mass_kg\":1500,"
+        "\"position_m\":[2.8,1.1],\"heading_deg\":180,\"speed_kmh\":50,\"brake\":1" NEAREST "}");
     const struct cr_solution *a = paper->solution, *b = off->solution;
     assert_int_equal(a->samples, b->samples);
     assert_int_equal(a->slices, b->slices);
@@ -295,8 +298,10 @@ static void paper_is_extended_without_its_settings(void **state) {
     cr_result_free(off);
 }
 
-/* the paper's limitation "no contact friction or snagging": 30 % overlap is not held together */
-static void offset_without_friction_slides_off(void **state) {
+/* The paper has no contact friction, and its offset crashes hold together: crushing material
+ * presses along its partner's surface, so 30 % overlap is not led aside by the axis of a small
+ * patch. */
+static void offset_without_friction_holds(void **state) {
     (void)state;
     static const char big[] =
         "{\"id\":\"A\",\"kind\":\"vehicle\",\"type\":\"suv\",\"mass_kg\":2500,"
@@ -307,15 +312,15 @@ static void offset_without_friction_slides_off(void **state) {
                                 "\"heading_deg\":180,\"speed_kmh\":56}";
     struct cr_result *paper = solved("\"method\":\"paper\"", big, small);
     struct cr_result *rough = solved("\"method\":\"paper\",\"friction\":0.5", big, small);
-    assert_true(paper->of[0].delta_v < 0.75 * rough->of[0].delta_v);
-    assert_int_equal(paper->solution->contact[0].stop, CR_STOP_NO_OVERLAP);
+    assert_true(paper->of[0].delta_v > 0.85 * rough->of[0].delta_v);
+    assert_int_equal(paper->solution->contact[0].stop, CR_STOP_MOMENTUM);
     assert_int_equal(rough->solution->contact[0].stop, CR_STOP_MOMENTUM);
     cr_result_free(paper);
     cr_result_free(rough);
 }
 
-/* a pole that has crushed a front corner turns the normal past 45 degrees: the flank's string, 12
- * times as strong as the front's, must not take the corner for a dent of the flank */
+/* a pole that has crushed a front corner turns the normal past 45 degrees: the flank, which
+ * is dragged along further than a front, must not take the corner for a dent of its own */
 static void corner_is_no_dent_of_the_flank(void **state) {
     (void)state;
     struct cr_result *r =
@@ -323,7 +328,7 @@ static void corner_is_no_dent_of_the_flank(void **state) {
                "{\"id\":\"B\",\"kind\":\"object\",\"shape\":\"pole\",\"radius_m\":0.254,"
                "\"position_m\":[0.4,0.713]}");
     assert_true(r->of[0].energy_induced < 0.5 * r->of[0].energy);
-    /* cars at the edge of a wall show 22 to 39 g [SMALL-OVERLAP]; the flank's string gave 70 */
+    /* cars at the edge of a wall show 22 to 39 g [SMALL-OVERLAP]; a dent of the flank gave 70 */
     assert_true(r->of[0].acceleration_max < 39 * CR_G);
     cr_result_free(r);
 }
@@ -370,7 +375,7 @@ int main(void) {
         cmocka_unit_test(each_switch_alone),
         cmocka_unit_test(one_effect_each),
         cmocka_unit_test(paper_is_extended_without_its_settings),
-        cmocka_unit_test(offset_without_friction_slides_off),
+        cmocka_unit_test(offset_without_friction_holds),
         cmocka_unit_test(corner_is_no_dent_of_the_flank),
         cmocka_unit_test(round_edges_lead_past),
     };

@@ -259,7 +259,9 @@ static void squeezed_between_two(void **state) {
         check_near(o[0].energy, o[2].energy, 0.005 * o[2].energy);
         check_near(o[1].energy, o[0].energy + o[2].energy, 0.005 * o[1].energy);
         if (k == 0) {
-            check_near(o[0].delta_v.x, -v, 0.01 * v);
+            /* its pairs are worked in turn, so the middle one swings by what a slice changes */
+            double swing = strength * width * cs.opts.dt / m;
+            check_near(o[0].delta_v.x, -v, 2 * swing);
             check_near(o[0].energy, 0.25 * m * v * v, 0.005 * 0.25 * m * v * v);
         }
         cr_solver_free(s);

@@ -125,7 +125,7 @@ static void slices_are_short_enough(void **state) {
     struct cr_arena arena = {0};
     struct cr_case cs = case_of(car_body(&arena, 0.025, -2.5, 0, 0, 60), wall_body(0, 0, CR_PI));
     struct cr_solver *s = solved(&cs);
-    check_near(cr_solver_solution(s)->dt, 0.5e-3 / 3, 1e-12);
+    check_near(cr_solver_solution(s)->dt, 0.5e-3 / 2, 1e-12);
     cr_solver_free(s);
     cs.body[0].vel.x = 20;
     s = solved(&cs);
