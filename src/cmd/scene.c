@@ -147,7 +147,7 @@ static enum cr_err complete_vehicle(struct cr_call *call, struct cr_scene *scene
         cr_err_hint(err, "type=super-compact, mini-compact, compact, station-wagon, sedan or suv");
         return cr_cmd_blame(call, "NAME", CR_ERR_MISSING);
     }
-    if (isfinite(p->mass)) {
+    if (isfinite(p->mass) || isfinite(p->kerb_mass) || isfinite(p->load)) {
         return CR_ERR_OK;
     }
     enum cr_err code = cr_session_need_models(call->s, err);

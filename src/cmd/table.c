@@ -42,6 +42,8 @@ static const struct cr_arg vehicle_args[] = {
     POSITION("NAME", CR_VALUE_NEW, .help = "its name, new or known"),
     KEY_OF("type", "type", V),
     KEY_OF("mass", "mass_kg", V),
+    KEY_OF("kerb", "kerb_mass_kg", V),
+    KEY_OF("load", "load_kg", V),
     KEY_OF("length", "length_m", V),
     KEY_OF("width", "width_m", V),
     KEY_OF("height", "height_m", V),

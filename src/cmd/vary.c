@@ -15,6 +15,8 @@ const struct cr_sweep_key cr_sweep_keys[] = {
     {"angle", NULL, 0, false, CR_DIM_ANGLE, "deg", "angle as placed"},
     {"at", NULL, 0, false, CR_DIM_LENGTH, "m", "place along the struck side, as placed"},
     {"mass", "mass_kg", 0, false, CR_DIM_MASS, "kg", "mass"},
+    {"kerb", "kerb_mass_kg", CR_FOR_VEHICLE, false, CR_DIM_MASS, "kg", "kerb mass"},
+    {"load", "load_kg", CR_FOR_VEHICLE, false, CR_DIM_MASS, "kg", "load"},
     {"heading", "heading_deg", 0, false, CR_DIM_ANGLE, "deg", "heading"},
     {"course", "course_deg", 0, false, CR_DIM_ANGLE, "deg", "direction of travel"},
     {"yawrate", "yaw_rate_deg_s", 0, false, CR_DIM_YAW_RATE, "deg/s", "yaw rate before"},

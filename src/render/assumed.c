@@ -12,6 +12,8 @@ static const struct {
     int decimals;
 } VALUES[] = {
     {"mass_kg", "mass", "kg", AT(mass), 0},
+    {"kerb_mass_kg", "kerb mass", "kg", AT(kerb_mass), 0},
+    {"load_kg", "load", "kg", AT(load), 0},
     {"length_m", "length", "m", AT(length), 2},
     {"width_m", "width", "m", AT(width), 2},
     {"height_m", "height", "m", AT(height), 2},

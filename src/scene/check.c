@@ -64,6 +64,25 @@ static enum cr_err check_limit(struct cr_reader *r, const struct limit *l) {
     return at_key(r, l->key, l->hint, text);
 }
 
+/* mass = kerb mass + load, whichever were given */
+static enum cr_err check_masses(struct cr_reader *r, const struct cr_participant *p) {
+    char text[160];
+    if (isnan(p->mass) || isnan(p->load)) {
+        return CR_ERR_OK;
+    }
+    if (!isnan(p->kerb_mass) && p->load > 0 && fabs(p->kerb_mass + p->load - p->mass) > 0.5) {
+        snprintf(text, sizeof text, "a load of %.6g kg on %.6g kg gives no mass of %.6g kg",
+                 p->load, p->kerb_mass, p->mass);
+        return at_key(r, "load_kg", "two of mass, kerb mass and load say it all", text);
+    }
+    if (p->load > 0.9 * p->mass) {
+        snprintf(text, sizeof text, "a load of %.6g kg leaves nothing of a mass of %.6g kg",
+                 p->load, p->mass);
+        return at_key(r, "load_kg", "mass_kg is kerb mass and load together", text);
+    }
+    return CR_ERR_OK;
+}
+
 static enum cr_err check_vehicle(struct cr_reader *r, const struct cr_participant *p) {
     /* the radius of gyration is below half the length even with all mass at both ends */
     const struct limit limits[] = {
@@ -87,6 +106,10 @@ static enum cr_err check_vehicle(struct cr_reader *r, const struct cr_participan
         if (code != CR_ERR_OK) {
             return code;
         }
+    }
+    enum cr_err masses = check_masses(r, p);
+    if (masses != CR_ERR_OK) {
+        return masses;
     }
     const struct cr_model_choice *m = &p->model;
     static const char *const faces[] = {"front", "side", "rear"};
@@ -172,6 +195,16 @@ static void hint_missing(struct cr_reader *r, const struct cr_key *key) {
     }
 }
 
+/* a vehicle's mass is asked for unless kerb mass or load say it */
+static enum cr_err mass_complete(struct cr_reader *r, const struct cr_participant *p) {
+    if (p->kind != CR_KIND_VEHICLE || !isnan(p->mass) || !isnan(p->kerb_mass) || !isnan(p->load)) {
+        return CR_ERR_OK;
+    }
+    cr_scene_fail(r, CR_ERR_MISSING, "vehicle \"%s\" has no \"mass_kg\"", p->id);
+    cr_err_hint(r->err, "mass as crashed, with load, in kg, or \"kerb_mass_kg\" and \"load_kg\"");
+    return CR_ERR_MISSING;
+}
+
 enum cr_err cr_scene_part_complete(struct cr_reader *r, const struct cr_participant *p) {
     unsigned mask = cr_scene_kind_mask(p);
     int n;
@@ -189,7 +222,7 @@ enum cr_err cr_scene_part_complete(struct cr_reader *r, const struct cr_particip
         hint_missing(r, key);
         return CR_ERR_MISSING;
     }
-    return CR_ERR_OK;
+    return mass_complete(r, p);
 }
 
 enum cr_err cr_scene_whole_check(struct cr_reader *r, const struct cr_scene *scene) {

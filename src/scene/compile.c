@@ -37,7 +37,7 @@ struct cr_model_query cr_scene_query(const struct cr_scene *scene, const struct 
                  .front_overhang = p->front_overhang,
                  .cg_behind_front_axle = p->cg_behind_front_axle,
                  .cg_height = p->cg_height},
-        .mass_kg = p->mass,
+        .mass_kg = p->kerb_mass + CR_TEST_LOAD,
         .voxel = scene->set.voxel,
         .curve = scene->set.residual_curve == 1 ? CR_CURVE_RESIDUAL : CR_CURVE_DYNAMIC,
         .z_hi = INFINITY,

@@ -16,13 +16,37 @@ struct basis {
     double ref_mass; /* kg */
 };
 
-/* Length: in proportion to a wheelbase that is given, else with the cube root of mass, the trend of
- * the class medians (exponents 0.36 to 0.38) [CLASS-SIZES], by no more than a fifth. */
+/* what is given of the kerb mass, also as what a load leaves of the mass; NaN: nothing */
+static double given_kerb_mass(const struct cr_participant *p) {
+    return isnan(p->kerb_mass) ? p->mass - p->load : p->kerb_mass;
+}
+
+/* Length: the type's, in proportion to a wheelbase that is given, else with the cube root of a kerb
+ * mass that is given, the trend of the class medians (exponents 0.36 to 0.38) [CLASS-SIZES], by no
+ * more than a fifth. Load makes no car longer. */
 static double rule_length(const struct basis *b) {
-    double size = !isnan(b->part->wheelbase)
-                      ? b->part->wheelbase / b->ref->wheelbase
-                      : cr_clamp(cbrt(b->part->mass / b->ref_mass), 0.8, 1.2);
-    return b->ref->length * size;
+    double kerb = given_kerb_mass(b->part);
+    if (!isnan(b->part->wheelbase)) {
+        return b->ref->length * b->part->wheelbase / b->ref->wheelbase;
+    }
+    double size = isnan(kerb) ? 1 : cbrt((kerb + CR_TEST_LOAD) / b->ref_mass);
+    return b->ref->length * cr_clamp(size, 0.8, 1.2);
+}
+
+/* Kerb mass: what is given of it; else the type's (its recipe has the mass as tested), with the
+ * power of length that is the inverse of that trend. */
+static double rule_kerb_mass(const struct basis *b) {
+    double kerb = given_kerb_mass(b->part), size = b->part->length / b->ref->length;
+    return isnan(kerb) ? (b->ref_mass - CR_TEST_LOAD) * pow(size, 2.7) : kerb;
+}
+
+static double rule_load(const struct basis *b) {
+    const struct cr_participant *p = b->part;
+    return isnan(p->mass) ? 0 : fmax(0, p->mass - p->kerb_mass);
+}
+
+static double rule_mass(const struct basis *b) {
+    return b->part->kerb_mass + b->part->load;
 }
 
 /* Width goes with the square root of length [CLASS-SIZES]. */
@@ -42,7 +66,8 @@ static double rule_wheelbase(const struct basis *b) {
 
 /* regressions of the type's recipe [TRACK-MASS], [CG-HEIGHT] */
 static double rule_track(const struct basis *b) {
-    double t = b->rules->track + b->rules->track_per_kg * b->part->mass;
+    double tested = b->part->kerb_mass + CR_TEST_LOAD;
+    double t = b->rules->track + b->rules->track_per_kg * tested;
     return cr_clamp(t, 0.7 * b->part->width, 0.9 * b->part->width);
 }
 
@@ -80,6 +105,9 @@ static const struct {
     {"width_m", rule_width},
     {"height_m", rule_height},
     {"wheelbase_m", rule_wheelbase},
+    {"kerb_mass_kg", rule_kerb_mass},
+    {"load_kg", rule_load},
+    {"mass_kg", rule_mass},
     {"track_m", rule_track},
     {"front_overhang_m", rule_overhang},
     {"cg.behind_front_axle_m", rule_cg},
@@ -115,6 +143,7 @@ static enum cr_err resolve_vehicle(struct cr_participant *p, const struct cr_mod
     }
     b.ref = cr_model_dims(lib, p->type, &b.ref_mass);
     b.rules = cr_model_rules(lib, p->type);
+    bool weighed = !isnan(p->mass), loaded = !isnan(p->load);
     for (size_t i = 0; i < sizeof rules / sizeof rules[0]; i++) {
         const struct cr_key *key =
             cr_scene_key_find(CR_KEYS_PARTICIPANT, rules[i].key, CR_FOR_VEHICLE);
@@ -123,7 +152,11 @@ static enum cr_err resolve_vehicle(struct cr_participant *p, const struct cr_mod
             continue;
         }
         *x = cr_round12(rules[i].rule(&b)); /* is read in the result, with all its digits */
-        code = assume(assumed, p->id, rules[i].key, err);
+        /* what follows from two given ones is no assumption */
+        bool follows = (strcmp(rules[i].key, "load_kg") == 0 && weighed) ||
+                       (strcmp(rules[i].key, "mass_kg") == 0) ||
+                       (strcmp(rules[i].key, "kerb_mass_kg") == 0 && weighed && loaded);
+        code = follows ? CR_ERR_OK : assume(assumed, p->id, rules[i].key, err);
         if (code != CR_ERR_OK) {
             return code;
         }

@@ -88,7 +88,9 @@ struct cr_model_choice {
 struct cr_participant {
     char id[CR_NAME_MAX];
     enum cr_kind kind;
-    double mass;                  /* kg; NaN: absent (an object is then fixed) */
+    double mass;                  /* kg, as crashed; NaN: absent (an object is then fixed) */
+    double kerb_mass, load;       /* of a vehicle, kg: its structure goes by the kerb mass, its
+                                     motion by the mass, which is kerb mass and load */
     double length, width, height; /* m */
     double friction;              /* of its surface, NaN: the setting */
     struct cr_vec2 pos;           /* CG of a vehicle, reference point of an object, m */
@@ -207,6 +209,10 @@ double cr_scene_cg_rule(double mass, double wheelbase);
 /* How far an end of a braking vehicle goes down, m, the rear comes up: quasi-static load transfer
  * on its springs. Given a resolved vehicle, the friction of the road, and which end. */
 double cr_scene_dive(const struct cr_participant *p, double road_friction, bool front);
+/* What a crash test adds to the kerb mass, kg: two dummies of 78 kg and some 25 kg of instruments.
+ * The models are of cars as tested. */
+#define CR_TEST_LOAD 180.0
+
 /* What the model library is asked for a resolved vehicle, over its whole height; pdof in rad. */
 struct cr_model_query cr_scene_query(const struct cr_scene *scene, const struct cr_participant *p,
                                      double pdof);

@@ -287,6 +287,13 @@ static void participant_schema(struct build *b, cJSON *defs, unsigned mask) {
         only(b, properties, "shape", name);
     }
     required_keys(b, to, CR_KEYS_PARTICIPANT, mask);
+    if (vehicle) { /* one of them says the mass */
+        cJSON *any = array(b, to, "anyOf");
+        static const char *const masses[] = {"mass_kg", "kerb_mass_kg", "load_kg"};
+        for (size_t i = 0; i < sizeof masses / sizeof masses[0]; i++) {
+            text(b, array(b, object(b, any, NULL), "required"), NULL, masses[i]);
+        }
+    }
     motion_rules(b, to, vehicle);
 }
 

@@ -74,8 +74,8 @@ static void begin_scene(struct cr_str *s, const struct cr_test *c, double mass, 
     cr_str_addf(s,
                 "{ \"crumple\": 1, \"name\": \"%s\", \"settings\": { \"restitution\": \"auto\" },\n"
                 "  \"participants\": [\n    { \"id\": \"car\", \"kind\": \"vehicle\", "
-                "\"type\": \"%s\", \"mass_kg\": %.10g,",
-                c->id, cr_type_word(c->type), mass);
+                "\"type\": \"%s\", \"mass_kg\": %.10g, \"kerb_mass_kg\": %.10g,",
+                c->id, cr_type_word(c->type), mass, mass - CR_TEST_LOAD);
     if (isfinite(width)) {
         cr_str_addf(s, " \"width_m\": %.10g,", width);
     }

@@ -37,7 +37,8 @@ static void compile(const struct cr_scene *s, struct cr_compiled *out) {
 
 #define WALL "\"id\": \"W\", \"kind\": \"object\", \"shape\": \"wall\", \"position_m\": [9, 0]"
 #define Q7                                                                                         \
-    "\"id\": \"A\", \"kind\": \"vehicle\", \"type\": \"suv\", \"mass_kg\": 2550,"                  \
+    "\"id\": \"A\", \"kind\": \"vehicle\", \"type\": \"suv\", \"mass_kg\": 2550, \"load_kg\": "    \
+    "180,"                                                                                         \
     "\"length_m\": 5.086, \"width_m\": 1.983, \"height_m\": 1.737, \"wheelbase_m\": 3.002,"        \
     "\"position_m\": [0, 0]"
 
@@ -52,6 +53,7 @@ static void test_regressions(void **state) {
     /* [TRACK-MASS] 1.330 + 1.39e-4 m; [CG-SHARE] (0.308 + 7.7e-5 m) WB; [CG-HEIGHT] 0.511 +
      * 8.05e-5 m; [YAW-INERTIA] 0.137 m L
      * WB */
+    check_near(a->kerb_mass, 2370, 1e-9);
     check_near(a->track, 1.68445, 1e-9);
     check_near(a->cg_behind_front_axle, 3.002 * 0.50435, 1e-9);
     check_near(a->cg_height, 0.716275, 1e-9);
@@ -75,7 +77,8 @@ static void test_regressions(void **state) {
     cr_scene_fini(&s);
 }
 
-static void test_sizes_from_type_and_mass(void **state) {
+/* a load makes no car longer and no structure stronger */
+static void test_sizes_from_type(void **state) {
     (void)state;
     double m;
     const struct cr_dims *ref = cr_model_dims(lib, CR_TYPE_COMPACT, &m);
@@ -83,23 +86,67 @@ static void test_sizes_from_type_and_mass(void **state) {
     scene_of(CAR_A, CAR_B, &s);
     struct cr_participant *a = &s.part[0], *b = &s.part[1];
     a->mass = m;
-    b->mass = m * 1.331; /* 1.1 cubed */
+    b->mass = m * 1.4;
     resolve(&s, NULL);
-    check_near(a->length, ref->length, 1e-12);
-    check_near(a->width, ref->width, 1e-12);
-    check_near(a->height, ref->height, 1e-12);
-    check_near(a->wheelbase, ref->wheelbase, 1e-12);
-    check_near(b->length, 1.1 * ref->length, 1e-9);
-    check_near(b->width, sqrt(1.1) * ref->width, 1e-9);
-    check_near(b->wheelbase, 1.1 * ref->wheelbase, 1e-9);
+    check_near(a->kerb_mass, m - CR_TEST_LOAD, 1e-9);
+    check_near(a->load, CR_TEST_LOAD, 1e-9);
+    check_near(b->kerb_mass, a->kerb_mass, 1e-9);
+    check_near(b->mass, m * 1.4, 1e-9);
+    check_near(b->load, m * 1.4 - a->kerb_mass, 1e-9);
+    for (int i = 0; i < 2; i++) {
+        check_near(s.part[i].length, ref->length, 1e-12);
+        check_near(s.part[i].width, ref->width, 1e-12);
+        check_near(s.part[i].height, ref->height, 1e-12);
+        check_near(s.part[i].wheelbase, ref->wheelbase, 1e-12);
+        check_near(cr_scene_query(&s, &s.part[i], 0).mass_kg, m, 1e-9);
+    }
+    check_near(b->yaw_inertia, 1.4 * a->yaw_inertia, 1e-6);
     cr_scene_fini(&s);
-    /* a wheelbase that is known decides the length; a lorry's mass does not make it endless */
+    /* a car that was built heavier is longer, by no more than a fifth */
+    scene_of(CAR_A, CAR_B, &s);
+    s.part[0].kerb_mass = m * 1.331 - CR_TEST_LOAD;
+    s.part[1].kerb_mass = 9000;
+    resolve(&s, NULL);
+    check_near(s.part[0].length, 1.1 * ref->length, 1e-9);
+    check_near(s.part[0].width, sqrt(1.1) * ref->width, 1e-9);
+    check_near(s.part[1].length, 1.2 * ref->length, 1e-9);
+    cr_scene_fini(&s);
+    /* a wheelbase that is known decides the length, and that the kerb mass */
     scene_of(CAR_A ", \"wheelbase_m\": 2.5", CAR_B, &s);
-    s.part[1].mass = 50000;
     resolve(&s, NULL);
     check_near(s.part[0].length, ref->length * 2.5 / ref->wheelbase, 1e-11);
-    check_near(s.part[1].length, 1.2 * ref->length, 1e-11);
-    check_near(s.part[1].track, 0.9 * s.part[1].width, 1e-11);
+    check_near(s.part[0].kerb_mass, (m - CR_TEST_LOAD) * pow(2.5 / ref->wheelbase, 2.7), 1e-6);
+    cr_scene_fini(&s);
+}
+
+/* any two of mass, kerb mass and load say the third */
+static void test_masses(void **state) {
+    (void)state;
+    struct cr_scene s;
+    struct cr_error err = {0};
+    static const struct {
+        double mass, kerb, load, want[3];
+    } rows[] = {
+        {1600, NAN, 200, {1600, 1400, 200}}, {NAN, 1400, 200, {1600, 1400, 200}},
+        {NAN, 1400, NAN, {1400, 1400, 0}},   {1600, 1400, NAN, {1600, 1400, 200}},
+        {1300, 1400, NAN, {1300, 1400, 0}},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        scene_of(CAR_A, CAR_B, &s);
+        s.part[0].mass = rows[i].mass;
+        s.part[0].kerb_mass = rows[i].kerb;
+        s.part[0].load = rows[i].load;
+        resolve(&s, NULL);
+        check_near(s.part[0].mass, rows[i].want[0], 1e-9);
+        check_near(s.part[0].kerb_mass, rows[i].want[1], 1e-9);
+        check_near(s.part[0].load, rows[i].want[2], 1e-9);
+        cr_scene_fini(&s);
+    }
+    scene_of(CAR_A, CAR_B, &s);
+    s.part[0].kerb_mass = 1300;
+    s.part[0].load = 400;
+    assert_int_equal(cr_scene_resolve(&s, lib, NULL, &err), CR_ERR_RANGE);
+    assert_non_null(strstr(err.where, "load_kg"));
     cr_scene_fini(&s);
 }
 
@@ -382,7 +429,7 @@ static void test_placed_without_gap_is_no_overlap(void **state) {
     struct cr_scene s;
     struct cr_compiled c;
     struct cr_error err = {0};
-    scene_of(CAR_A ", \"heading_deg\": 33", CAR_B, &s);
+    scene_of(CAR_A ", \"heading_deg\": 33, \"length_m\": 3.8", CAR_B ", \"length_m\": 3.8", &s);
     resolve(&s, NULL);
     for (size_t i = 0; i < sizeof how / sizeof how[0]; i++) {
         struct cr_solver *solver = NULL;
@@ -400,7 +447,8 @@ static void test_placed_without_gap_is_no_overlap(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_regressions),
-        cmocka_unit_test(test_sizes_from_type_and_mass),
+        cmocka_unit_test(test_sizes_from_type),
+        cmocka_unit_test(test_masses),
         cmocka_unit_test(test_methods_decide_what_is_not_given),
         cmocka_unit_test(test_elastic_phases_of_the_methods),
         cmocka_unit_test(test_contradictions_show_once_all_is_known),
