@@ -35,6 +35,7 @@ static const char help[] =
     "       crumple calibrate                fit the models to the crash tests again\n"
     "       crumple --help | --version\n"
     "\n"
+    "Commands take --ascii, --color=, --max-seconds=N and --max-memory=MB too, as run does.\n"
     "crumple run --help explains run, and likewise for the other words.\n"
     "Exit status: 0 done; 1 an assert or compare missed its tolerance, or a scene of a stack\n"
     "failed; 2 usage or file system; 3 a script or JSON file is invalid; 4 the solver failed;\n"

@@ -2,8 +2,10 @@
 tree_checks = tests/check_bootstrap.sh tests/check_circles.sh tests/check_examples.sh \
 	tests/check_includes.sh tests/check_manual.sh tests/check_map.sh tests/check_sources.sh \
 	tests/check_style.sh tests/check_symbols.sh
-cli_checks = tests/cli/bad_scene.sh tests/cli/completion.sh tests/cli/files.sh \
-	tests/cli/hostile.sh tests/cli/install.sh tests/cli/interrupt.sh tests/cli/run.sh tests/cli/same_bits.sh \
+cli_checks = tests/cli/bad_scene.sh tests/cli/budget.sh tests/cli/completion.sh \
+	tests/cli/faults.sh tests/cli/files.sh \
+	tests/cli/hostile.sh tests/cli/install.sh tests/cli/interrupt.sh tests/cli/run.sh \
+	tests/cli/same_bits.sh \
 	tests/cli/usage.sh
 TESTS += $(tree_checks) $(cli_checks)
 EXTRA_DIST += $(tree_checks) $(cli_checks) tests/cases/hostile tests/tap.sh tests/terminal.sh tests/cli/cli.sh
@@ -91,3 +93,10 @@ EXTRA_DIST += $(golden_checks) \
 	tests/golden/cmd/pair.crumple \
 	tests/golden/cmd/bad.crumple \
 	tests/golden/cmd/loop.crumple
+
+# a library that refuses calls of the system, for tests/cli/faults.sh
+check_DATA = fault.so
+fault.so: $(srcdir)/tests/fault.c
+	$(AM_V_CC)$(CC) -O1 -fPIC -shared -o $@ '$(srcdir)/tests/fault.c' -ldl || : >/dev/null
+EXTRA_DIST += tests/fault.c
+CLEANFILES += fault.so

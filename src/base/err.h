@@ -31,8 +31,8 @@
     X(NO_CONTACT, 4, "no-contact")                                                                 \
     X(SOLVER, 4, "solver")                                                                         \
     X(MEMORY, 4, "memory")                                                                         \
-    X(EXPENSIVE, 4, "too-expensive")                                                               \
-    X(INTERRUPTED, 130, "interrupted")
+    X(INTERRUPTED, 130, "interrupted")                                                             \
+    X(EXPENSIVE, 4, "too-expensive")
 
 enum cr_err {
 #define X(name, status, text) CR_ERR_##name,

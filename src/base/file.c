@@ -149,8 +149,7 @@ static enum cr_err write_in_place(const char *path, const char *text, size_t n,
     return failed != 0 ? io_error(err, path, "write") : CR_ERR_OK;
 }
 
-/* a new file gets the mode the umask leaves, an old one keeps its own */
-static void keep_mode(int fd, const char *path) {
+void cr_file_keep_mode(int fd, const char *path) {
     struct stat st;
     mode_t mode;
     if (stat(path, &st) == 0) {
@@ -166,8 +165,8 @@ static void keep_mode(int fd, const char *path) {
     }
 }
 
-/* A name is as lasting as its folder. A file system that keeps no folders (EINVAL) has no say. */
-static enum cr_err sync_folder(const char *path, struct cr_error *err) {
+/* a file system that keeps no folders (EINVAL) has no say */
+enum cr_err cr_file_sync_folder(const char *path, struct cr_error *err) {
     char folder[4096];
     cr_file_dir(path, folder, sizeof folder);
     int fd = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -226,7 +225,7 @@ static int name_it(int fd, const char *path, char tmp[TEMPORARY_SIZE]) {
 
 /* write and make lasting what a temporary file is to hold; closes nothing */
 static int fill(int fd, const char *path, const char *text, size_t n) {
-    keep_mode(fd, path);
+    cr_file_keep_mode(fd, path);
     return write_all(fd, text, n) != 0 || fsync(fd) != 0 ? -1 : 0;
 }
 
@@ -248,7 +247,7 @@ static enum cr_err write_named(const char *path, const char *text, size_t n, str
         code = errno;
     }
     if (!failed && rename(tmp, path) == 0) {
-        return sync_folder(path, err);
+        return cr_file_sync_folder(path, err);
     }
     code = failed ? code : errno;
     unlink(tmp);
@@ -278,7 +277,7 @@ static enum cr_err write_whole(const char *path, const char *text, size_t n, str
         return write_named(path, text, n, err);
     }
     errno = code;
-    return failed ? io_error(err, path, "write") : sync_folder(path, err);
+    return failed ? io_error(err, path, "write") : cr_file_sync_folder(path, err);
 }
 
 enum cr_err cr_file_write(const char *path, const char *text, size_t n, struct cr_error *err) {
@@ -291,65 +290,6 @@ enum cr_err cr_file_write(const char *path, const char *text, size_t n, struct c
     enum cr_err code = write_whole(target != NULL ? target : path, text, n, err);
     free(target);
     return code;
-}
-
-/* ---- writing piece by piece ---- */
-
-enum cr_err cr_file_out_open(const char *path, struct cr_file_out *out, struct cr_error *err) {
-    struct stat st;
-    *out = (struct cr_file_out){.fd = -1};
-    char *real = lstat(path, &st) == 0 && S_ISLNK(st.st_mode) ? realpath(path, NULL) : NULL;
-    const char *target = real != NULL ? real : path;
-    size_t size = strlen(target) + sizeof ".part";
-    out->target = malloc(size);
-    out->part = malloc(size);
-    if (out->target == NULL || out->part == NULL) {
-        free(real);
-        cr_file_out_close(out);
-        return cr_err_set(err, CR_ERR_MEMORY, "no memory for a name");
-    }
-    snprintf(out->target, size, "%s", target);
-    snprintf(out->part, size, "%s.part", target);
-    free(real);
-    if (stat(out->target, &st) == 0 && S_ISDIR(st.st_mode)) {
-        errno = EISDIR;
-        enum cr_err code = io_error(err, path, "write");
-        cr_file_out_close(out);
-        return code;
-    }
-    /* a link or pipe that somebody else has put there is not written through */
-    out->fd =
-        open(out->part, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
-    if (out->fd >= 0 && fstat(out->fd, &st) == 0 && S_ISREG(st.st_mode)) {
-        keep_mode(out->fd, out->target);
-        return CR_ERR_OK;
-    }
-    enum cr_err code =
-        out->fd >= 0 ? irregular(&st, out->part, err) : io_error(err, out->part, "write");
-    if (out->fd < 0 && lstat(out->part, &st) == 0 && S_ISLNK(st.st_mode)) {
-        cr_err_hint(err, "it is a link: take it away, or give -o another name");
-    }
-    cr_file_out_close(out);
-    return code;
-}
-
-enum cr_err cr_file_out_done(struct cr_file_out *p, struct cr_error *err) {
-    if (fsync(p->fd) != 0) {
-        return io_error(err, p->part, "write");
-    }
-    if (rename(p->part, p->target) != 0) {
-        return io_error(err, p->target, "rename to it");
-    }
-    return sync_folder(p->target, err);
-}
-
-void cr_file_out_close(struct cr_file_out *p) {
-    if (p->fd >= 0) {
-        close(p->fd);
-    }
-    free(p->target);
-    free(p->part);
-    *p = (struct cr_file_out){.fd = -1};
 }
 
 char *cr_file_part(const char *data_dir, const char *part, char *buf, size_t size) {

@@ -33,18 +33,11 @@ CR_MUST_CHECK enum cr_err cr_file_write(const char *path, const char *text, size
  * put a file where it was. */
 bool cr_file_in_place(const char *path);
 
-/* A file that is written piece by piece into PATH.part, which becomes PATH when it is complete.
- * Links and modes are treated as by cr_file_write; PATH.part itself must be a regular file or be
- * none. */
-struct cr_file_out {
-    char *target, *part; /* paths, owned; target is where a link leads to */
-    int fd;              /* of part, -1: not open */
-};
-CR_MUST_CHECK enum cr_err cr_file_out_open(const char *path, struct cr_file_out *out,
-                                           struct cr_error *err);
-/* fsync, rename, fsync of the folder. Errors: IO; part is then still there. */
-CR_MUST_CHECK enum cr_err cr_file_out_done(struct cr_file_out *p, struct cr_error *err);
-void cr_file_out_close(struct cr_file_out *p); /* leaves the file as it is */
+/* For what is written piece by piece: give the open file the mode of the one that it is going to
+ * replace, or what the umask leaves where there is none. */
+void cr_file_keep_mode(int fd, const char *path);
+/* Make the folder of a path lasting: a name is no more so than that. Errors: IO. */
+CR_MUST_CHECK enum cr_err cr_file_sync_folder(const char *path, struct cr_error *err);
 
 /* Where a part of a data folder ("irf", "validation/data") lies: below share/ in a source tree, at
  * its top once installed. "share/irf" is the same, and "models" has one place. Returns buf. */

@@ -314,6 +314,21 @@ enum cr_err cr_json_check(const char *text, size_t len, const char *src, struct 
     return CR_ERR_OK;
 }
 
+bool cr_json_large(const char *text, size_t len) {
+    long n = 0;
+    bool string = false;
+    for (size_t i = 0; i < len; i++) {
+        if (string && text[i] == '\\') {
+            i++;
+        } else if (text[i] == '"') {
+            string = !string;
+        } else if (!string && (text[i] == ',' || text[i] == '[' || text[i] == '{')) {
+            n++;
+        }
+    }
+    return n > CR_JSON_VALUES_MAX;
+}
+
 /* Skip a value of a checked text. */
 static void skip_value(struct scan *s) {
     int depth = 0;

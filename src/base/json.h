@@ -18,6 +18,11 @@ enum { CR_JSON_DEPTH_MAX = 100 };
 CR_MUST_CHECK enum cr_err cr_json_check(const char *text, size_t len, const char *src,
                                         struct cr_error *err);
 
+/* Whether a text has more than CR_JSON_VALUES_MAX values: the tree of such a one would take a
+ * gigabyte. Any text will do. */
+enum { CR_JSON_VALUES_MAX = 3000000 };
+bool cr_json_large(const char *text, size_t len);
+
 enum cr_json_part {
     CR_JSON_VALUE,    /* the value itself */
     CR_JSON_KEY,      /* its key, where it is a member of an object */

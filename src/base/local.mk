@@ -4,6 +4,7 @@ libbase_a_SOURCES = \
 	src/base/csv.c src/base/csv.h \
 	src/base/err.c src/base/err.h \
 	src/base/file.c src/base/file.h \
+	src/base/grow.c src/base/grow.h \
 	src/base/hash.c src/base/hash.h \
 	src/base/json.c src/base/json.h src/base/print.c \
 	src/base/number.c src/base/number.h \
@@ -13,6 +14,7 @@ libbase_a_SOURCES = \
 	src/base/show.c src/base/show.h \
 	src/base/stats.c src/base/stats.h \
 	src/base/str.c src/base/str.h \
+	src/base/tree.c src/base/tree.h \
 	src/base/unit_words.c \
 	src/base/units.c src/base/units.h \
 	src/base/vec.h

@@ -136,26 +136,34 @@ static enum cr_err solve(const struct cr_cli_shared *shared, const struct option
 
 /* ---- pictures ---- */
 
-static enum cr_err draw(const struct shown *s, const struct cr_look *look, int width,
-                        enum cr_project view, double slice_y, struct cr_str *out,
+/* what a drawing is of, and how wide */
+struct sheet {
+    struct cr_look look;
+    int width;
+    double slice_y;
+    struct cr_str *out;
+};
+
+static enum cr_err draw(const struct shown *s, const struct sheet *sheet, enum cr_project view,
                         struct cr_error *err) {
+    const struct cr_look *look = &sheet->look;
     struct cr_projection p = {
-        .view = view, .slice_y = slice_y, .voxels = &s->voxels, .ees = s->ees};
+        .view = view, .slice_y = sheet->slice_y, .voxels = &s->voxels, .ees = s->ees};
     if (s->result != NULL) {
         p.grid = &s->result->compiled.cs.body[s->body].grid;
         p.left = s->result->solution->body[s->body].left;
         p.face = s->result->of[s->body].face;
     }
     struct cr_cells cells;
-    int rows = cr_render_projection_rows(&p, width, ROWS_MAX);
+    int width = sheet->width, rows = cr_render_projection_rows(&p, width, ROWS_MAX);
     enum cr_err code = cr_cells_new(width, rows, &cells, err);
     if (code != CR_ERR_OK) {
         return code;
     }
     code = cr_render_projection(&cells, (struct cr_rect){0, 0, width, rows}, look, &p, err);
     if (code == CR_ERR_OK) {
-        cr_cells_text(&cells, look, out);
-        cr_str_add(out, "\n");
+        cr_cells_text(&cells, look, sheet->out);
+        cr_str_add(sheet->out, "\n");
     }
     cr_cells_fini(&cells);
     return code;
@@ -164,11 +172,11 @@ static enum cr_err draw(const struct shown *s, const struct cr_look *look, int w
 static enum cr_err draw_views(struct shown *s, const struct options *opt, struct cr_str *out,
                               struct cr_error *err) {
     const struct cr_voxels *v = &s->voxels;
-    double slice_y = 0;
+    struct sheet sheet = {.out = out};
     if (opt->at != NULL) {
         char *end = NULL;
-        slice_y = strtod(opt->at, &end);
-        if (end == opt->at || *end != '\0' || !(fabs(slice_y) <= v->dims.width / 2)) {
+        sheet.slice_y = strtod(opt->at, &end);
+        if (end == opt->at || *end != '\0' || !(fabs(sheet.slice_y) <= v->dims.width / 2)) {
             enum cr_err code =
                 cr_err_set(err, CR_ERR_USAGE, "--at %s is not on the vehicle", opt->at);
             cr_err_hint(err, "m from the centre line, left is positive, up to %.2f",
@@ -182,43 +190,35 @@ static enum cr_err draw_views(struct shown *s, const struct options *opt, struct
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for the picture of %s", v->name);
     }
     enum cr_err code = cr_voxels_ees(v, s->ees, err);
-    int width;
-    struct cr_look look = cr_cli_look_of(&opt->look, false, &width);
+    sheet.look = cr_cli_look_of(&opt->look, false, &sheet.width);
     static const enum cr_project all[] = {CR_PROJECT_SIDE, CR_PROJECT_TOP, CR_PROJECT_FRONT};
     for (int i = 0; i < 3 && code == CR_ERR_OK; i++) {
         if (opt->view == VIEW_ALL && (!v->flat || all[i] == CR_PROJECT_TOP)) {
-            code = draw(s, &look, width, all[i], slice_y, out, err);
+            code = draw(s, &sheet, all[i], err);
         }
     }
     if (opt->view != VIEW_ALL && code == CR_ERR_OK) {
-        code = draw(s, &look, width, (enum cr_project)(opt->view - 1), slice_y, out, err);
+        code = draw(s, &sheet, (enum cr_project)(opt->view - 1), err);
     }
     return code;
 }
 
 /* ---- output ---- */
 
-static enum cr_err export_to(const struct shown *s, const char *name, const struct options *opt,
-                             const struct cr_model_papers *papers, const struct cr_model_lib *lib,
+/* `to` says the format; `origin` is what is known of the model, NULL: nothing */
+static enum cr_err export_to(const struct shown *s, const char *to, const char *origin,
                              struct cr_str *out, struct cr_error *err) {
-    size_t n = strlen(opt->to);
-    struct cr_str origin = {0};
-    struct cr_model_name model;
-    if (n > 4 && strcasecmp(opt->to + n - 4, ".csv") == 0) {
+    size_t n = strlen(to);
+    if (n > 4 && strcasecmp(to + n - 4, ".csv") == 0) {
         cr_voxels_csv(&s->voxels, out);
-    } else if (!is_file(opt->to)) {
-        enum cr_err code =
-            cr_err_set(err, CR_ERR_USAGE, "--to %s is neither .json nor .csv", opt->to);
-        cr_err_hint(err, "the suffix decides the format");
-        return code;
-    } else {
-        bool known = !is_file(name) && cr_model_name_read(name, &model, NULL) == CR_ERR_OK;
-        if (known) {
-            cr_model_provenance(papers, lib, model.type, model.clock, &origin);
-        }
-        cr_voxels_json(&s->voxels, known ? cr_str_get(&origin) : NULL, out);
+        return CR_ERR_OK;
     }
-    cr_str_fini(&origin);
+    if (!is_file(to)) {
+        cr_err_set(err, CR_ERR_USAGE, "--to %s is neither .json nor .csv", to);
+        cr_err_hint(err, "the suffix decides the format");
+        return CR_ERR_USAGE;
+    }
+    cr_voxels_json(&s->voxels, origin, out);
     return CR_ERR_OK;
 }
 
@@ -250,18 +250,25 @@ static enum cr_err show(const char *name, const struct options *opt,
                         const struct cr_cli_shared *shared, const struct cr_model_papers *papers,
                         struct cr_str *out, struct cr_error *err) {
     struct shown s = {.body = -1};
+    struct cr_model_name model;
+    struct cr_str origin = {0};
+    bool known =
+        name != NULL && !is_file(name) && cr_model_name_read(name, &model, NULL) == CR_ERR_OK;
     enum cr_err code =
         opt->crash != NULL ? solve(shared, opt, &s, err) : load(name, shared->models, opt, &s, err);
     if (code == CR_ERR_OK && opt->to != NULL) {
-        code = export_to(&s, name != NULL ? name : "", opt, papers, shared->models, out, err);
+        if (known) {
+            cr_model_provenance(papers, shared->models, model.type, model.clock, &origin);
+        }
+        code = export_to(&s, opt->to, known ? cr_str_get(&origin) : NULL, out, err);
     } else if (code == CR_ERR_OK) {
-        struct cr_model_name model;
-        if (name != NULL && !is_file(name) && cr_model_name_read(name, &model, NULL) == CR_ERR_OK) {
+        if (known) {
             cr_model_list_text(papers, (int)model.type, model.clock, out);
             cr_str_add(out, "\n");
         }
         code = draw_views(&s, opt, out, err);
     }
+    cr_str_fini(&origin);
     cr_result_free(s.result);
     cr_arena_free(&s.arena);
     return code;

@@ -5,6 +5,7 @@
 
 #include "base/file.h"
 #include "base/json.h"
+#include "base/tree.h"
 #include "base/vec.h"
 
 #include <cjson/cJSON.h>
@@ -106,13 +107,13 @@ void cr_model_list_text(const struct cr_model_papers *papers, int type, int cloc
 
 /* the tests behind a model */
 static void put_basis(cJSON *o, const struct row *r) {
-    cJSON_AddNumberToObject(o, "tests", r->tests);
-    cJSON_AddNumberToObject(o, "borrowed", r->borrowed);
+    cr_tree_number(o, "tests", r->tests);
+    cr_tree_number(o, "borrowed", r->borrowed);
     if (isfinite(r->mpe)) {
-        cJSON_AddNumberToObject(o, "depth_mpe_percent", r->mpe);
-        cJSON_AddNumberToObject(o, "depth_sd_percent", r->sd);
+        cr_tree_number(o, "depth_mpe_percent", r->mpe);
+        cr_tree_number(o, "depth_sd_percent", r->sd);
     }
-    cJSON_AddStringToObject(o, "basis", r->basis);
+    cr_tree_text(o, "basis", r->basis);
 }
 
 enum cr_err cr_model_list_json(const struct cr_model_papers *papers, int type, int clock,
@@ -126,10 +127,10 @@ enum cr_err cr_model_list_json(const struct cr_model_papers *papers, int type, i
         }
         cJSON *o = cJSON_CreateObject();
         snprintf(name, sizeof name, "%s/%d", cr_type_word(r.type), r.clock);
-        cJSON_AddStringToObject(o, "model", name);
-        cJSON_AddStringToObject(o, "face", r.face);
+        cr_tree_text(o, "model", name);
+        cr_tree_text(o, "face", r.face);
         put_basis(o, &r);
-        cJSON_AddItemToArray(list, o);
+        cr_tree_push(list, o);
     }
     if (!cr_json_add(list, true, out)) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for the list");
@@ -194,8 +195,8 @@ void cr_model_provenance(const struct cr_model_papers *papers, const struct cr_m
                          enum cr_type type, int clock, struct cr_str *out) {
     cJSON *o = cJSON_CreateObject();
     struct row r = row_of(papers, type, clock);
-    cJSON_AddStringToObject(o, "program", PACKAGE_STRING);
-    cJSON_AddStringToObject(o, "recipe_sha256", cr_model_hash(lib, type));
+    cr_tree_text(o, "program", PACKAGE_STRING);
+    cr_tree_text(o, "recipe_sha256", cr_model_hash(lib, type));
     put_basis(o, &r);
     if (!cr_json_add(o, false, out)) {
         cr_str_add(out, "{}");

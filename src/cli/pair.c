@@ -4,6 +4,7 @@
 #include "base/json.h"
 #include "base/number.h"
 #include "base/stats.h"
+#include "base/tree.h"
 #include "result/result.h"
 
 #include <cjson/cJSON.h>
@@ -72,25 +73,27 @@ long cr_pair_home(struct cr_pair_set *set, const char *name, long number) {
     return p->home;
 }
 
-cJSON *cr_pair_reduce(const cJSON *result) {
+cJSON *cr_pair_reduce(const cJSON *result, bool *no_memory) {
     static const char *const kept[] = {"id", "ees_kmh", "delta_v_kmh", "injury"};
     const cJSON *list = cJSON_GetObjectItemCaseSensitive(result, "participants"), *p;
+    *no_memory = false;
     if (list == NULL) {
         return NULL;
     }
-    cJSON *small = cJSON_CreateObject(), *parts = cJSON_AddArrayToObject(small, "participants");
-    cJSON_AddItemToObject(small, "scene",
-                          cJSON_Duplicate(cJSON_GetObjectItemCaseSensitive(result, "scene"), true));
+    cJSON *small = cJSON_CreateObject(), *parts = cr_tree_array(small, "participants");
+    cr_tree_put(small, "scene",
+                cJSON_Duplicate(cJSON_GetObjectItemCaseSensitive(result, "scene"), true));
     cJSON_ArrayForEach(p, list) {
         cJSON *one = cJSON_CreateObject();
         for (size_t i = 0; i < sizeof kept / sizeof kept[0]; i++) {
             const cJSON *item = cJSON_GetObjectItemCaseSensitive(p, kept[i]);
             if (item != NULL) {
-                cJSON_AddItemToObject(one, kept[i], cJSON_Duplicate(item, true));
+                cr_tree_put(one, kept[i], cJSON_Duplicate(item, true));
             }
         }
-        cJSON_AddItemToArray(parts, one);
+        cr_tree_push(parts, one);
     }
+    *no_memory = small == NULL || !cr_tree_whole(small);
     return small;
 }
 
@@ -130,7 +133,7 @@ static void put_difference(cJSON *to, const char *key, const cJSON *a, const cJS
     const cJSON *y = cJSON_GetObjectItemCaseSensitive(b, key);
     bool both = cJSON_IsNumber(x) && cJSON_IsNumber(y);
     double d = both ? y->valuedouble - x->valuedouble : (double)NAN;
-    cJSON_AddItemToObject(to, key, both ? cJSON_CreateNumber(cr_round12(d)) : cJSON_CreateNull());
+    cr_tree_put(to, key, both ? cJSON_CreateNumber(cr_round12(d)) : cJSON_CreateNull());
 }
 
 static cJSON *difference(const struct pair *p) {
@@ -144,19 +147,19 @@ static cJSON *difference(const struct pair *p) {
             continue;
         }
         cJSON *one = cJSON_CreateObject(), *risk;
-        cJSON_AddItemToArray(list, one);
-        cJSON_AddStringToObject(one, "id", name_of(a, "id"));
+        cr_tree_push(list, one);
+        cr_tree_text(one, "id", name_of(a, "id"));
         put_difference(one, "ees_kmh", a, b);
         put_difference(one, "delta_v_kmh", a, b);
-        cJSON *injury = cJSON_AddArrayToObject(one, "injury");
+        cJSON *injury = cr_tree_array(one, "injury");
         cJSON_ArrayForEach(risk, cJSON_GetObjectItemCaseSensitive(a, "injury")) {
             const char *name = name_of(risk, "function");
             const cJSON *other =
                 named(cJSON_GetObjectItemCaseSensitive(b, "injury"), "function", name);
             if (other) {
                 cJSON *r = cJSON_CreateObject();
-                cJSON_AddItemToArray(injury, r);
-                cJSON_AddStringToObject(r, "function", name);
+                cr_tree_push(injury, r);
+                cr_tree_text(r, "function", name);
                 put_difference(r, "probability", risk, other);
             }
         }
@@ -181,18 +184,17 @@ static enum cr_err write_pair(const struct pair *p, const struct cr_result_opts 
         cr_err_hint(&what, "a pair is two scenes with one \"pair\" name");
         ++*failed;
         cJSON *json = cr_result_error_tree(p->name, &what, form);
-        cJSON_AddStringToObject(json, "pair", p->name);
+        cr_tree_text(json, "pair", p->name);
         return print(json, out, err);
     }
     cJSON *json = cJSON_CreateObject();
-    cJSON_AddNumberToObject(json, "crumple_result",
-                            form->version ? form->version : CR_RESULT_VERSION);
-    cJSON_AddStringToObject(json, "pair", p->name);
-    cJSON *scenes = cJSON_AddArrayToObject(json, "scenes");
+    cr_tree_number(json, "crumple_result", form->version ? form->version : CR_RESULT_VERSION);
+    cr_tree_text(json, "pair", p->name);
+    cJSON *scenes = cr_tree_array(json, "scenes");
     for (int i = 0; i < 2; i++) {
-        cJSON_AddItemToArray(scenes, cJSON_CreateString(name_of(p->part[i], "scene")));
+        cr_tree_push(scenes, cJSON_CreateString(name_of(p->part[i], "scene")));
     }
-    cJSON_AddItemToObject(json, "difference", difference(p));
+    cr_tree_put(json, "difference", difference(p));
     return print(json, out, err);
 }
 

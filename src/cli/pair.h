@@ -15,9 +15,10 @@ void cr_pair_free(struct cr_pair_set *set);
  * name, that of the first for the second. Shards keep pairs together by it. -1 without memory. */
 long cr_pair_home(struct cr_pair_set *set, const char *pair, long number);
 
-/* Keep of a result what the comparison needs; NULL for an error object. The caller deletes it. */
+/* Keep of a result what the comparison needs; NULL for an error object, and
+ * with *no_memory. The caller deletes it. */
 struct cJSON;
-struct cJSON *cr_pair_reduce(const struct cJSON *result);
+struct cJSON *cr_pair_reduce(const struct cJSON *result, bool *no_memory);
 
 /* Note a scene of a pair by what was kept of its result (NULL: unsolved), which is owned from now
  * on. Errors: MEMORY. */

@@ -109,6 +109,9 @@ enum cr_err cr_part_open(struct cr_part *part, struct cr_error *err) {
         return code;
     }
     int fd = open(cr_str_get(&part->name), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (fd >= 0) {
+        cr_file_keep_mode(fd, target);
+    }
     part->file = fd >= 0 ? fdopen(fd, "w") : NULL;
     if (part->file == NULL && fd >= 0) {
         close(fd);
@@ -135,7 +138,7 @@ enum cr_err cr_part_finish(struct cr_part *part, struct cr_error *err) {
         unlink(attempt(part, i, &old));
     }
     cr_str_fini(&old);
-    return CR_ERR_OK;
+    return cr_file_sync_folder(target, err);
 }
 
 void cr_part_fini(struct cr_part *part) {

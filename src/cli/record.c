@@ -2,6 +2,7 @@
 #include "cli/record.h"
 
 #include "base/json.h"
+#include "base/tree.h"
 #include "cli/pair.h"
 
 #include <cjson/cJSON.h>
@@ -31,7 +32,8 @@ static cJSON *label(cJSON *tree, long index, const char *name, const char *pair)
     const char *s = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(tree, "scene"));
     name = s != NULL && s[0] != '\0' ? s : name;
     const cJSON *version = cJSON_GetObjectItemCaseSensitive(tree, "crumple_result");
-    bool done = append(out, "crumple_result", cJSON_Duplicate(version, false)) &&
+    bool done = cr_tree_whole(tree) &&
+                append(out, "crumple_result", cJSON_Duplicate(version, false)) &&
                 append(out, "index", cJSON_CreateNumber((double)index)) &&
                 append(out, "scene", cJSON_CreateString(name));
     if (pair[0] != '\0') {
@@ -57,7 +59,7 @@ static cJSON *keep(cJSON *tree) {
     cJSON *trace = cJSON_DetachItemFromObjectCaseSensitive(tree, "trace");
     cJSON *copy = cJSON_Duplicate(tree, true);
     if (trace != NULL) {
-        cJSON_AddItemToObject(tree, "trace", trace);
+        cr_tree_put(tree, "trace", trace);
     }
     return copy;
 }
@@ -71,7 +73,9 @@ enum cr_err cr_record_make(struct cr_record *record, cJSON *tree, long index, co
         done = record->kept != NULL;
     }
     if (done && record->pair[0] != '\0') {
-        record->compared = cr_pair_reduce(tree);
+        bool no_memory;
+        record->compared = cr_pair_reduce(tree, &no_memory);
+        done = !no_memory;
     }
     record->failed = cJSON_HasObjectItem(tree, "error");
     if (!form->resolved) {

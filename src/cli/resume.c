@@ -4,6 +4,9 @@
 
 #include "cli/resume.h"
 
+#include "base/file.h"
+#include "base/json.h"
+
 #include <cjson/cJSON.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -84,7 +87,10 @@ static enum cr_err add(struct cr_resume *r, const struct entry *e, struct cr_err
 
 static enum cr_err index_file(struct cr_resume *r, const char *path, const struct cr_model_lib *lib,
                               const struct cr_result_opts *form, struct cr_error *err) {
-    FILE *f = fopen(path, "r");
+    FILE *f = cr_file_check_regular(path, err) == CR_ERR_OK ? fopen(path, "r") : NULL;
+    if (f == NULL && err->code == CR_ERR_IO) {
+        return CR_ERR_IO;
+    }
     r->fd[r->files] = open(path, O_RDONLY | O_CLOEXEC);
     if (!f || r->fd[r->files] < 0) {
         cr_err_set(err, CR_ERR_IO, "cannot open: %s", strerror(errno));
@@ -107,7 +113,8 @@ static enum cr_err index_file(struct cr_resume *r, const char *path, const struc
         if (line[n - 1] != '\n') {
             break; // the last line of an interrupted stack may be cut
         }
-        cJSON *json = cJSON_Parse(line);
+        bool whole = cr_json_check(line, (size_t)n, NULL, NULL) == CR_ERR_OK;
+        cJSON *json = whole ? cJSON_ParseWithLength(line, (size_t)n) : NULL;
         if (!cJSON_HasObjectItem(json, "crumple_result")) {
             rc = cr_err_set(err, CR_ERR_SYNTAX, "this is no result");
             cr_err_hint(err, "--resume takes what crumple stack has written");
@@ -169,6 +176,20 @@ void cr_resume_free(struct cr_resume *r) {
     }
 }
 
+/* whether a line holds the hash of the scene */
+static bool names(const char *line, size_t len, const char *hash) {
+    size_t n = strlen(hash);
+    for (const char *p = line; len >= n && (p = memchr(p, hash[0], len - n + 1)) != NULL;) {
+        if (memcmp(p, hash, n) == 0) {
+            return true;
+        }
+        p++;
+        len -= (size_t)(p - line);
+        line = p;
+    }
+    return false;
+}
+
 bool cr_resume_line(struct cr_resume *r, const char hash[CR_HASH_SIZE], struct cr_str *out) {
     if (!r || r->n == 0) {
         return false;
@@ -184,7 +205,8 @@ bool cr_resume_line(struct cr_resume *r, const char hash[CR_HASH_SIZE], struct c
         done += ok ? (size_t)n : 0;
     }
     // the file may have been written to since it was indexed
-    ok = ok && buf[e->len - 1] == '\n' && memchr(buf, '\n', e->len) == buf + e->len - 1;
+    ok = ok && buf[e->len - 1] == '\n' && memchr(buf, '\n', e->len) == buf + e->len - 1 &&
+         cr_json_check(buf, e->len, NULL, NULL) == CR_ERR_OK && names(buf, e->len, hash);
     if (ok) {
         cr_str_addn(out, buf, e->len);
     }

@@ -4,6 +4,7 @@
 #include "base/arena.h"
 #include "base/json.h"
 #include "base/number.h"
+#include "base/tree.h"
 #include "result/names.h"
 
 #include <cjson/cJSON.h>
@@ -168,20 +169,20 @@ enum cr_err cr_rows_json(const struct cr_fields *fields, const cJSON *record, st
     for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
         const cJSON *item = cJSON_GetObjectItemCaseSensitive(record, keys[i]);
         if (item != NULL) {
-            cJSON_AddItemToObject(row, keys[i], cJSON_Duplicate(item, true));
+            cr_tree_put(row, keys[i], cJSON_Duplicate(item, true));
         }
     }
     const cJSON *error = cJSON_GetObjectItemCaseSensitive(record, "error");
     if (error != NULL) {
-        cJSON_AddItemToObject(row, "error", cJSON_Duplicate(error, true));
+        cr_tree_put(row, "error", cJSON_Duplicate(error, true));
     }
     for (int i = 0; i < fields->n && error == NULL; i++) {
         const char *text;
         double x = cr_fields_value(record, fields->name[i], &text);
-        cJSON_AddItemToObject(row, fields->name[i],
-                              text != NULL  ? cJSON_CreateString(text)
-                              : isfinite(x) ? cJSON_CreateNumber(x)
-                                            : cJSON_CreateNull());
+        cr_tree_put(row, fields->name[i],
+                    text != NULL  ? cJSON_CreateString(text)
+                    : isfinite(x) ? cJSON_CreateNumber(x)
+                                  : cJSON_CreateNull());
     }
     bool done = cr_json_add(row, false, out);
     cr_str_add(out, "\n");

@@ -18,6 +18,7 @@ struct run_options {
     const char *out;
     struct cr_option_values set, pictures;
     struct cr_cli_look look;
+    struct cr_cli_budget budget;
 };
 
 static const char about[] =
@@ -88,7 +89,9 @@ static enum cr_err run(const char *path, const struct run_options *opt, struct c
         code = cr_cli_open(&shared, CR_CLI_NEEDED, err);
     }
     if (code == CR_ERR_OK) {
-        code = cr_result_run(&scene, &shared.ctx, &result, err);
+        struct cr_cli_work work;
+        const struct cr_context ctx = cr_cli_context(&shared, &opt->budget, &work);
+        code = cr_result_run(&scene, &ctx, &result, err);
         /* faults that show once all is known have a pointer, which leads to the line */
         if (code != CR_ERR_OK && err->src[0] == '\0') {
             cr_scene_locate_file(path, name, err);
@@ -104,7 +107,8 @@ static enum cr_err run(const char *path, const struct run_options *opt, struct c
 }
 
 int cr_cli_run(int argc, char **argv) {
-    struct run_options opt = {.format = FORMAT_OPEN, .version = CR_RESULT_VERSION};
+    struct run_options opt = {
+        .format = FORMAT_OPEN, .version = CR_RESULT_VERSION, .budget = CR_CLI_BUDGET};
     const struct cr_option table[] = {
         {.name = "format",
          .letter = 'f',
@@ -132,6 +136,7 @@ int cr_cli_run(int argc, char **argv) {
          .arg = "[WHAT=]FILE",
          .values = &opt.pictures,
          .help = "draw FILE.svg, .pdf or .png; WHAT is before, after, 40ms, pulse ... (overview)"},
+        CR_CLI_BUDGET_OPTIONS(&opt.budget),
         CR_CLI_LOOK_OPTIONS(&opt.look),
     };
     const struct cr_usage usage = {.word = "run",

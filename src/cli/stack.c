@@ -8,10 +8,12 @@
 #include "cli/word.h"
 
 #include "base/file.h"
+#include "base/json.h"
 #include "base/pool.h"
 
 #include <cjson/cJSON.h>
 #include <errno.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -33,6 +35,7 @@ struct options {
     bool trace, resolved, progress;
     int version; /* of the results */
     struct cr_option_values set, resume;
+    struct cr_cli_budget budget;
     struct cr_sink_options sink;
 };
 
@@ -65,7 +68,7 @@ static struct cr_result_opts form_of(const struct options *opt) {
 /* name of the pair in a scene's text, without checking the rest */
 static void peek_pair(const struct cr_feed_item *in, char pair[CR_NAME_MAX]) {
     pair[0] = '\0';
-    if (!in->text || !strstr(in->text, "\"pair\"")) {
+    if (!in->text || !strstr(in->text, "\"pair\"") || cr_json_large(in->text, in->len)) {
         return;
     }
     cJSON *json = cJSON_ParseWithLength(in->text, in->len);
@@ -121,7 +124,8 @@ static void *take(void *user) {
 
 /* name of a scene that did not get so far as to be read */
 static void peek_name(const struct cr_feed_item *in, char name[CR_NAME_MAX]) {
-    cJSON *json = in->text ? cJSON_ParseWithLength(in->text, in->len) : NULL;
+    bool fits = in->text && !cr_json_large(in->text, in->len);
+    cJSON *json = fits ? cJSON_ParseWithLength(in->text, in->len) : NULL;
     const char *s = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(json, "name"));
     snprintf(name, CR_NAME_MAX, "%s", s ? s : "");
     cJSON_Delete(json);
@@ -164,7 +168,9 @@ static enum cr_err solve(const struct stack *s, const struct cr_scene *scene, bo
             return rc;
         }
     }
-    rc = cr_result_run(scene, &s->shared.ctx, &result, err);
+    struct cr_cli_work work;
+    const struct cr_context ctx = cr_cli_context(&s->shared, &s->opt->budget, &work);
+    rc = cr_result_run(scene, &ctx, &result, err);
     struct cr_result_opts form = form_of(s->opt);
     form.resolved = resolved;
     rc = rc ? rc : cr_result_tree(result, &form, out, err);
@@ -433,6 +439,7 @@ static int read_options(int argc, char **argv, struct options *opt, int *operand
          .values = &opt->set,
          .help = "override a setting or value in every scene"},
         {.name = "trace", .letter = 't', .flag = &opt->trace, .help = "with the time series"},
+        CR_CLI_BUDGET_OPTIONS(&opt->budget),
         {.name = "resolved", .flag = &opt->resolved, .help = "with the resolved scenes"},
         CR_SINK_OPTIONS(&opt->sink),
         CR_CLI_VERSION_OPTION(&opt->version),
@@ -448,7 +455,7 @@ static int read_options(int argc, char **argv, struct options *opt, int *operand
 }
 
 int cr_cli_stack(int argc, char **argv) {
-    struct options opt = {.version = CR_RESULT_VERSION};
+    struct options opt = {.version = CR_RESULT_VERSION, .budget = CR_CLI_BUDGET};
     struct cr_error err = {0};
     int operands;
     long failed;

@@ -55,6 +55,33 @@ int cr_cli_cancelled(void *unused);
         .help = "form of the JSON: 2 (default), or 1 as before impacts were told singly"           \
     }
 
+/* What one scene may cost: rows for an option table (CR_CLI_BUDGET_OPTIONS(&x)); begin with
+ * CR_CLI_BUDGET. */
+struct cr_cli_budget {
+    int seconds, megabytes; /* of processor time and memory */
+};
+#define CR_CLI_BUDGET                                                                              \
+    { CR_MAX_SECONDS, CR_MAX_MEGABYTES }
+#define CR_CLI_BUDGET_OPTIONS(b)                                                                   \
+    {.name = "max-seconds",                                                                        \
+     .arg = "N",                                                                                   \
+     .number = &(b)->seconds,                                                                      \
+     .lo = 1,                                                                                      \
+     .hi = 1000000,                                                                                \
+     .help = "processor time one scene may take (20)"},                                            \
+    {                                                                                              \
+        .name = "max-memory", .arg = "MB", .number = &(b)->megabytes, .lo = 1, .hi = 1000000,      \
+        .help = "memory one scene may take, in MB (1024)"                                          \
+    }
+/* The context for one solve of the calling thread under that budget; its time begins now. `work`
+ * lives as long as the context. */
+struct cr_cli_work {
+    double end; /* of its time, s of processor time of the thread */
+    unsigned polls;
+};
+struct cr_context cr_cli_context(const struct cr_cli_shared *shared,
+                                 const struct cr_cli_budget *budget, struct cr_cli_work *work);
+
 /* --color, --ascii, --width: rows for an option table (CR_CLI_LOOK_OPTIONS(&x)), and what they
  * come to for output to a file or (to_file false) standard output. */
 struct cr_cli_look {

@@ -22,6 +22,9 @@ void cr_session_autosave(struct cr_session *s) {
     } else if (cr_scene_save(&cr_session_now(s)->scene, s->autosave, &err) != CR_ERR_OK) {
         cr_warn(s, "no autosave: %s", err.text);
         s->autosave[0] = '\0';
+    } else if (s->recovered[0] != '\0') { /* what it held is in ours now */
+        unlink(s->recovered);
+        s->recovered[0] = '\0';
     }
 }
 

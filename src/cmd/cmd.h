@@ -149,6 +149,8 @@ struct cr_session_opts {
     const char *data_dir;  /* folder of models/ and share/; "" if there is none */
     const char *state_dir; /* folder for the autosave, NULL: none is kept */
     bool ask;              /* quit asks when changes are unsaved */
+    int max_seconds;   /* of processor time for one solve, 0: any; somebody at a prompt has ^C */
+    int max_megabytes; /* of memory for one solve, 0: CR_MAX_MEGABYTES */
     struct cr_look look;
     struct cr_out out;
 };

@@ -111,7 +111,8 @@ struct cr_session {
     const struct cr_command *command; /* the table; handlers know it from here alone */
     int commands;
     char data_dir[CR_PATH_MAX], autosave[CR_PATH_MAX];
-    struct cr_state **state; /* undo stack; state[now] is the present */
+    char recovered[CR_PATH_MAX]; /* autosave of a session that is gone, taken over; "" if none */
+    struct cr_state **state;     /* undo stack; state[now] is the present */
     int states, now;
     long last_rev, saved_rev, result_rev, failed_rev, compiled_rev;
     struct cr_model_lib *models;
@@ -128,8 +129,9 @@ struct cr_session {
     int logs, log_size;
     char **line; /* history */
     int lines, line_size;
-    int depth;                                  /* of nested source commands */
+    int depth, sourced; /* of nested source commands; files of the outermost */
     double work_began, work_polled, work_shown; /* s of the monotonic clock */
+    double work_processor;                      /* s of processor time when it began */
     double work_took;                           /* s of the last solve */
 };
 
@@ -170,6 +172,8 @@ bool cr_autosave_find(const char *state_dir, char *path, int size);
 struct cr_context cr_session_context(struct cr_session *s);
 void cr_work_begin(struct cr_session *s);
 double cr_work_end(struct cr_session *s); /* s it took */
+double cr_work_processor_s(void);         /* s of processor time of this thread */
+double cr_work_max_bytes(const struct cr_session *s);
 /* Progress is due (first after 0.3 s, then ten times a second). */
 bool cr_work_due(struct cr_session *s, double *elapsed);
 int cr_work_cancelled(struct cr_session *s);

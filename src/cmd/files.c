@@ -8,7 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { SOURCE_DEPTH = 16 };
+enum { SOURCE_DEPTH = 16, SOURCE_FILES = 1000 };
 
 /* ---- load, save ---- */
 
@@ -46,7 +46,8 @@ enum cr_err cr_cmd_load(struct cr_call *call, struct cr_error *err) {
     draft->file[0] = '\0';
     if (recover) { /* relative model files start from where the program runs, as for a new scene */
         draft->scene.dir[0] = '\0';
-        unlink(left);
+        /* it goes when the session's own autosave has taken its place */
+        snprintf(s->recovered, sizeof s->recovered, "%s", left);
     } else {
         call->fresh = true;
         snprintf(call->file, sizeof call->file, "%s", from);
@@ -119,6 +120,14 @@ enum cr_err cr_cmd_source(struct cr_call *call, struct cr_error *err) {
         cr_err_set(err, CR_ERR_RANGE, "command files nested more than %d deep", SOURCE_DEPTH);
         cr_err_hint(err, "does one source itself?");
         return cr_cmd_blame(call, "FILE", CR_ERR_RANGE);
+    }
+    /* sixteen files that source each other eight times are 8^15 of them */
+    call->s->sourced = call->s->depth == 0 ? 1 : call->s->sourced + 1;
+    if (call->s->sourced > SOURCE_FILES) {
+        cr_err_set(err, CR_ERR_EXPENSIVE, "too expensive: one source leads to more than %d files",
+                   SOURCE_FILES);
+        cr_err_hint(err, "do they source each other?");
+        return cr_cmd_blame(call, "FILE", CR_ERR_EXPENSIVE);
     }
     enum cr_err code = cr_file_read_regular(path, &text, &len, err);
     if (code != CR_ERR_OK) {

@@ -157,21 +157,21 @@ static enum cr_err filter_slices(const struct cr_solution *sol, double cfc, doub
     return code;
 }
 
-static enum cr_err series(const struct cr_result *r, int body, int kind, double cfc, int n,
-                          double *y, struct cr_error *err) {
-    for (int i = 0; i < n; i++) {
-        y[i] = value(r->solution, i, body, kind);
-    }
-    bool filter = cfc > 0 && kinds[kind].filtered;
-    return filter ? filter_slices(r->solution, cfc, y, n, err) : CR_ERR_OK;
-}
-
 /* what was asked: participant (-1: all), quantity, filter, measured curve */
 struct pulse_call {
     int only, kind;
     double cfc;
     const struct cr_signal *measured;
 };
+
+static enum cr_err series(const struct cr_result *r, const struct pulse_call *what, int body, int n,
+                          double *y, struct cr_error *err) {
+    for (int i = 0; i < n; i++) {
+        y[i] = value(r->solution, i, body, what->kind);
+    }
+    bool filter = what->cfc > 0 && kinds[what->kind].filtered;
+    return filter ? filter_slices(r->solution, what->cfc, y, n, err) : CR_ERR_OK;
+}
 
 /* onto the cells, or where the session's pictures go when cells is NULL */
 static enum cr_err plot_pulse(struct cr_session *s, const struct pulse_call *what,
@@ -195,7 +195,7 @@ static enum cr_err plot_pulse(struct cr_session *s, const struct pulse_call *wha
             continue;
         }
         double *own = y + (size_t)b * (size_t)n;
-        code = series(r, b, what->kind, what->cfc, n, own, err);
+        code = series(r, what, b, n, own, err);
         const char *id = r->resolved.part[b].id;
         curve[curves++] = (struct cr_curve_line){
             .x = t, .y = own, .n = n, .mark = id[0], .name = id, .role = cr_render_role_of(b)};
@@ -234,7 +234,7 @@ static enum cr_err say_pulse(struct cr_session *s, const struct pulse_call *what
         if (what->only >= 0 ? b != what->only : !cr_render_moves(s->result, b)) {
             continue;
         }
-        code = series(s->result, b, what->kind, what->cfc, n, y, err);
+        code = series(s->result, what, b, n, y, err);
         int most = 0;
         for (int i = 0; i < n; i++) {
             most = fabs(y[i]) > fabs(y[most]) ? i : most;

@@ -169,6 +169,7 @@ static enum cr_err run_call(struct cr_call *call, struct cr_error *err) {
         }
         cr_session_autosave(call->s);
     }
+    call->s->recovered[0] = '\0'; /* of this call alone */
     cr_state_free(call->draft);
     return code;
 }

@@ -2,6 +2,7 @@
 #include "base/file.h"
 #include "cmd/sweep.h"
 
+#include "base/grow.h"
 #include "base/show.h"
 
 #include <math.h>
@@ -22,7 +23,7 @@ void cr_session_reset_view(struct cr_session *s) {
                                .pane = keep.pane,
                                .zoom = keep.zoom};
     snprintf(s->view.colormap, sizeof s->view.colormap, "%s",
-             keep.colormap[0] != '\0' ? keep.colormap : "viridis");
+             keep.colormap[0] != '\0' ? keep.colormap : cr_colormap_word(CR_COLORMAP_VIRIDIS));
     snprintf(s->view.theme, sizeof s->view.theme, "%s",
              keep.theme[0] != '\0' ? keep.theme : "auto");
 }
@@ -131,14 +132,8 @@ static void log_add(struct cr_session *s, enum cr_tone tone, const char *line) {
         s->logs -= LOG_MAX / 2;
         memmove(s->log, s->log + LOG_MAX / 2, (size_t)s->logs * sizeof *s->log);
     }
-    if (s->logs == s->log_size) {
-        int size = s->log_size > 0 ? 2 * s->log_size : 64;
-        struct cr_log_line *bigger = realloc(s->log, (size_t)size * sizeof *bigger);
-        if (bigger == NULL) {
-            return;
-        }
-        s->log = bigger;
-        s->log_size = size;
+    if (!cr_grow(&s->log, &s->log_size, s->logs, sizeof *s->log)) {
+        return;
     }
     char *copy = strdup(line);
     if (copy != NULL) {
@@ -202,14 +197,8 @@ int cr_session_log(const struct cr_session *s, const struct cr_log_line **out) {
 }
 
 enum cr_err cr_session_remember(struct cr_session *s, const char *line, struct cr_error *err) {
-    if (s->lines == s->line_size) {
-        int size = s->line_size > 0 ? 2 * s->line_size : 64;
-        char **bigger = realloc(s->line, (size_t)size * sizeof *bigger);
-        if (bigger == NULL) {
-            return cr_err_set(err, CR_ERR_MEMORY, "out of memory");
-        }
-        s->line = bigger;
-        s->line_size = size;
+    if (!cr_grow(&s->line, &s->line_size, s->lines, sizeof *s->line)) {
+        return cr_err_set(err, CR_ERR_MEMORY, "out of memory");
     }
     s->line[s->lines] = strdup(line);
     if (s->line[s->lines] == NULL) {
@@ -247,10 +236,12 @@ enum cr_err cr_session_need_models(struct cr_session *s, struct cr_error *err) {
         return code;
     }
     cr_file_part(s->data_dir, "irf", path, sizeof path);
-    struct cr_error irf_err;
-    if (cr_irf_load(path, &s->irf, &irf_err) != CR_ERR_OK) {
+    code = cr_irf_load(path, &s->irf, err);
+    if (code != CR_ERR_OK) { /* a result without them would miss what other runs have */
+        cr_model_lib_free(s->models);
+        s->models = NULL;
         s->irf = NULL;
-        cr_warn(s, "no injury probabilities: %s", irf_err.text);
+        return code;
     }
     return CR_ERR_OK;
 }

@@ -33,7 +33,13 @@ static void watch(void *user, struct cr_solver *solver, const struct cr_compiled
 }
 
 static int cancelled(void *user) {
-    return cr_work_cancelled(user);
+    struct cr_session *s = user;
+    double limit = s->opts.max_seconds, polled = s->work_polled;
+    int cancel = cr_work_cancelled(s);
+    bool looked = cancel == 0 && (s->opts.out.cancel == NULL || s->work_polled > polled);
+    return looked && limit > 0 && cr_work_processor_s() - s->work_processor > limit
+               ? (int)CR_CANCEL_TIME
+               : cancel;
 }
 
 struct cr_context cr_session_context(struct cr_session *s) {
@@ -42,6 +48,8 @@ struct cr_context cr_session_context(struct cr_session *s) {
                                .cancel = cancelled,
                                .watch = watch,
                                .user = s,
+                               .max_bytes = cr_work_max_bytes(s),
+                               .max_seconds = s->opts.max_seconds,
                                .keep = true};
 }
 

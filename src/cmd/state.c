@@ -33,6 +33,32 @@ enum cr_err cr_state_dup(const struct cr_state *from, struct cr_state **out, str
     return CR_ERR_OK;
 }
 
+/* bytes of a state, near enough */
+static size_t size_of(const struct cr_state *state) {
+    size_t n = sizeof *state + (state->command != NULL ? strlen(state->command) : 0);
+    return n + cr_scene_size(&state->scene);
+}
+
+enum { UNDO_MAX = 64 << 20, UNDO_LEAST = 8 }; /* bytes of all states; states that are kept anyway */
+
+/* Undo reaches back as far as its memory does. */
+static void forget_oldest(struct cr_session *s) {
+    size_t sum = 0;
+    int first = s->states;
+    while (first > 0 && (sum < UNDO_MAX || s->states - first < UNDO_LEAST)) {
+        sum += size_of(s->state[--first]);
+    }
+    if (first == 0) {
+        return;
+    }
+    for (int i = 0; i < first; i++) {
+        cr_state_free(s->state[i]);
+    }
+    s->states -= first;
+    s->now -= first;
+    memmove(s->state, s->state + first, (size_t)s->states * sizeof *s->state);
+}
+
 enum cr_err cr_session_commit(struct cr_session *s, struct cr_state *draft, const char *command,
                               struct cr_error *err) {
     /* never smaller: what had been undone is still in it */
@@ -55,6 +81,7 @@ enum cr_err cr_session_commit(struct cr_session *s, struct cr_state *draft, cons
     draft->rev = ++s->last_rev;
     s->state[++s->now] = draft;
     s->states = s->now + 1;
+    forget_oldest(s);
     return CR_ERR_OK;
 }
 

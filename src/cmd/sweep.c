@@ -24,10 +24,15 @@ static enum cr_err bad_range(const char *text, struct cr_error *err) {
     return CR_ERR_SYNTAX;
 }
 
+struct numbers {
+    int n, max; /* of a range from:to:step at most 3 */
+    double x[AXIS_MAX];
+};
+
 /* numbers separated by `sep`; one without a unit takes that of another */
-static enum cr_err read_numbers(const char *text, char sep, enum cr_dim dim,
-                                const struct cr_unit *usual, double *out, int max, int *n,
-                                struct cr_error *err) {
+static enum cr_err read_numbers(const char *text, char sep, const struct cr_unit *usual,
+                                struct numbers *out, struct cr_error *err) {
+    enum cr_dim dim = usual->dim;
     char part[64];
     const char *end;
     const struct cr_unit *unit = usual;
@@ -38,14 +43,14 @@ static enum cr_err read_numbers(const char *text, char sep, enum cr_dim dim,
             unit = cr_unit_find(end, dim);
         }
     }
-    *n = 0;
+    out->n = 0;
     for (;;) {
         size_t len = strcspn(text, ":,");
-        if (*n == max || (text[len] != '\0' && text[len] != sep)) {
+        if (out->n == out->max || (text[len] != '\0' && text[len] != sep)) {
             return bad_range(text, err);
         }
         snprintf(part, sizeof part, "%.*s", (int)(len < sizeof part ? len : 0), text);
-        enum cr_err code = cr_unit_parse(part, dim, unit, &out[(*n)++], NULL, err);
+        enum cr_err code = cr_unit_parse(part, dim, unit, &out->x[out->n++], NULL, err);
         if (code != CR_ERR_OK) {
             return code;
         }
@@ -58,15 +63,15 @@ static enum cr_err read_numbers(const char *text, char sep, enum cr_dim dim,
 
 static enum cr_err read_range(const char *text, const struct cr_sweep_key *key,
                               struct cr_sweep_axis *axis, struct cr_error *err) {
-    double number[AXIS_MAX];
-    int n;
     bool colon = strchr(text, ':') != NULL;
+    struct numbers numbers = {.max = colon ? 3 : AXIS_MAX};
     axis->unit = cr_unit_find(key->unit, key->dim);
-    enum cr_err code = read_numbers(text, colon ? ':' : ',', key->dim, axis->unit, number,
-                                    colon ? 3 : AXIS_MAX, &n, err);
+    enum cr_err code = read_numbers(text, colon ? ':' : ',', axis->unit, &numbers, err);
     if (code != CR_ERR_OK) {
         return code;
     }
+    const double *number = numbers.x;
+    int n = numbers.n;
     if (colon && n != 3) {
         return bad_range(text, err);
     }
@@ -108,6 +113,19 @@ static int stopped(void *user) {
     return atomic_load(&job->stop);
 }
 
+/* one run of it, in its thread */
+struct turn {
+    struct job *job;
+    double end; /* s of processor time; infinite: any */
+    unsigned polls;
+};
+
+static int stopped_or_late(void *user) {
+    struct turn *turn = user;
+    bool late = ++turn->polls % 32 == 0 && cr_work_processor_s() > turn->end;
+    return stopped(turn->job) != 0 ? (int)CR_CANCEL_USER : late ? CR_CANCEL_TIME : CR_CANCEL_NO;
+}
+
 static void keep(struct cr_sweep_run *run, const struct cr_result *r) {
     for (int i = 0; i < r->resolved.n; i++) { /* the outlines stay with the result */
         run->of[i] = r->of[i];
@@ -118,8 +136,15 @@ static void keep(struct cr_sweep_run *run, const struct cr_result *r) {
 }
 
 static void solve_run(struct job *job, struct cr_sweep_run *run) {
-    struct cr_context ctx = {
-        .models = job->models, .irf = job->irf, .cancel = stopped, .user = job};
+    const struct cr_session_opts *opts = &job->session->opts;
+    double seconds = opts->max_seconds > 0 ? opts->max_seconds : (double)INFINITY;
+    struct turn turn = {.job = job, .end = cr_work_processor_s() + seconds};
+    struct cr_context ctx = {.models = job->models,
+                             .irf = job->irf,
+                             .cancel = stopped_or_late,
+                             .user = &turn,
+                             .max_bytes = cr_work_max_bytes(job->session),
+                             .max_seconds = opts->max_seconds};
     struct cr_state *state = NULL;
     struct cr_result *result = NULL;
     struct cr_error err = {0};

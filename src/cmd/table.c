@@ -178,7 +178,7 @@ static const struct cr_arg solve_args[] = {
 };
 
 static const struct cr_arg show_args[] = {
-    KEY("field", CR_VALUE_WORD, .words = "ees|energy|crush|depth|none", .def = "ees",
+    KEY("field", CR_VALUE_WORD, .words = CR_FIELD_WORDS, .def = "ees",
         .help = "what the voxels show"),
     KEY("time", CR_VALUE_TIME, .dim = CR_DIM_TIME, .unit = "ms", .lo = 0, .hi = 60000,
         .words = "start|compression|end", .def = "end", .help = "ms after the first contact"),
@@ -195,7 +195,7 @@ static const struct cr_arg show_args[] = {
     KEY("select", CR_VALUE_NAME, .words = "none", .help = "participant to mark"),
     KEY("view", CR_VALUE_WORD, .words = "plan|side|top|front|slice", .def = "plan",
         .help = "plan: the scene; else the selected vehicle's 3D model, with its damage"),
-    KEY("colormap", CR_VALUE_WORD, .words = "viridis|magma|gray", .def = "viridis",
+    KEY("colormap", CR_VALUE_WORD, .words = CR_COLORMAP_WORDS, .def = "viridis",
         .help = "colours of the field"),
     END,
 };

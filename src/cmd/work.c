@@ -13,8 +13,19 @@ static double now_s(void) {
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
+double cr_work_processor_s(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+double cr_work_max_bytes(const struct cr_session *s) {
+    return 1e6 * (s->opts.max_megabytes > 0 ? s->opts.max_megabytes : CR_MAX_MEGABYTES);
+}
+
 void cr_work_begin(struct cr_session *s) {
     s->work_began = now_s();
+    s->work_processor = cr_work_processor_s();
     s->work_polled = -1; /* the first look is at once, however fast the work is */
     s->work_shown = 0;
 }

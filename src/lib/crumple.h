@@ -36,21 +36,22 @@ typedef struct crumple_result crumple_result;
 /* Codes of errors; their numbers stay. crumple_error_word gives the word of the result JSON. */
 enum crumple_code {
     CRUMPLE_OK = 0,
-    CRUMPLE_USAGE = 2,       /* an argument that cannot be */
-    CRUMPLE_IO = 3,          /* a file or folder cannot be read */
-    CRUMPLE_SYNTAX = 4,      /* the text is no JSON */
-    CRUMPLE_TYPE = 5,        /* a value of the wrong kind */
-    CRUMPLE_RANGE = 6,       /* a number beyond what is possible */
-    CRUMPLE_KEY = 7,         /* a key that is not known */
-    CRUMPLE_MISSING = 8,     /* a key that must be there */
-    CRUMPLE_DUPLICATE = 9,   /* a key or id twice */
-    CRUMPLE_NAME = 10,       /* no participant, type, model or value of this name */
-    CRUMPLE_MODEL = 11,      /* a voxel model that cannot be used */
-    CRUMPLE_OVERLAP = 12,    /* participants overlap at the start */
-    CRUMPLE_NO_CONTACT = 13, /* participants never meet */
-    CRUMPLE_SOLVER = 14,     /* the solver failed */
-    CRUMPLE_MEMORY = 15,     /* out of memory */
-    CRUMPLE_INTERRUPTED = 16 /* cancelled by the caller */
+    CRUMPLE_USAGE = 2,        /* an argument that cannot be */
+    CRUMPLE_IO = 3,           /* a file or folder cannot be read */
+    CRUMPLE_SYNTAX = 4,       /* the text is no JSON */
+    CRUMPLE_TYPE = 5,         /* a value of the wrong kind */
+    CRUMPLE_RANGE = 6,        /* a number beyond what is possible */
+    CRUMPLE_KEY = 7,          /* a key that is not known */
+    CRUMPLE_MISSING = 8,      /* a key that must be there */
+    CRUMPLE_DUPLICATE = 9,    /* a key or id twice */
+    CRUMPLE_NAME = 10,        /* no participant, type, model or value of this name */
+    CRUMPLE_MODEL = 11,       /* a voxel model that cannot be used */
+    CRUMPLE_OVERLAP = 12,     /* participants overlap at the start */
+    CRUMPLE_NO_CONTACT = 13,  /* participants never meet */
+    CRUMPLE_SOLVER = 14,      /* the solver failed */
+    CRUMPLE_MEMORY = 15,      /* out of memory */
+    CRUMPLE_INTERRUPTED = 16, /* cancelled by the caller */
+    CRUMPLE_EXPENSIVE = 17    /* the scene takes more memory than one may */
 };
 
 /* What went wrong, where, and the way out. Begin with CRUMPLE_ERROR_INIT: the size tells the

@@ -22,7 +22,8 @@
     X(NO_CONTACT, CRUMPLE_NO_CONTACT)                                                              \
     X(SOLVER, CRUMPLE_SOLVER)                                                                      \
     X(MEMORY, CRUMPLE_MEMORY)                                                                      \
-    X(INTERRUPTED, CRUMPLE_INTERRUPTED)
+    X(INTERRUPTED, CRUMPLE_INTERRUPTED)                                                            \
+    X(EXPENSIVE, CRUMPLE_EXPENSIVE)
 
 static const int codes[CR_ERR_COUNT] = {
 #define X(own, code) [CR_ERR_##own] = (code),

@@ -38,8 +38,11 @@ static enum cr_err solve(const crumple *lib, const char *text, size_t length,
                          const crumple_options *opt, crumple_result **out, struct cr_error *err) {
     struct cr_scene scene;
     struct cr_result *result = NULL;
-    const struct cr_context ctx = {
-        .models = lib->models, .irf = lib->irf, .cancel = opt->cancel, .user = opt->user};
+    const struct cr_context ctx = {.models = lib->models,
+                                   .irf = lib->irf,
+                                   .cancel = opt->cancel,
+                                   .user = opt->user,
+                                   .max_bytes = CR_MAX_MEGABYTES * 1e6};
     enum cr_err code = cr_scene_parse(text, length, opt->name, &scene, err);
     if (code != CR_ERR_OK) {
         return code;

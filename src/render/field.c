@@ -10,6 +10,15 @@
  * is drawn as the last step. */
 static const double EES_TOP = 100;
 
+const char *cr_field_word(enum cr_field field) {
+    static const char *const words[CR_FIELDS] = {
+#define X(name, word) word,
+        CR_FIELD_LIST(X)
+#undef X
+    };
+    return words[field];
+}
+
 /* depth below the struck face, m */
 static double depth_at(const struct cr_pic_body *b, int ix, int iy) {
     static const int step[CR_FACES][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
@@ -37,6 +46,7 @@ double cr_pic_field_value(const struct cr_pic_body *b, enum cr_field field, int 
     case CR_FIELD_DEPTH:
         return damage > 0.5 ? depth_at(b, ix, iy) : 0;
     case CR_FIELD_NONE:
+    case CR_FIELDS:
         break;
     }
     return 0;

@@ -58,7 +58,18 @@ int cr_cells_print(struct cr_cells *cells, int x, int y, int w, enum cr_role rol
 enum cr_color { CR_COLOR_NONE, CR_COLOR_16, CR_COLOR_256 };
 
 /* Colour maps of fields; all rise in lightness. */
-enum cr_colormap { CR_COLORMAP_VIRIDIS, CR_COLORMAP_MAGMA, CR_COLORMAP_GRAY, CR_COLORMAPS };
+/* X(NAME, word) */
+#define CR_COLORMAP_LIST(X) X(VIRIDIS, "viridis") X(MAGMA, "magma") X(GRAY, "gray")
+enum cr_colormap {
+#define X(name, word) CR_COLORMAP_##name,
+    CR_COLORMAP_LIST(X)
+#undef X
+        CR_COLORMAPS
+};
+const char *cr_colormap_word(enum cr_colormap map);
+/* the words of such a list as "viridis|magma|gray" */
+#define CR_WORD_OF(name, word) "|" word
+#define CR_COLORMAP_WORDS      (("" CR_COLORMAP_LIST(CR_WORD_OF)) + 1)
 
 struct cr_theme;
 struct cr_look {
@@ -70,7 +81,17 @@ struct cr_look {
 /* Cells as lines of text, trailing blanks cut. */
 void cr_cells_text(const struct cr_cells *cells, const struct cr_look *look, struct cr_str *out);
 
-enum cr_field { CR_FIELD_EES, CR_FIELD_ENERGY, CR_FIELD_CRUSH, CR_FIELD_DEPTH, CR_FIELD_NONE };
+/* What a picture shows of the voxels. X(NAME, word) */
+#define CR_FIELD_LIST(X)                                                                           \
+    X(EES, "ees") X(ENERGY, "energy") X(CRUSH, "crush") X(DEPTH, "depth") X(NONE, "none")
+enum cr_field {
+#define X(name, word) CR_FIELD_##name,
+    CR_FIELD_LIST(X)
+#undef X
+        CR_FIELDS
+};
+const char *cr_field_word(enum cr_field field);
+#define CR_FIELD_WORDS (("" CR_FIELD_LIST(CR_WORD_OF)) + 1)
 
 struct cr_rect {
     int x, y, w, h;

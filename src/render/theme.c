@@ -221,3 +221,12 @@ void cr_theme_sgr(const struct cr_look *look, const struct cr_cell *cell, struct
     }
     cr_str_add(out, "m");
 }
+
+const char *cr_colormap_word(enum cr_colormap map) {
+    static const char *const words[CR_COLORMAPS] = {
+#define X(name, word) word,
+        CR_COLORMAP_LIST(X)
+#undef X
+    };
+    return words[map];
+}

@@ -40,6 +40,7 @@ struct options {
     bool prompt, ascii;
     const char *color;
     int sources; /* files and -e among the arguments */
+    int max_seconds, max_megabytes;
 };
 
 static const char usage[] = "crumple --help tells the options";
@@ -48,7 +49,7 @@ int cr_repl_takes(const char *arg) {
     size_t n = strlen(arg);
     return strcmp(arg, "-") == 0 || strcmp(arg, "-e") == 0 || strcmp(arg, "-i") == 0 ||
            strcmp(arg, "--repl") == 0 || strcmp(arg, "--ascii") == 0 ||
-           strncmp(arg, "--color", 7) == 0 ||
+           strncmp(arg, "--color", 7) == 0 || strncmp(arg, "--max-", 6) == 0 ||
            (arg[0] != '-' &&
             (strchr(arg, '/') != NULL || (n > 8 && strcmp(arg + n - 8, ".crumple") == 0) ||
              access(arg, F_OK) == 0));
@@ -65,6 +66,19 @@ static bool is_color(const char *word) {
     return strcmp(word, "always") == 0 || strcmp(word, "auto") == 0 || strcmp(word, "never") == 0;
 }
 
+static bool read_limit(const char *arg, struct options *o) {
+    const char *equals = strchr(arg, '=');
+    bool seconds = strncmp(arg, "--max-seconds=", 14) == 0;
+    char *end = NULL;
+    long n = equals != NULL ? strtol(equals + 1, &end, 10) : 0;
+    if ((!seconds && strncmp(arg, "--max-memory=", 13) != 0) || *end != '\0' || n < 1 ||
+        n > 1000000) {
+        return false;
+    }
+    *(seconds ? &o->max_seconds : &o->max_megabytes) = (int)n;
+    return true;
+}
+
 static int read_options(int argc, char **argv, struct options *o) {
     *o = (struct options){.color = "auto"};
     for (int i = 1; i < argc; i++) {
@@ -73,6 +87,10 @@ static int read_options(int argc, char **argv, struct options *o) {
             o->prompt = true;
         } else if (strcmp(arg, "--ascii") == 0) {
             o->ascii = true;
+        } else if (strncmp(arg, "--max-", 6) == 0) {
+            if (!read_limit(arg, o)) {
+                return fail("want --max-seconds=N or --max-memory=MB, not", arg);
+            }
         } else if (strncmp(arg, "--color=", 8) == 0 && is_color(arg + 8)) {
             o->color = arg + 8;
         } else if (strncmp(arg, "--color", 7) == 0) {
@@ -109,6 +127,12 @@ static enum cr_err run_stream(struct cr_session *s) {
     int number = 0, first = 1;
     while (code == CR_ERR_OK && !cr_session_over(s)) {
         ssize_t n = getline(&line, &size, stdin);
+        if (n < 0 && ferror(stdin) && !cr_repl_interrupted) {
+            struct cr_error err;
+            cr_err_set(&err, CR_ERR_IO, "cannot read: %s", strerror(errno));
+            cr_err_place(&err, "stdin", 0, 0);
+            code = say_error(&err);
+        }
         if (n < 0 || cr_repl_interrupted) {
             break;
         }
@@ -212,6 +236,10 @@ int cr_repl_main(int argc, char **argv, const char *data_dir) {
     struct cr_session_opts opts = {.data_dir = data_dir,
                                    .state_dir = state_dir[0] != '\0' ? state_dir : NULL,
                                    .ask = prompt,
+                                   .max_seconds = o.max_seconds > 0 ? o.max_seconds
+                                                  : prompt          ? 0
+                                                                    : CR_MAX_SECONDS,
+                                   .max_megabytes = o.max_megabytes,
                                    .look = cr_terminal_look(o.color, o.ascii),
                                    .out = cr_terminal_out(&t)};
     cr_repl_catch_interrupt();

@@ -5,6 +5,8 @@
 
 #include "base/file.h"
 
+#include "base/grow.h"
+
 #include <cjson/cJSON.h>
 #include <dirent.h>
 #include <errno.h>
@@ -185,15 +187,9 @@ static enum cr_err add_file(struct cr_irf_set *set, const char *path, struct cr_
         goto out;
     }
     cJSON_ArrayForEach(item, list) {
-        if (set->n == set->size) {
-            int size = set->size ? 2 * set->size : 16;
-            struct irf *more = realloc(set->irf, (size_t)size * sizeof *more);
-            if (!more) {
-                rc = cr_err_set(err, CR_ERR_MEMORY, "no memory for risk functions");
-                goto out;
-            }
-            set->irf = more;
-            set->size = size;
+        if (!cr_grow(&set->irf, &set->size, set->n, sizeof *set->irf)) {
+            rc = cr_err_set(err, CR_ERR_MEMORY, "no memory for risk functions");
+            goto out;
         }
         rc = read_irf(item, path, &set->irf[set->n], err);
         if (rc) {

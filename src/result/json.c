@@ -8,6 +8,7 @@
 #include "base/hash.h"
 #include "base/json.h"
 #include "base/number.h"
+#include "base/tree.h"
 
 #include <cjson/cJSON.h>
 #include <math.h>
@@ -15,13 +16,13 @@
 #include <string.h>
 
 static void put_assumed(const struct cr_result *r, int version, cJSON *json) {
-    cJSON *list = cJSON_AddArrayToObject(json, "assumed");
+    cJSON *list = cr_tree_array(json, "assumed");
     for (int i = 0; i < r->assumed.n; i++) {
-        cJSON_AddItemToArray(list, cJSON_CreateString(r->assumed.key[i]));
+        cr_tree_push(list, cJSON_CreateString(r->assumed.key[i]));
     }
-    list = cJSON_AddArrayToObject(json, "warnings");
+    list = cr_tree_array(json, "warnings");
     for (int i = 0; i < r->warnings; i++) {
-        cJSON_AddItemToArray(list, cr_json_warning(r, i, version));
+        cr_tree_push(list, cr_json_warning(r, i, version));
     }
 }
 
@@ -39,20 +40,20 @@ enum cr_err cr_result_scene_hash(const struct cr_scene *scene, char hex[CR_HASH_
 }
 
 static bool put_input(const struct cr_result *r, const struct cr_result_opts *opts, cJSON *json) {
-    cJSON *input = cJSON_AddObjectToObject(json, "input");
+    cJSON *input = cr_tree_object(json, "input");
     char hex[CR_HASH_SIZE];
     if (cr_result_scene_hash(&r->scene, hex, NULL)) {
         return false;
     }
-    cJSON_AddStringToObject(input, "scene_sha256", hex);
-    cJSON *models = cJSON_AddObjectToObject(input, "models");
+    cr_tree_text(input, "scene_sha256", hex);
+    cJSON *models = cr_tree_object(input, "models");
     for (int i = 0; i < r->resolved.n; i++) {
         if (!r->compiled.model[i][0]) {
             continue;
         }
         struct cr_str s = {0};
         cr_str_addf(&s, "%s sha256 %s", r->compiled.model[i], r->compiled.hash[i]);
-        cJSON_AddStringToObject(models, r->resolved.part[i].id, cr_str_get(&s));
+        cr_tree_str(models, r->resolved.part[i].id, &s);
         cr_str_fini(&s);
     }
     if (r->irf_hash[0] != '\0' && opts->version != 1) {
@@ -63,13 +64,13 @@ static bool put_input(const struct cr_result *r, const struct cr_result_opts *op
         if (!all) {
             return false;
         }
-        cJSON_AddItemToObject(input, "resolved", all);
+        cr_tree_put(input, "resolved", all);
     }
     return true;
 }
 
 static void put_time(const struct cr_result *r, cJSON *json) {
-    cJSON *time = cJSON_AddObjectToObject(json, "time");
+    cJSON *time = cr_tree_object(json, "time");
     int main = cr_result_main_contact(r->solution, -1);
     const struct cr_contact *c = main < 0 ? NULL : &r->solution->contact[main];
     double last = NAN;
@@ -81,13 +82,13 @@ static void put_time(const struct cr_result *r, cJSON *json) {
     cr_json_put(time, "elastic_end_s", c ? c->t_elastic_end : (double)NAN);
     cr_json_put(time, "separation_s", last);
     enum cr_stop stop = r->solution->interrupted ? CR_STOP_INTERRUPTED : c ? c->stop : CR_STOP_NONE;
-    cJSON_AddStringToObject(time, "stop", cr_stop_word(stop));
+    cr_tree_text(time, "stop", cr_stop_word(stop));
     cr_json_put(time, "slice_ms", 1e3 * r->solution->dt);
     cr_json_put(time, "passes", r->passes);
 }
 
 static void put_rest(const struct cr_outcome *o, cJSON *p) {
-    cJSON *rest = cJSON_AddObjectToObject(p, "rest");
+    cJSON *rest = cr_tree_object(p, "rest");
     cr_json_put(rest, "x_m", o->rest.pos.x);
     cr_json_put(rest, "y_m", o->rest.pos.y);
     cr_json_put(rest, "heading_deg", cr_deg(o->rest.heading));
@@ -95,14 +96,14 @@ static void put_rest(const struct cr_outcome *o, cJSON *p) {
 }
 
 static void put_participants(const struct cr_result *r, int version, cJSON *json) {
-    cJSON *list = cJSON_AddArrayToObject(json, "participants");
+    cJSON *list = cr_tree_array(json, "participants");
     for (int i = 0; i < r->solution->bodies; i++) {
         bool vehicle = r->resolved.part[i].kind == CR_KIND_VEHICLE;
         cJSON *p = cJSON_CreateObject();
-        cJSON_AddItemToArray(list, p);
-        cJSON_AddStringToObject(p, "id", r->resolved.part[i].id);
+        cr_tree_push(list, p);
+        cr_tree_text(p, "id", r->resolved.part[i].id);
         if (!vehicle) {
-            cJSON_AddStringToObject(p, "kind", "object");
+            cr_tree_text(p, "kind", "object");
         }
         /* a fixed object has no motion to report */
         if (r->compiled.cs.body[i].mass > 0) {
@@ -127,13 +128,13 @@ static void put_participants(const struct cr_result *r, int version, cJSON *json
 }
 
 static void put_contacts(const struct cr_result *r, cJSON *json) {
-    cJSON *list = cJSON_AddArrayToObject(json, "contacts");
+    cJSON *list = cr_tree_array(json, "contacts");
     for (int k = 0; k < r->solution->contacts; k++) {
         const struct cr_contact *c = &r->solution->contact[k];
         cJSON *one = cJSON_CreateObject();
-        cJSON_AddItemToArray(list, one);
-        cJSON_AddStringToObject(one, "a", r->resolved.part[c->a].id);
-        cJSON_AddStringToObject(one, "b", r->resolved.part[c->b].id);
+        cr_tree_push(list, one);
+        cr_tree_text(one, "a", r->resolved.part[c->a].id);
+        cr_tree_text(one, "b", r->resolved.part[c->b].id);
         cr_json_put(one, "begin_s", c->t_begin);
         /* what still rubs when all has come to rest has parted */
         bool open = c->stop == CR_STOP_NONE && !r->solution->interrupted;
@@ -141,14 +142,14 @@ static void put_contacts(const struct cr_result *r, cJSON *json) {
         cr_json_put(one, "plastic_end_s", open ? end : c->t_plastic_end);
         cr_json_put(one, "elastic_end_s", open ? end : c->t_elastic_end);
         cr_json_put(one, "end_s", open ? end : c->t_end);
-        cJSON_AddStringToObject(one, "stop", cr_stop_word(open ? CR_STOP_SEPARATION : c->stop));
+        cr_tree_text(one, "stop", cr_stop_word(open ? CR_STOP_SEPARATION : c->stop));
         cr_json_put(one, "closing_kmh", cr_kmh(c->closing));
         cr_json_put(one, "restitution", c->restitution);
         cr_json_put(one, "friction", c->mu);
         cr_json_put(one, "impulse_x_Ns", c->impulse.x);
         cr_json_put(one, "impulse_y_Ns", c->impulse.y);
-        cJSON_AddItemToObject(one, "coe_m", cr_json_point(c->coe));
-        cJSON_AddItemToObject(one, "normal", cr_json_point(c->normal));
+        cr_tree_put(one, "coe_m", cr_json_point(c->coe));
+        cr_tree_put(one, "normal", cr_json_point(c->normal));
         cr_json_put(one, "energy_a_kJ", c->energy[0] / 1e3);
         cr_json_put(one, "energy_b_kJ", c->energy[1] / 1e3);
         cr_json_put(one, "friction_kJ", c->friction / 1e3);
@@ -156,7 +157,7 @@ static void put_contacts(const struct cr_result *r, cJSON *json) {
 }
 
 static void put_balance(const struct cr_balance *b, cJSON *json) {
-    cJSON *to = cJSON_AddObjectToObject(json, "balance");
+    cJSON *to = cr_tree_object(json, "balance");
     cr_json_put(to, "kinetic_before_kJ", b->kinetic_before / 1e3);
     cr_json_put(to, "kinetic_after_kJ", b->kinetic_after / 1e3);
     cr_json_put(to, "plastic_kJ", b->plastic / 1e3);
@@ -174,16 +175,16 @@ static void put_trace(const struct cr_result *r, cJSON *json) {
 #undef X
     };
     const struct cr_solution *sol = r->solution;
-    cJSON *trace = cJSON_AddObjectToObject(json, "trace");
-    cJSON_AddItemToObject(trace, "t_s", cr_json_numbers(sol->t, sol->samples));
+    cJSON *trace = cr_tree_object(json, "trace");
+    cr_tree_put(trace, "t_s", cr_json_numbers(sol->t, sol->samples));
     for (int i = 0; i < sol->bodies; i++) {
-        cJSON *p = cJSON_AddObjectToObject(trace, r->resolved.part[i].id);
+        cJSON *p = cr_tree_object(trace, r->resolved.part[i].id);
         for (int q = 0; q < CR_QUANTITIES; q++) {
-            cJSON *list = cJSON_AddArrayToObject(p, KEY[q]);
+            cJSON *list = cr_tree_array(p, KEY[q]);
             for (int k = 0; k < sol->samples; k++) {
                 double x = cr_result_quantity(sol, k, i, (enum cr_quantity)q);
-                cJSON_AddItemToArray(list, isfinite(x) ? cJSON_CreateNumber(cr_round12(x))
-                                                       : cJSON_CreateNull());
+                cr_tree_push(list,
+                             isfinite(x) ? cJSON_CreateNumber(cr_round12(x)) : cJSON_CreateNull());
             }
         }
     }
@@ -204,12 +205,11 @@ enum cr_err cr_result_tree(const struct cr_result *r, const struct cr_result_opt
     int version = opts->version ? opts->version : CR_RESULT_VERSION;
     *out = NULL;
     cr_json_put(json, "crumple_result", version);
-    cJSON_AddStringToObject(json, "scene", r->scene.name);
-    cJSON_AddStringToObject(json, "version", PACKAGE_VERSION);
-    cJSON_AddStringToObject(json, "method",
-                            r->resolved.set.method == CR_METHOD_PAPER ? "paper" : "extended");
+    cr_tree_text(json, "scene", r->scene.name);
+    cr_tree_text(json, "version", PACKAGE_VERSION);
+    cr_tree_text(json, "method", r->resolved.set.method == CR_METHOD_PAPER ? "paper" : "extended");
     if (r->scene.pair[0]) {
-        cJSON_AddStringToObject(json, "pair", r->scene.pair);
+        cr_tree_text(json, "pair", r->scene.pair);
     }
     put_assumed(r, version, json);
     if (!put_input(r, opts, json)) {
@@ -226,6 +226,10 @@ enum cr_err cr_result_tree(const struct cr_result *r, const struct cr_result_opt
     if (opts->trace) {
         put_trace(r, json);
     }
+    if (json == NULL || !cr_tree_whole(json)) {
+        cJSON_Delete(json);
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for the JSON of a result");
+    }
     *out = json;
     return CR_ERR_OK;
 }
@@ -241,15 +245,15 @@ cJSON *cr_result_error_tree(const char *scene, const struct cr_error *what,
                             const struct cr_result_opts *opts) {
     cJSON *json = cJSON_CreateObject();
     cr_json_put(json, "crumple_result", opts->version ? opts->version : CR_RESULT_VERSION);
-    cJSON_AddStringToObject(json, "scene", scene ? scene : "");
-    cJSON *e = cJSON_AddObjectToObject(json, "error");
-    cJSON_AddStringToObject(e, "code", cr_err_word(what->code));
+    cr_tree_text(json, "scene", scene ? scene : "");
+    cJSON *e = cr_tree_object(json, "error");
+    cr_tree_text(e, "code", cr_err_word(what->code));
     struct cr_str s = {0};
     cr_str_add(&s, what->text);
     if (what->hint[0]) {
         cr_str_addf(&s, "; %s", what->hint);
     }
-    cJSON_AddStringToObject(e, "message", cr_str_get(&s));
+    cr_tree_str(e, "message", &s);
     cr_str_clear(&s);
     if (what->src[0]) {
         cr_str_addf(&s, "%s:", what->src);
@@ -258,7 +262,7 @@ cJSON *cr_result_error_tree(const char *scene, const struct cr_error *what,
         cr_str_addf(&s, "%d:%d:", what->line, what->col);
     }
     cr_str_add(&s, what->where);
-    cJSON_AddStringToObject(e, "where", cr_str_get(&s));
+    cr_tree_str(e, "where", &s);
     cr_str_fini(&s);
     return json;
 }

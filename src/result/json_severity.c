@@ -2,13 +2,13 @@
 #include "result/json_priv.h"
 
 #include "base/number.h"
+#include "base/tree.h"
 
 #include <cjson/cJSON.h>
 #include <math.h>
 
 void cr_json_put(cJSON *to, const char *key, double x) {
-    cJSON_AddItemToObject(to, key,
-                          isfinite(x) ? cJSON_CreateNumber(cr_round12(x)) : cJSON_CreateNull());
+    cr_tree_put(to, key, isfinite(x) ? cJSON_CreateNumber(cr_round12(x)) : cJSON_CreateNull());
 }
 
 cJSON *cr_json_point(struct cr_vec2 p) {
@@ -19,8 +19,8 @@ cJSON *cr_json_point(struct cr_vec2 p) {
 cJSON *cr_json_numbers(const double *x, int n) {
     cJSON *list = cJSON_CreateArray();
     for (int i = 0; list && i < n; i++) {
-        cJSON_AddItemToArray(list, isfinite(x[i]) ? cJSON_CreateNumber(cr_round12(x[i]))
-                                                  : cJSON_CreateNull());
+        cr_tree_push(list,
+                     isfinite(x[i]) ? cJSON_CreateNumber(cr_round12(x[i])) : cJSON_CreateNull());
     }
     return list;
 }
@@ -46,25 +46,25 @@ void cr_json_motion(const struct cr_severity *s, int version, cJSON *p) {
     cr_json_put(p, "delta_v_y_kmh", cr_kmh(s->delta_v_world.y));
     cr_json_put(p, "pdof_deg", cr_deg(s->pdof));
     cr_json_put(p, "pdof_clock", s->pdof_clock);
-    cJSON_AddStringToObject(p, "model", s->model);
-    cJSON_AddStringToObject(p, "cdc", s->cdc);
+    cr_tree_text(p, "model", s->model);
+    cr_tree_text(p, "cdc", s->cdc);
     cr_json_put(p, "yaw_rate_change_deg_s", cr_deg(s->yaw_rate_change));
     cr_json_put(p, "speed_after_kmh", cr_kmh(s->speed_after));
     cr_json_put(p, "course_after_deg", course_deg(s->course_after));
     cr_json_put(p, "yaw_rate_after_deg_s", cr_deg(s->yaw_rate_after));
     if (version > 1) {
-        cJSON_AddItemToObject(p, "coe_m", cr_json_point(s->coe));
+        cr_tree_put(p, "coe_m", cr_json_point(s->coe));
     }
 }
 
 /* null where one face alone was crushed */
 static void put_second(const struct cr_second_face *second, cJSON *p) {
     if (second->face == CR_FACES) {
-        cJSON_AddNullToObject(p, "second_face");
+        cr_tree_put(p, "second_face", cJSON_CreateNull());
         return;
     }
-    cJSON *to = cJSON_AddObjectToObject(p, "second_face");
-    cJSON_AddStringToObject(to, "face", FACE[second->face]);
+    cJSON *to = cr_tree_object(p, "second_face");
+    cr_tree_text(to, "face", FACE[second->face]);
     cr_json_put(to, "face_depth_m", second->depth);
     cr_json_put(to, "face_depth_dynamic_m", second->depth_dynamic);
     cr_json_put(to, "damage_width_m", second->width);
@@ -74,20 +74,17 @@ void cr_json_deformation(const struct cr_severity *s, int version, cJSON *p) {
     cr_json_put(p, "deformation_max_m", s->deformation_max);
     cr_json_put(p, "deformation_dynamic_max_m", s->deformation_dynamic_max);
     cr_json_put(p, "deformation_area_m2", s->deformation_area);
-    cJSON_AddItemToObject(
-        p, "crush_profile_m",
-        cr_json_numbers(version > 1 ? s->profile : s->profile_outline, CR_PROFILE));
-    cJSON_AddStringToObject(p, "face", FACE[s->face]);
+    cr_tree_put(p, "crush_profile_m",
+                cr_json_numbers(version > 1 ? s->profile : s->profile_outline, CR_PROFILE));
+    cr_tree_text(p, "face", FACE[s->face]);
     cr_json_put(p, "face_depth_m", s->face_depth);
     cr_json_put(p, "face_depth_dynamic_m", s->face_depth_dynamic);
     cr_json_put(p, "damage_width_m", s->damage_width);
-    cJSON_AddItemToObject(p, "crush_profile_dynamic_m",
-                          cr_json_numbers(s->profile_dynamic, CR_PROFILE));
+    cr_tree_put(p, "crush_profile_dynamic_m", cr_json_numbers(s->profile_dynamic, CR_PROFILE));
     cr_json_put(p, "area_contact_m2", s->area_contact);
     cr_json_put(p, "area_induced_m2", s->area_induced);
     if (version > 1) {
-        cJSON_AddItemToObject(p, "crush_profile_outline_m",
-                              cr_json_numbers(s->profile_outline, CR_PROFILE));
+        cr_tree_put(p, "crush_profile_outline_m", cr_json_numbers(s->profile_outline, CR_PROFILE));
         cr_json_put(p, "crush_profile_width_m", s->profile_width);
         cr_json_put(p, "crush_profile_middle_m", s->profile_middle);
         put_second(&s->second, p);
@@ -95,9 +92,9 @@ void cr_json_deformation(const struct cr_severity *s, int version, cJSON *p) {
 }
 
 void cr_json_outline(const struct cr_severity *s, cJSON *p) {
-    cJSON *outline = cJSON_AddArrayToObject(p, "deformation_outline_m");
+    cJSON *outline = cr_tree_array(p, "deformation_outline_m");
     for (int i = 0; i < s->outline_n; i++) {
-        cJSON_AddItemToArray(outline, cr_json_point(s->outline[i]));
+        cr_tree_push(outline, cr_json_point(s->outline[i]));
     }
 }
 
@@ -118,14 +115,14 @@ void cr_json_occupant(const struct cr_severity *s, cJSON *p) {
 }
 
 void cr_json_injury(const struct cr_severity *s, cJSON *p) {
-    cJSON *list = cJSON_AddArrayToObject(p, "injury");
+    cJSON *list = cr_tree_array(p, "injury");
     for (int i = 0; i < s->injuries; i++) {
         cJSON *one = cJSON_CreateObject();
-        cJSON_AddStringToObject(one, "function", s->injury[i].function);
+        cr_tree_text(one, "function", s->injury[i].function);
         cr_json_put(one, "probability", s->injury[i].probability);
-        cJSON_AddStringToObject(one, "injury", s->injury[i].level);
-        cJSON_AddBoolToObject(one, "extrapolated", s->injury[i].extrapolated);
-        cJSON_AddItemToArray(list, one);
+        cr_tree_text(one, "injury", s->injury[i].level);
+        cr_tree_bool(one, "extrapolated", s->injury[i].extrapolated);
+        cr_tree_push(list, one);
     }
 }
 
@@ -143,10 +140,10 @@ static void put_vehicle(const struct cr_result *r, const struct cr_impact *k, in
         return;
     }
     cJSON *p = cJSON_CreateObject();
-    cJSON_AddItemToArray(list, p);
-    cJSON_AddStringToObject(p, "id", r->resolved.part[i].id);
+    cr_tree_push(list, p);
+    cr_tree_text(p, "id", r->resolved.part[i].id);
     if (!vehicle) {
-        cJSON_AddStringToObject(p, "kind", "object");
+        cr_tree_text(p, "kind", "object");
     }
     cr_json_motion(&k->of[side], CR_RESULT_VERSION, p);
     if (vehicle) {
@@ -157,17 +154,17 @@ static void put_vehicle(const struct cr_result *r, const struct cr_impact *k, in
 }
 
 void cr_json_impacts(const struct cr_result *r, cJSON *json) {
-    cJSON *list = cJSON_AddArrayToObject(json, "impacts");
+    cJSON *list = cr_tree_array(json, "impacts");
     for (int i = 0; i < r->impacts; i++) {
         const struct cr_impact *k = &r->impact[i];
         cJSON *one = cJSON_CreateObject();
-        cJSON_AddItemToArray(list, one);
+        cr_tree_push(list, one);
         cr_json_put(one, "t_s", k->t_begin);
         cr_json_put(one, "end_s", k->t_end);
-        cJSON *between = cJSON_AddArrayToObject(one, "between");
-        cJSON_AddItemToArray(between, cJSON_CreateString(r->resolved.part[k->body[0]].id));
-        cJSON_AddItemToArray(between, cJSON_CreateString(r->resolved.part[k->body[1]].id));
-        cJSON_AddStringToObject(one, "stop", cr_stop_word(k->stop));
+        cJSON *between = cr_tree_array(one, "between");
+        cr_tree_push(between, cJSON_CreateString(r->resolved.part[k->body[0]].id));
+        cr_tree_push(between, cJSON_CreateString(r->resolved.part[k->body[1]].id));
+        cr_tree_text(one, "stop", cr_stop_word(k->stop));
         cr_json_put(one, "contacts", k->contacts);
         cr_json_put(one, "closing_kmh", cr_kmh(k->closing));
         cr_json_put(one, "restitution", k->restitution);
@@ -175,9 +172,9 @@ void cr_json_impacts(const struct cr_result *r, cJSON *json) {
         cr_json_put(one, "friction_kJ", k->friction / 1e3);
         cr_json_put(one, "impulse_x_Ns", k->impulse.x);
         cr_json_put(one, "impulse_y_Ns", k->impulse.y);
-        cJSON_AddItemToObject(one, "coe_m", cr_json_point(k->coe));
-        cJSON_AddItemToObject(one, "normal", cr_json_point(k->normal));
-        cJSON *vehicles = cJSON_AddArrayToObject(one, "vehicles");
+        cr_tree_put(one, "coe_m", cr_json_point(k->coe));
+        cr_tree_put(one, "normal", cr_json_point(k->normal));
+        cJSON *vehicles = cr_tree_array(one, "vehicles");
         put_vehicle(r, k, 0, vehicles);
         put_vehicle(r, k, 1, vehicles);
     }
@@ -189,7 +186,7 @@ cJSON *cr_json_warning(const struct cr_result *r, int i, int version) {
         return cJSON_CreateString(r->warning[i]);
     }
     cJSON *one = cJSON_CreateObject();
-    cJSON_AddStringToObject(one, "code", r->warning_code[i]);
-    cJSON_AddStringToObject(one, "text", r->warning[i]);
+    cr_tree_text(one, "code", r->warning_code[i]);
+    cr_tree_text(one, "text", r->warning[i]);
     return one;
 }

@@ -1,5 +1,6 @@
 noinst_LIBRARIES += libresult.a
 libresult_a_SOURCES = \
+	src/result/budget.c \
 	src/result/cdc.c src/result/cdc.h \
 	src/result/compare.c src/result/compare.h \
 	src/result/csv.c \

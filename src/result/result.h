@@ -110,14 +110,19 @@ struct cr_result {
 
 /* Shared, immutable data a run needs: models and injury risk functions. */
 struct cr_irf_set;
+/* What ends a solve: somebody who has cancelled it (or any other value), or its time. */
+enum cr_cancel { CR_CANCEL_NO, CR_CANCEL_USER, CR_CANCEL_TIME };
+enum { CR_MAX_SECONDS = 20, CR_MAX_MEGABYTES = 1024 }; /* what one scene may cost if not told */
 struct cr_context {
     const struct cr_model_lib *models;
     const struct cr_irf_set *irf; /* NULL: no injury probabilities */
-    int (*cancel)(void *);        /* polled while solving, NULL: never */
+    int (*cancel)(void *);        /* polled while solving, enum cr_cancel; NULL: never */
     /* called before cancel with the solve that is running, NULL: never; the solution may be read */
     void (*watch)(void *, struct cr_solver *solver, const struct cr_compiled *compiled);
     void *user;
-    bool keep; /* a solve that was cancelled after the first contact leaves what it has */
+    double max_bytes;   /* of memory that one scene may take, 0: any */
+    double max_seconds; /* for the words of an error only: cancel keeps the time, CR_CANCEL_TIME */
+    bool keep;          /* a solve that was cancelled after the first contact leaves what it has */
 };
 
 /* cr_solver_new for a resolved scene and the case made of it: bodies that overlap at the start are
@@ -127,6 +132,9 @@ CR_MUST_CHECK enum cr_err cr_result_solver(const struct cr_scene *scene, const s
 
 /* Resolve, compile, choose the PDOF models (trial solve, solve, at most one repeat),
  * solve and measure. Errors: all of the steps. The caller frees the result.
+ *
+ * EXPENSIVE: the scene takes more than ctx->max_bytes (estimated before, counted while it is
+ * solved), or cancel said CR_CANCEL_TIME; the hint says what is expensive in it.
  *
  * INTERRUPTED with ctx->keep: *out is the crash as far as it was worked, solution->interrupted and
  * with a warning that says so, or NULL when nothing had touched yet (the trial does not count: its

@@ -30,4 +30,15 @@ void cr_result_warn(struct cr_result *result, const char *code, const char *fmt,
 /* Warnings for all limits of validity the measured result leaves. */
 void cr_result_check(struct cr_result *result);
 
+/* ---- what a scene may cost (budget.c); the scene is a resolved one ---- */
+
+/* Errors: EXPENSIVE, from an estimate of the memory that its voxels take. */
+CR_MUST_CHECK enum cr_err cr_result_afford(const struct cr_scene *scene,
+                                           const struct cr_context *ctx, struct cr_error *err);
+/* Whether the record of a solve under way is larger than allowed. */
+bool cr_result_outgrown(const struct cr_solution *sol, const struct cr_context *ctx);
+/* Fill in EXPENSIVE: of time or of memory, with what in the scene costs so much. */
+enum cr_err cr_result_too_expensive(const struct cr_scene *scene, const struct cr_context *ctx,
+                                    bool time, struct cr_error *err);
+
 #endif

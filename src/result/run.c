@@ -83,14 +83,26 @@ struct watched {
     const struct cr_context *ctx;
     struct cr_solver *solver;
     const struct cr_compiled *compiled;
+    long polls;
+    bool late, large; /* it has been ended for that */
 };
 
+enum { LOOK_EVERY = 4096 }; /* polls: bringing the solution up to date is work */
+
 static int poll_watched(void *user) {
-    const struct watched *w = user;
+    struct watched *w = user;
+    if (++w->polls % LOOK_EVERY == 0 && cr_solver_touched(w->solver)) {
+        w->large = cr_result_outgrown(cr_solver_solution(w->solver), w->ctx);
+        if (w->large) {
+            return CR_CANCEL_USER;
+        }
+    }
     if (w->ctx->watch != NULL) {
         w->ctx->watch(w->ctx->user, w->solver, w->compiled);
     }
-    return w->ctx->cancel != NULL ? w->ctx->cancel(w->ctx->user) : 0;
+    int cancel = w->ctx->cancel != NULL ? w->ctx->cancel(w->ctx->user) : CR_CANCEL_NO;
+    w->late = cancel == CR_CANCEL_TIME;
+    return cancel;
 }
 
 /* an overlap at the start by the names of the scene, with the way out */
@@ -134,8 +146,11 @@ static enum cr_err solve(const struct cr_scene *scene, const struct cr_context *
         return rc;
     }
     rc = cr_result_solver(scene, &compiled->cs, solver, err);
-    struct watched watched = {ctx, *solver, compiled};
+    struct watched watched = {.ctx = ctx, .solver = *solver, .compiled = compiled};
     rc = rc ? rc : cr_solver_run(*solver, poll_watched, &watched, err);
+    if (watched.late || watched.large) {
+        rc = cr_result_too_expensive(scene, ctx, watched.late, err);
+    }
     bool part = rc == CR_ERR_INTERRUPTED && ctx->keep && cr_solver_solution(*solver)->samples > 0;
     if (rc && !part) {
         cr_solver_free(*solver);
@@ -250,6 +265,7 @@ enum cr_err cr_result_run(const struct cr_scene *scene, const struct cr_context 
     enum cr_err rc = cr_scene_copy(scene, &r->scene, err);
     rc = rc ? rc : cr_scene_copy(scene, &r->resolved, err);
     rc = rc ? rc : cr_scene_resolve(&r->resolved, ctx->models, &r->assumed, err);
+    rc = rc ? rc : cr_result_afford(&r->resolved, ctx, err);
     rc = rc ? rc : settle(r, ctx, err);
     bool part = rc == CR_ERR_INTERRUPTED && r->solution != NULL;
     if (ctx->irf != NULL) {

@@ -150,10 +150,16 @@ static enum cr_err offset_of(const struct cr_place *how, const struct face *f, d
     return CR_ERR_OK;
 }
 
+struct pose {
+    struct cr_vec2 pos;
+    double heading;
+};
+
 /* Pose of the part before it is brought together: far off along the normal, centre line on the
  * offset, nose towards the face (beside: parallel), turned about the point it would touch. */
-static void align(const struct cr_place *how, const struct face *f, const struct hull *part,
-                  double offset, double far_off, struct cr_vec2 *pos, double *heading) {
+static struct pose align(const struct cr_place *how, const struct face *f, const struct hull *part,
+                         double offset, double far_off) {
+    struct pose pose;
     double front, rear, left, right;
     extent(part, &front, &rear, &left, &right);
     bool flank = how->side == CR_FACE_LEFT || how->side == CR_FACE_RIGHT;
@@ -164,15 +170,16 @@ static void align(const struct cr_place *how, const struct face *f, const struct
         /* flank to flank, fronts `along` apart */
         bool on_left = how->side == CR_FACE_LEFT;
         origin = cr_vec2(touch.x - front, touch.y + (on_left ? -right : -left));
-        *heading = 0;
+        pose.heading = 0;
     } else {
         origin = cr_vec2_axpy(touch, front, f->normal);
-        *heading = to_face;
+        pose.heading = to_face;
     }
     struct cr_vec2 arm = cr_vec2_sub(origin, touch);
     origin = cr_vec2_add(touch, cr_vec2_rotate(arm, cos(how->angle), sin(how->angle)));
-    *pos = cr_vec2_axpy(origin, far_off, f->normal);
-    *heading += how->angle;
+    pose.pos = cr_vec2_axpy(origin, far_off, f->normal);
+    pose.heading += how->angle;
+    return pose;
 }
 
 static enum cr_err check_known(const struct cr_participant *p, const struct hull *h,
@@ -234,7 +241,7 @@ static enum cr_err check_wish(const struct cr_participant *p, const struct cr_pa
 /* Pose of the hull `mine` in the frame of the other participant. */
 static enum cr_err find_pose(const struct cr_participant *other, const struct hull *mine,
                              const struct hull *theirs, const struct cr_place *how,
-                             struct cr_vec2 *pos, double *heading, struct cr_error *err) {
+                             struct pose *pose, struct cr_error *err) {
     double front, rear, left, right, offset, moved;
     struct face f = face_of(other, theirs, how->side);
     extent(mine, &front, &rear, &left, &right);
@@ -245,15 +252,15 @@ static enum cr_err find_pose(const struct cr_participant *other, const struct hu
         return code;
     }
     double far_off = 2 * (size + hypot(front - rear, left - right)) + how->gap;
-    align(how, &f, mine, offset, far_off, pos, heading);
-    struct hull there = hull_at(mine, *pos, *heading);
+    *pose = align(how, &f, mine, offset, far_off);
+    struct hull there = hull_at(mine, pose->pos, pose->heading);
     struct cr_vec2 to = cr_vec2_scale(f.normal, -1);
     if (!bring_together(there, theirs, to, how->gap, far_off, &moved)) {
         cr_err_set(err, CR_ERR_RANGE, "placed like this it passes \"%s\" by", other->id);
         cr_err_hint(err, "change the overlap, or where along the side it hits");
         return CR_ERR_RANGE;
     }
-    *pos = cr_vec2_axpy(*pos, moved, to);
+    pose->pos = cr_vec2_axpy(pose->pos, moved, to);
     return CR_ERR_OK;
 }
 
@@ -265,8 +272,7 @@ enum cr_err cr_scene_place(struct cr_scene *scene, const char *id, const char *o
     }
     struct cr_place wish = normal_form(how);
     struct hull mine, theirs;
-    struct cr_vec2 pos;
-    double heading;
+    struct pose pose;
     hull_of(p, &mine);
     hull_of(o, &theirs);
     enum cr_err code = check_wish(p, o, &wish, err);
@@ -277,12 +283,12 @@ enum cr_err cr_scene_place(struct cr_scene *scene, const char *id, const char *o
         code = check_known(o, &theirs, err);
     }
     if (code == CR_ERR_OK) {
-        code = find_pose(o, &mine, &theirs, &wish, &pos, &heading, err);
+        code = find_pose(o, &mine, &theirs, &wish, &pose, err);
     }
     if (code != CR_ERR_OK) {
         return code;
     }
     double c = cos(o->heading), s = sin(o->heading);
-    settle(p, cr_vec2_add(o->pos, cr_vec2_rotate(pos, c, s)), o->heading + heading);
+    settle(p, cr_vec2_add(o->pos, cr_vec2_rotate(pose.pos, c, s)), o->heading + pose.heading);
     return CR_ERR_OK;
 }

@@ -281,6 +281,12 @@ static enum cr_err parse(const char *text, size_t len, const char *src, bool dra
     err = err != NULL ? err : &own;
     cr_scene_init(scene);
     enum cr_err code = cr_json_check(text, len, src, err);
+    if (code == CR_ERR_OK && cr_json_large(text, len)) {
+        code = cr_err_set(err, CR_ERR_EXPENSIVE, "too expensive: more than %d million values",
+                          CR_JSON_VALUES_MAX / 1000000);
+        cr_err_place(err, src, 0, 0);
+        cr_err_hint(err, "leave out what no crash needs: x_ keys, rows of trajectories");
+    }
     if (code != CR_ERR_OK) {
         return code;
     }

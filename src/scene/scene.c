@@ -99,6 +99,16 @@ enum cr_err cr_scene_copy(const struct cr_scene *from, struct cr_scene *to, stru
     return code;
 }
 
+size_t cr_scene_size(const struct cr_scene *scene) {
+    size_t n = scene->extra != NULL ? strlen(scene->extra) : 0;
+    for (int i = 0; i < scene->n; i++) {
+        const struct cr_participant *p = &scene->part[i];
+        n += (size_t)p->waypoints * sizeof *p->waypoint;
+        n += p->extra != NULL ? strlen(p->extra) : 0;
+    }
+    return n;
+}
+
 struct cr_participant *cr_scene_find(struct cr_scene *scene, const char *id) {
     for (int i = 0; i < scene->n; i++) {
         if (strcmp(scene->part[i].id, id) == 0) {

@@ -128,6 +128,8 @@ void cr_scene_init(struct cr_scene *scene); /* empty scene with default settings
 void cr_scene_fini(struct cr_scene *scene);
 CR_MUST_CHECK enum cr_err cr_scene_copy(const struct cr_scene *from, struct cr_scene *to,
                                         struct cr_error *err);
+/* Bytes that a scene holds beside the struct itself: trajectories, x_ keys. */
+size_t cr_scene_size(const struct cr_scene *scene);
 struct cr_participant *cr_scene_find(struct cr_scene *scene, const char *id);
 /* Participant of the kind with nothing given: what cr_scene_add puts at the end of the scene. */
 CR_MUST_CHECK enum cr_err cr_scene_add(struct cr_scene *scene, const char *id, enum cr_kind kind,

@@ -122,8 +122,10 @@ static void solve(void *user, void *given) {
     struct cr_scene scene;
     struct cr_result *result = NULL;
     struct cr_error err = {0};
-    struct cr_context ctx = {
-        .models = w->ctx->models, .cancel = w->ctx->cancel, .user = w->ctx->user};
+    struct cr_context ctx = {.models = w->ctx->models,
+                             .cancel = w->ctx->cancel,
+                             .user = w->ctx->user,
+                             .max_bytes = w->ctx->max_bytes};
     int n;
     const struct cr_measure *m = cr_measures(&n);
     item->code =
@@ -173,7 +175,10 @@ static enum cr_err solve_nominal(struct cr_mc *mc, const struct cr_context *ctx,
     if (code != CR_ERR_OK) {
         return code;
     }
-    struct cr_context own = {.models = ctx->models, .cancel = ctx->cancel, .user = ctx->user};
+    struct cr_context own = {.models = ctx->models,
+                             .cancel = ctx->cancel,
+                             .user = ctx->user,
+                             .max_bytes = ctx->max_bytes};
     code = cr_result_run(&scene, &own, &result, err);
     cr_scene_fini(&scene);
     if (code == CR_ERR_OK) {

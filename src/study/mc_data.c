@@ -2,6 +2,7 @@
 #include "study/study.h"
 
 #include "base/json.h"
+#include "base/tree.h"
 #include "study/draw.h"
 
 #include <cjson/cJSON.h>
@@ -25,29 +26,28 @@ static cJSON *inputs(const struct cr_mc *mc) {
         char dim[200];
         cJSON *o = cJSON_CreateObject();
         cr_mc_dim_name(mc, mc->dim[i], dim, sizeof dim);
-        cJSON_AddStringToObject(o, "key", in->key);
-        cJSON_AddItemToObject(o, "value", number(cr_unit_from_si(in->unit, in->value)));
-        cJSON_AddItemToObject(o, "tolerance",
-                              number(in->factor ? in->half : cr_unit_from_si(in->unit, in->half)));
-        cJSON_AddStringToObject(o, "distribution",
-                                in->factor ? "lognormal" : cr_spread_word(in->spread));
+        cr_tree_text(o, "key", in->key);
+        cr_tree_put(o, "value", number(cr_unit_from_si(in->unit, in->value)));
+        cr_tree_put(o, "tolerance",
+                    number(in->factor ? in->half : cr_unit_from_si(in->unit, in->half)));
+        cr_tree_text(o, "distribution", in->factor ? "lognormal" : cr_spread_word(in->spread));
         if (in->group[0] != '\0') {
-            cJSON_AddStringToObject(o, "group", in->group);
+            cr_tree_text(o, "group", in->group);
         }
-        cJSON_AddStringToObject(o, "dimension", dim);
-        cJSON_AddItemToArray(list, o);
+        cr_tree_text(o, "dimension", dim);
+        cr_tree_push(list, o);
     }
     return list;
 }
 
 static cJSON *histogram(const struct cr_mc_stats *s, const struct cr_measure *m) {
     cJSON *o = cJSON_CreateObject(), *counts = cJSON_CreateArray();
-    cJSON_AddItemToObject(o, "from", number(shown(m, s->lo)));
-    cJSON_AddItemToObject(o, "to", number(shown(m, s->hi)));
+    cr_tree_put(o, "from", number(shown(m, s->lo)));
+    cr_tree_put(o, "to", number(shown(m, s->hi)));
     for (int b = 0; b < CR_MC_BINS; b++) {
-        cJSON_AddItemToArray(counts, cJSON_CreateNumber(s->bin[b]));
+        cr_tree_push(counts, cJSON_CreateNumber(s->bin[b]));
     }
-    cJSON_AddItemToObject(o, "counts", counts);
+    cr_tree_put(o, "counts", counts);
     return o;
 }
 
@@ -55,23 +55,23 @@ static cJSON *stats(const struct cr_mc *mc, const struct cr_mc_stats *s,
                     const struct cr_measure *m) {
     static const char *const keys[] = {"q2_5", "q25", "q50", "q75", "q97_5"};
     cJSON *o = cJSON_CreateObject();
-    cJSON_AddNumberToObject(o, "n", s->n);
-    cJSON_AddItemToObject(o, "as_given", number(shown(m, s->nominal)));
-    cJSON_AddItemToObject(o, "mean", number(shown(m, s->mean)));
-    cJSON_AddItemToObject(o, "sd", number(shown(m, s->sd)));
+    cr_tree_number(o, "n", s->n);
+    cr_tree_put(o, "as_given", number(shown(m, s->nominal)));
+    cr_tree_put(o, "mean", number(shown(m, s->mean)));
+    cr_tree_put(o, "sd", number(shown(m, s->sd)));
     for (int q = 0; q < CR_MC_QUANTILES; q++) {
-        cJSON_AddItemToObject(o, keys[q], number(shown(m, s->quantile[q])));
+        cr_tree_put(o, keys[q], number(shown(m, s->quantile[q])));
     }
-    cJSON_AddItemToObject(o, "standard_error", number(shown(m, s->mean_error)));
-    cJSON_AddItemToObject(o, "moved_from_half", number(shown(m, s->moved)));
-    cJSON_AddItemToObject(o, "histogram", histogram(s, m));
-    cJSON *effect = cJSON_AddObjectToObject(o, "effect_of_tolerance");
+    cr_tree_put(o, "standard_error", number(shown(m, s->mean_error)));
+    cr_tree_put(o, "moved_from_half", number(shown(m, s->moved)));
+    cr_tree_put(o, "histogram", histogram(s, m));
+    cJSON *effect = cr_tree_object(o, "effect_of_tolerance");
     for (int d = 0; d < s->effects; d++) {
         char name[200];
         cr_mc_dim_name(mc, d, name, sizeof name);
-        cJSON_AddItemToObject(effect, name, number(shown(m, s->effect[d])));
+        cr_tree_put(effect, name, number(shown(m, s->effect[d])));
     }
-    cJSON_AddItemToObject(o, "explained", number(s->explained));
+    cr_tree_put(o, "explained", number(s->explained));
     return o;
 }
 
@@ -79,7 +79,7 @@ static enum cr_err results(const struct cr_mc *mc, cJSON *to, struct cr_error *e
     int n;
     const struct cr_measure *m = cr_measures(&n);
     for (int p = 0; p < mc->participants; p++) {
-        cJSON *o = cJSON_AddObjectToObject(to, mc->id[p]);
+        cJSON *o = cr_tree_object(to, mc->id[p]);
         for (int k = 0; k < n; k++) {
             struct cr_mc_stats s;
             enum cr_err code = cr_mc_stats(mc, p, k, &s, err);
@@ -87,7 +87,7 @@ static enum cr_err results(const struct cr_mc *mc, cJSON *to, struct cr_error *e
                 return code;
             }
             if (s.n > 0) {
-                cJSON_AddItemToObject(o, m[k].key, stats(mc, &s, &m[k]));
+                cr_tree_put(o, m[k].key, stats(mc, &s, &m[k]));
             }
         }
     }
@@ -96,19 +96,19 @@ static enum cr_err results(const struct cr_mc *mc, cJSON *to, struct cr_error *e
 
 enum cr_err cr_mc_json(const struct cr_mc *mc, struct cr_str *out, struct cr_error *err) {
     cJSON *root = cJSON_CreateObject();
-    cJSON_AddStringToObject(root, "class", "mc");
-    cJSON_AddStringToObject(root, "scene", mc->study.scene->name);
-    cJSON_AddNumberToObject(root, "draws", mc->done);
-    cJSON_AddNumberToObject(root, "without_result", mc->failed);
+    cr_tree_text(root, "class", "mc");
+    cr_tree_text(root, "scene", mc->study.scene->name);
+    cr_tree_number(root, "draws", mc->done);
+    cr_tree_number(root, "without_result", mc->failed);
     if (mc->failed > 0) {
-        cJSON_AddStringToObject(root, "first_failure", mc->failure);
+        cr_tree_text(root, "first_failure", mc->failure);
     }
-    cJSON_AddBoolToObject(root, "interrupted", mc->interrupted);
-    cJSON_AddStringToObject(root, "sampling", cr_sampling_word(mc->opts.sampling));
-    cJSON_AddStringToObject(root, "generator", cr_draw_generator(mc->opts.sampling));
-    cJSON_AddNumberToObject(root, "seed", (double)mc->opts.seed);
-    cJSON_AddItemToObject(root, "inputs", inputs(mc));
-    enum cr_err code = results(mc, cJSON_AddObjectToObject(root, "results"), err);
+    cr_tree_bool(root, "interrupted", mc->interrupted);
+    cr_tree_text(root, "sampling", cr_sampling_word(mc->opts.sampling));
+    cr_tree_text(root, "generator", cr_draw_generator(mc->opts.sampling));
+    cr_tree_number(root, "seed", (double)mc->opts.seed);
+    cr_tree_put(root, "inputs", inputs(mc));
+    enum cr_err code = results(mc, cr_tree_object(root, "results"), err);
     if (code != CR_ERR_OK) {
         cJSON_Delete(root);
         return code;

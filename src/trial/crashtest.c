@@ -1,6 +1,8 @@
 /* The list of crash tests, and what their classes, speeds and measures are called. */
 #include "trial/crashtest.h"
 
+#include "base/grow.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -40,15 +42,9 @@ void cr_test_list_fini(struct cr_test_list *list) {
 }
 
 struct cr_test *cr_test_list_add(struct cr_test_list *list, struct cr_error *err) {
-    if (list->n == list->size) {
-        int size = list->size > 0 ? 2 * list->size : 64;
-        struct cr_test *more = realloc(list->item, (size_t)size * sizeof *more);
-        if (more == NULL) {
-            cr_err_set(err, CR_ERR_MEMORY, "no memory for crash tests");
-            return NULL;
-        }
-        list->item = more;
-        list->size = size;
+    if (!cr_grow(&list->item, &list->size, list->n, sizeof *list->item)) {
+        cr_err_set(err, CR_ERR_MEMORY, "no memory for crash tests");
+        return NULL;
     }
     struct cr_test *c = &list->item[list->n++];
     memset(c, 0, sizeof *c);

@@ -2,6 +2,8 @@
  * targets. */
 #include "trial/verdict.h"
 
+#include "base/grow.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -171,14 +173,8 @@ static double fleet_scatter(const struct cr_test_list *tests, enum cr_test_class
 }
 
 static struct cr_verdict_row *new_row(struct cr_verdict *v) {
-    if (v->rows == v->row_size) {
-        int size = v->row_size ? 2 * v->row_size : 64;
-        struct cr_verdict_row *more = realloc(v->row, (size_t)size * sizeof *more);
-        if (more == NULL) {
-            return NULL;
-        }
-        v->row = more;
-        v->row_size = size;
+    if (!cr_grow(&v->row, &v->row_size, v->rows, sizeof *v->row)) {
+        return NULL;
     }
     struct cr_verdict_row *r = &v->row[v->rows++];
     *r = (struct cr_verdict_row){.fleet_sd = none, .published = {none, none, none}};
@@ -255,14 +251,8 @@ static enum cr_err make_class(const struct cr_test_list *tests, enum cr_test_cla
 
 static enum cr_err add_target(struct cr_verdict *v, const char *name, double value, double limit,
                               bool at_least) {
-    if (v->targets == v->target_size) {
-        int size = v->target_size ? 2 * v->target_size : 32;
-        struct cr_verdict_target *more = realloc(v->target, (size_t)size * sizeof *more);
-        if (more == NULL) {
-            return CR_ERR_MEMORY;
-        }
-        v->target = more;
-        v->target_size = size;
+    if (!cr_grow(&v->target, &v->target_size, v->targets, sizeof *v->target)) {
+        return CR_ERR_MEMORY;
     }
     struct cr_verdict_target *t = &v->target[v->targets++];
     *t = (struct cr_verdict_target){.value = value, .limit = limit, .at_least = at_least};

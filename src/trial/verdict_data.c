@@ -5,6 +5,7 @@
 
 #include "base/json.h"
 #include "base/number.h"
+#include "base/tree.h"
 
 #include <cjson/cJSON.h>
 #include <math.h>
@@ -83,24 +84,23 @@ void cr_verdict_csv(const struct cr_verdict *v, const struct cr_test_list *tests
 }
 
 static void put(cJSON *to, const char *key, double x) {
-    cJSON_AddItemToObject(to, key,
-                          isfinite(x) ? cJSON_CreateNumber(cr_round12(x)) : cJSON_CreateNull());
+    cr_tree_put(to, key, isfinite(x) ? cJSON_CreateNumber(cr_round12(x)) : cJSON_CreateNull());
 }
 
 static void json_rows(const struct cr_verdict *v, unsigned runs, cJSON *json) {
-    cJSON *list = cJSON_AddArrayToObject(json, "rows");
+    cJSON *list = cr_tree_array(json, "rows");
     for (int i = 0; i < v->rows; i++) {
         const struct cr_verdict_row *r = &v->row[i];
         cJSON *one = cJSON_CreateObject();
-        cJSON_AddItemToArray(list, one);
-        cJSON_AddStringToObject(one, "class", cr_test_class_word(r->class));
-        cJSON_AddStringToObject(one, "group", r->group);
-        cJSON_AddStringToObject(one, "measure", cr_test_measure_key(r->measure));
-        cJSON_AddBoolToObject(one, "relative", cr_test_measure_is_relative(r->measure));
+        cr_tree_push(list, one);
+        cr_tree_text(one, "class", cr_test_class_word(r->class));
+        cr_tree_text(one, "group", r->group);
+        cr_tree_text(one, "measure", cr_test_measure_key(r->measure));
+        cr_tree_bool(one, "relative", cr_test_measure_is_relative(r->measure));
         for (int j = 0; j < CR_TEST_RUNS; j++) {
             int m = cr_test_run_order[j];
             if ((runs >> m & 1) && r->of[m].n > 0) {
-                cJSON *e = cJSON_AddObjectToObject(one, cr_test_run_word(m));
+                cJSON *e = cr_tree_object(one, cr_test_run_word(m));
                 put(e, "n", r->of[m].n);
                 put(e, "mpe", r->of[m].mpe);
                 put(e, "sd", r->of[m].sd);
@@ -110,7 +110,7 @@ static void json_rows(const struct cr_verdict *v, unsigned runs, cJSON *json) {
         }
         put(one, "fleet_sd", r->fleet_sd);
         if (isfinite(r->published[0])) {
-            cJSON *p = cJSON_AddObjectToObject(one, "impactees");
+            cJSON *p = cr_tree_object(one, "impactees");
             put(p, "mpe", r->published[0]);
             put(p, "sd", r->published[1]);
             put(p, "mape", r->published[2]);
@@ -120,14 +120,14 @@ static void json_rows(const struct cr_verdict *v, unsigned runs, cJSON *json) {
 
 static void json_case(const struct cr_test *t, unsigned runs, cJSON *list) {
     cJSON *one = cJSON_CreateObject();
-    cJSON_AddItemToArray(list, one);
-    cJSON_AddStringToObject(one, "class", cr_test_class_word(t->class));
-    cJSON_AddStringToObject(one, "id", t->id);
-    cJSON_AddStringToObject(one, "participant", t->part);
-    cJSON_AddStringToObject(one, "title", t->title);
-    cJSON_AddStringToObject(one, "type", cr_type_word(t->type));
+    cr_tree_push(list, one);
+    cr_tree_text(one, "class", cr_test_class_word(t->class));
+    cr_tree_text(one, "id", t->id);
+    cr_tree_text(one, "participant", t->part);
+    cr_tree_text(one, "title", t->title);
+    cr_tree_text(one, "type", cr_type_word(t->type));
     put(one, "speed_kmh", t->speed_kmh);
-    cJSON *measured = cJSON_AddObjectToObject(one, "measured");
+    cJSON *measured = cr_tree_object(one, "measured");
     for (int m = 0; m < CR_MEASURES; m++) {
         if (isfinite(t->reference[m])) {
             put(measured, cr_test_measure_key((enum cr_measure)m), t->reference[m]);
@@ -139,12 +139,12 @@ static void json_case(const struct cr_test *t, unsigned runs, cJSON *list) {
         if (!(runs >> k & 1) || (!solved && !t->of[k].error[0])) {
             continue;
         }
-        cJSON *got = cJSON_AddObjectToObject(one, cr_test_run_word(k));
+        cJSON *got = cr_tree_object(one, cr_test_run_word(k));
         for (int m = 0; m < CR_MEASURES && !t->of[k].error[0]; m++) {
             put(got, cr_test_measure_key((enum cr_measure)m), t->of[k].value[m]);
         }
         if (t->of[k].error[0]) {
-            cJSON_AddStringToObject(got, "error", t->of[k].error);
+            cr_tree_text(got, "error", t->of[k].error);
         }
         if (isfinite(t->of[k].pulse.iso)) {
             put(got, "pulse_rms_g", t->of[k].pulse.rms_g);
@@ -159,18 +159,18 @@ enum cr_err cr_verdict_json(const struct cr_verdict *v, const struct cr_test_lis
                             struct cr_error *err) {
     cJSON *json = cJSON_CreateObject();
     put(json, "crumple_validation", 1);
-    cJSON_AddStringToObject(json, "version", PACKAGE_VERSION);
+    cr_tree_text(json, "version", PACKAGE_VERSION);
     json_rows(v, form->runs, json);
-    cJSON *list = cJSON_AddArrayToObject(json, "targets");
+    cJSON *list = cr_tree_array(json, "targets");
     for (int i = 0; i < v->targets; i++) {
         cJSON *one = cJSON_CreateObject();
-        cJSON_AddItemToArray(list, one);
-        cJSON_AddStringToObject(one, "name", v->target[i].name);
+        cr_tree_push(list, one);
+        cr_tree_text(one, "name", v->target[i].name);
         put(one, "value", v->target[i].value);
         put(one, v->target[i].at_least ? "at_least" : "within", v->target[i].limit);
-        cJSON_AddBoolToObject(one, "met", v->target[i].met);
+        cr_tree_bool(one, "met", v->target[i].met);
     }
-    list = form->cases ? cJSON_AddArrayToObject(json, "cases") : NULL;
+    list = form->cases ? cr_tree_array(json, "cases") : NULL;
     for (int i = 0; list && i < tests->n; i++) {
         json_case(&tests->item[i], form->runs, list);
     }

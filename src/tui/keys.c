@@ -182,35 +182,37 @@ static void change_speed(struct cr_tui *t, int arg) {
 }
 
 static void next_field(struct cr_tui *t, int arg) {
-    static const char *const words[] = {"ees", "energy", "crush", "depth", "none"};
     char line[40];
     (void)arg;
     snprintf(line, sizeof line, "show field=%s",
-             words[(cr_session_view(t->session)->field + 1) % 5]);
-    cr_tui_run_key(t, line);
-}
-
-static void next_word(struct cr_tui *t, const char *command, const char *now,
-                      const char *const *words, int n) {
-    char line[60];
-    int i = 0;
-    while (i < n - 1 && strcmp(words[i], now) != 0) {
-        i++;
-    }
-    snprintf(line, sizeof line, "%s%s", command, words[(i + 1) % n]);
+             cr_field_word((cr_session_view(t->session)->field + 1) % CR_FIELDS));
     cr_tui_run_key(t, line);
 }
 
 static void next_map(struct cr_tui *t, int arg) {
-    static const char *const words[] = {"viridis", "magma", "gray"};
+    char line[40];
+    int i = 0;
     (void)arg;
-    next_word(t, "show colormap=", cr_session_view(t->session)->colormap, words, 3);
+    while (i < CR_COLORMAPS - 1 && strcmp(cr_colormap_word((enum cr_colormap)i),
+                                          cr_session_view(t->session)->colormap) != 0) {
+        i++;
+    }
+    snprintf(line, sizeof line, "show colormap=%s",
+             cr_colormap_word((enum cr_colormap)((i + 1) % CR_COLORMAPS)));
+    cr_tui_run_key(t, line);
 }
 
 static void next_theme(struct cr_tui *t, int arg) {
     static const char *const words[] = {"auto", "dark", "light", "contrast"};
+    enum { N = sizeof words / sizeof *words };
+    char line[60];
+    int i = 0;
     (void)arg;
-    next_word(t, "view theme=", cr_session_view(t->session)->theme, words, 4);
+    while (i < N - 1 && strcmp(words[i], cr_session_view(t->session)->theme) != 0) {
+        i++;
+    }
+    snprintf(line, sizeof line, "view theme=%s", words[(i + 1) % N]);
+    cr_tui_run_key(t, line);
 }
 
 static void arrows(struct cr_tui *t, int arg) {

@@ -3,6 +3,8 @@
 
 #include "render/picture.h"
 
+#include "base/grow.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -30,14 +32,8 @@ static void append(struct cr_dialogue *d, enum cr_role role, const char *text, s
     if (d->n == LINES_MAX) {
         forget_older_half(d);
     }
-    if (d->n == d->size) {
-        int size = d->size > 0 ? 2 * d->size : 64;
-        struct cr_render_line *bigger = realloc(d->line, (size_t)size * sizeof *bigger);
-        if (bigger == NULL) {
-            return;
-        }
-        d->line = bigger;
-        d->size = size;
+    if (!cr_grow(&d->line, &d->size, d->n, sizeof *d->line)) {
+        return;
     }
     char *copy = strndup(text, len);
     if (copy != NULL) {

@@ -6,7 +6,6 @@
 #include <string.h>
 
 struct cr_look cr_tui_look(const struct cr_tui *t) {
-    static const char *const maps[CR_COLORMAPS] = {"viridis", "magma", "gray"};
     const struct cr_view *view = cr_session_view(t->session);
     struct cr_look look = *cr_session_look(t->session);
     const char *theme = look.color == CR_COLOR_NONE ? "mono" : view->theme;
@@ -16,7 +15,7 @@ struct cr_look cr_tui_look(const struct cr_tui *t) {
     }
     look.theme = cr_theme_find(theme);
     for (int i = 0; i < CR_COLORMAPS; i++) {
-        if (strcmp(maps[i], view->colormap) == 0) {
+        if (strcmp(cr_colormap_word((enum cr_colormap)i), view->colormap) == 0) {
             look.map = (enum cr_colormap)i;
         }
     }

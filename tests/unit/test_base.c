@@ -4,6 +4,7 @@
 #include "base/arena.h"
 #include "base/err.h"
 #include "base/file.h"
+#include "base/grow.h"
 #include "base/hash.h"
 #include "base/json.h"
 #include "base/number.h"
@@ -214,8 +215,30 @@ static void test_tree_as_text(void **state) {
     cr_str_fini(&out);
 }
 
+static void test_grown_array_keeps_its_items(void **state) {
+    (void)state;
+    long *item = NULL;
+    int size = 0, n = 0;
+    for (; n < 1000; n++) {
+        assert_true(cr_grow(&item, &size, n, sizeof *item));
+        assert_true(size > n);
+        item[n] = 7L * n;
+    }
+    for (int i = 0; i < n; i++) {
+        assert_int_equal(item[i], 7L * i);
+    }
+    assert_true(size < 2 * n + 64); /* no more than twice what is needed */
+    /* what cannot be had leaves the array as it was */
+    int full = size;
+    assert_false(cr_grow(&item, &full, size, (size_t)1 << 62));
+    assert_int_equal(full, size);
+    assert_int_equal(item[999], 7L * 999);
+    free(item);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_grown_array_keeps_its_items),
         cmocka_unit_test(test_arena_gives_zeroed_memory),
         cmocka_unit_test(test_arena_zeroes_used_memory),
         cmocka_unit_test(test_error_text_names_place_and_way_out),

@@ -15,8 +15,8 @@ static double depth_ratio(double k1, double k2) {
     return pow(k2 / k1, 1 / (1 + rate));
 }
 
-/* [SPRINGS-IN-SERIES]: m' = m1 m2/(m1+m2), w = sqrt(k'/m'), x = V/w sin wt with k' of the spring that
- * the two make together, k1 k2/(k1+k2) for c = 0; momentum gives the velocities. */
+/* [SPRINGS-IN-SERIES]: m' = m1 m2/(m1+m2), w = sqrt(k'/m'), x = V/w sin wt with k' of the spring
+ * that the two make together, k1 k2/(k1+k2) for c = 0; momentum gives the velocities. */
 struct pair {
     double m1, w1, v1, m2, w2, v2, e;
 };

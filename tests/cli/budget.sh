@@ -1,0 +1,61 @@
+#!/bin/sh
+# Bombs: scenes and command files that would cost minutes or gigabytes end within their budget, with
+# a word for what is expensive in them.
+. "$SRC/tests/cli/cli.sh"
+cases=$SRC/tests/cases/hostile
+cd "$tmp" || exit 99
+cp "$cases/pole.json" .
+
+# bomb NAME SECONDS MEGABYTES STATUS PATTERN ARG ...: ends within so much processor time and memory,
+# with the status, and says what the pattern wants. The memory is that of addresses, which is more
+# than what is used; a sanitizer needs far more of those.
+bomb() {
+    bomb_name=$1 bomb_seconds=$2 bomb_mb=$3 bomb_want=$4 bomb_pattern=$5
+    shift 5
+    (
+        ulimit -t "$bomb_seconds"
+        "$crumple" --version | grep -q 'sanitizers: no' && ulimit -v $((bomb_mb * 1024))
+        exec "$crumple" "$@"
+    ) >bomb.out 2>&1 </dev/null
+    same "$bomb_name: status" "$?" "$bomb_want"
+    has "$bomb_name: told" "$(head -c 2000 bomb.out; tail -n 5 bomb.out)" "$bomb_pattern"
+}
+
+bomb "sixteen lorries of 5 mm" 5 300 4 'too expensive: it takes more than 1024 MB \(its vehicles' \
+    run "$cases/mem16.json"
+bomb "the same in a stack" 5 500 1 '"code":"too-expensive".*voxel_mm' stack "$cases/mem16.json"
+bomb "the same with a smaller budget" 5 300 4 'more than 10 MB' \
+    run "$cases/pole.json" --set voxel_mm=5 --max-memory 10
+bomb "slices of 1 us until rest" 9 600 4 'not solved within 2 s.*until all stand still' \
+    run "$cases/dtrest.json" --max-seconds 2
+bomb "the same in a stack" 9 600 1 '"code":"too-expensive".*dt_ms' \
+    stack "$cases/dtrest.json" --max-seconds 2
+bomb "the same in a command file" 9 600 4 'error: too expensive.*2 s' \
+    --max-seconds=2 -e "load $cases/dtrest.json" -e solve
+bomb "and in its memory" 20 300 4 'too expensive: it takes more than 50 MB' \
+    run "$cases/dtrest.json" --max-memory 50
+bomb "a trajectory from far before" 9 300 4 'too expensive.*trajectories last 1e\+04 s' \
+    run "$cases/traj2.json" --max-seconds 2
+# a flat array of five million numbers in an x_ key
+python3 -c 'import sys; t = open("pole.json").read().rstrip()[:-1]
+sys.stdout.write(t + ", \"x_a\": [" + "0," * 5000000 + "0] }")' >array.json
+bomb "ten megabytes in an x_ key" 9 300 4 'too expensive: more than 3 million values' run array.json
+bomb "the same in a stack" 9 300 1 '"code":"too-expensive"' stack array.json
+for i in 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14; do
+    for k in 1 2 3 4 5 6 7 8; do
+        echo "source s$((i + 1)).crumple"
+    done >s$i.crumple
+done
+echo list >s15.crumple
+bomb "fifteen files that source the next eight times" 9 300 4 'leads to more than 1000 files' \
+    s0.crumple
+{
+    echo "load pole.json"
+    python3 -c 'print("move A dx=0.001\nmove A dx=-0.001\n" * 10000)'
+} >undo.crumple
+bomb "20,000 moves to undo" 40 300 0 'A: ' undo.crumple
+for option in --max-seconds=0 --max-memory=x --max-hours=1 --max-seconds; do
+    bomb "commands with $option" 5 300 2 '--max-seconds=N' $option -e list
+done
+bomb "run with no time" 5 300 2 'max-seconds' run pole.json --max-seconds 0
+finish

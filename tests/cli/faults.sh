@@ -1,0 +1,152 @@
+#!/bin/sh
+# Every kind of refusal of the system in turn: memory, open, read, write, sync, rename. Either the
+# program says so and fails, or what it writes is what it always writes. And kill -9 at each step of
+# saving: a file is the old one or the new one, and nothing else is left beside it.
+#
+# FAULTS_STEP=1 tries every single call; as it comes every 23rd allocation is tried.
+. "$SRC/tests/cli/cli.sh"
+fault=$BUILD/fault.so
+[ -e "$fault" ] || {
+    echo "1..0 # SKIP no library to refuse calls was built here"
+    exit 0
+}
+"$crumple" --version | grep -q 'sanitizers: no' || {
+    echo "1..0 # SKIP a sanitizer has its own allocations"
+    exit 0
+}
+LD_PRELOAD=$fault "$crumple" --version >/dev/null 2>&1 || {
+    echo "1..0 # SKIP it cannot be preloaded"
+    exit 0
+}
+LC_ALL=C # a locale that cannot be read for want of memory would change the characters
+export LC_ALL
+cd "$tmp" || exit 99
+cp "$SRC/tests/cases/hostile/pole.json" . || exit 99
+for name in other third; do
+    sed "s/\"name\": \"pole\"/\"name\": \"$name\", \"pair\": \"p\"/" pole.json | tr -d '\n'
+    echo
+done >two.jsonl
+cat >all.crumple <<'END'
+load pole.json
+solve
+show
+table
+move A dx=-0.1
+undo
+export! result out.json
+save! out2.json
+END
+step=${FAULTS_STEP:-23}
+
+# faults NAME KIND STEP OUT ARG ...: OUT is a file it writes, - for standard output
+faults() {
+    f_name=$1 f_kind=$2 f_step=$3 f_out=$4
+    shift 4
+    rm -f "$f_out" f.part
+    "$crumple" "$@" >want.out 2>/dev/null || f_name="$f_name (fails by itself)"
+    [ "$f_out" = - ] || cp "$f_out" want.out
+    f_calls=$(LD_PRELOAD=$fault FAULT_KIND=$f_kind FAULT_COUNT=9 "$crumple" "$@" 9>&1 >/dev/null \
+        2>&1)
+    f_bad='' f_n=0 f_at=$((f_calls % f_step))
+    [ "$f_step" -eq 1 ] && f_at=0
+    while [ "$f_at" -lt "$f_calls" ]; do
+        [ "$f_out" = - ] || rm -f "$f_out"
+        LD_PRELOAD=$fault FAULT_KIND=$f_kind FAULT_AT=$f_at timeout -s KILL 20 "$crumple" "$@" \
+            >got.out 2>errs.out
+        f_status=$?
+        [ "$f_out" = - ] || cp "$f_out" got.out 2>/dev/null
+        if [ $f_status -ge 128 ] && [ $f_status -ne 130 ]; then
+            f_bad="$f_bad $f_at:died($f_status)"
+        elif [ $f_status -eq 0 ] && ! cmp -s got.out want.out; then
+            f_bad="$f_bad $f_at:lost"
+        elif [ $f_status -ne 0 ] && ! [ -s errs.out ] && ! grep -q '"error"' got.out; then
+            f_bad="$f_bad $f_at:silent($f_status)"
+        fi
+        f_n=$((f_n + 1))
+        f_at=$((f_at + f_step))
+    done
+    [ "$f_n" -gt 0 ] || f_bad="nothing was refused: $f_calls calls"
+    empty "$f_name: $f_kind refused, $f_n of $f_calls" "$f_bad"
+}
+
+faults run memory "$step" - run pole.json
+faults "run with trace" memory "$((step * 13))" - run pole.json --trace
+faults "run as text" memory "$((step * 3))" - run pole.json --format text
+faults "run as CSV" memory "$((step * 3))" - run pole.json --format csv
+faults stack memory "$((step * 5))" - stack -j1 two.jsonl
+faults commands memory "$((step * 7))" - all.crumple
+for kind in open read write; do
+    faults run $kind 1 - run pole.json
+    faults stack $kind 1 - stack -j1 two.jsonl
+    faults commands $kind 1 out.json all.crumple
+done
+for kind in open write sync link rename; do
+    : >o.json
+    faults "run -o" $kind 1 o.json run pole.json -o o.json
+done
+for kind in open write sync rename; do
+    faults "stack -o" $kind 1 o.jsonl stack -j1 two.jsonl -o o.jsonl
+done
+
+# ---- kill -9 at each step of saving ----
+cat >save.crumple <<'END'
+load pole.json
+move A dx=-0.1
+save! saved.json
+export! scene exported.json
+END
+"$crumple" save.crumple >/dev/null && cp saved.json new.json
+bad=''
+for kind in open write sync link rename; do
+    n=0
+    while [ $n -lt 30 ]; do
+        cp pole.json saved.json && cp pole.json exported.json && before=$(ls)
+        LD_PRELOAD=$fault FAULT_KIND=$kind FAULT_AT=$n FAULT_KILL=1 "$crumple" save.crumple \
+            >/dev/null 2>&1
+        status=$?
+        for file in saved.json exported.json; do
+            cmp -s $file pole.json || cmp -s $file new.json || bad="$bad $kind/$n:$file"
+        done
+        # over a file that is there a rename goes, from a name it has for that moment
+        [ "$(ls)" = "$before" ] || [ $kind = rename ] || bad="$bad $kind/$n:$(ls | grep '\.json\.')"
+        rm -f ./*.json.*
+        [ $status -eq 137 ] || break
+        n=$((n + 1))
+    done
+done
+empty "killed while saving: the old file or the new one, and no other" "$bad"
+rm -f saved.json
+LD_PRELOAD=$fault FAULT_KIND=sync FAULT_AT=0 FAULT_KILL=1 "$crumple" save.crumple >/dev/null 2>&1
+same "a file that was never there before" "$(ls saved.json* 2>/dev/null)" ""
+
+# ---- a link that somebody else has put there ----
+echo precious >precious
+ln -s precious o2.jsonl.part
+run stack -j1 two.jsonl -o o2.jsonl
+same "a link in place of FILE.part is not written through" "$status:$(cat precious)" 0:precious
+echo old >target.jsonl && chmod 600 target.jsonl && ln -s target.jsonl link.jsonl
+run stack -j1 two.jsonl -o link.jsonl
+same "stack -o over a link" "$status" 0
+same "keeps the link, and the mode of what it leads to" \
+    "$([ -L link.jsonl ] && stat -c %a target.jsonl)" 600
+has "and writes there" "$(head -c 20 target.jsonl)" crumple_result
+
+# ---- --resume and results that broke off anywhere ----
+"$crumple" stack -j1 two.jsonl >whole.jsonl
+size=$(wc -c <whole.jsonl) bad='' cut=0
+first=$(head -n 1 whole.jsonl | wc -c)
+while [ $cut -le "$size" ]; do
+    head -c $cut whole.jsonl >cut.jsonl
+    "$crumple" stack -j1 two.jsonl --resume cut.jsonl >got.out 2>errs.out
+    status=$?
+    { [ $status -eq 0 ] && cmp -s got.out whole.jsonl; } || bad="$bad $cut:$status"
+    cut=$((cut + 997))
+done
+empty "resumed from results cut anywhere" "$bad"
+{
+    head -c $((first / 2)) whole.jsonl
+    cat whole.jsonl
+} >torn.jsonl
+refused "a line that begins in the middle of another" 3 'torn.jsonl:1:1: error: this is no result' \
+    stack -j1 two.jsonl --resume torn.jsonl
+finish
