@@ -28,7 +28,7 @@ try:
 except ImportError:
     numpy = None
 
-__all__ = ["Crumple", "Error", "Result", "Table", "solve", "solve_many", "version"]
+__all__ = ["Crumple", "Error", "Result", "Table", "damage", "solve", "solve_many", "version"]
 
 Scene = Union[str, bytes, Mapping, os.PathLike]
 
@@ -114,9 +114,14 @@ def _load() -> ctypes.CDLL:
             ctypes.c_int,
             [pointer, ctypes.c_int, ctypes.POINTER(_Options), _Next, _Done, pointer, error],
         ),
+        "damage": (
+            ctypes.c_int,
+            [pointer, text, size, ctypes.POINTER(_Options), ctypes.POINTER(pointer), error],
+        ),
         "result_free": (None, [pointer]),
         "json": (pointer, [pointer, ctypes.c_uint, ctypes.POINTER(size)]),
         "free": (None, [pointer]),
+        "svg": (pointer, [pointer, ctypes.c_double, ctypes.POINTER(size)]),
         "name": (text, [pointer, size]),
         "value": (ctypes.c_int, [pointer, text, ctypes.POINTER(ctypes.c_double)]),
         "word": (text, [pointer, text]),
@@ -233,6 +238,22 @@ class Crumple:
             )
         _check(code, error)
         return Result(pointer)
+
+    def damage(self, measured: Scene) -> dict[str, Any]:
+        """EES and delta-v, with intervals, out of a measured deformation: a dict, JSON text or the
+        path of a file as crumple damage reads it."""
+        text, name, folder = _text(measured)
+        call, error, pointer = _Call(name, folder, {}), _Error(), ctypes.c_void_p()
+        code = _lib.crumple_damage(
+            self._pointer,
+            text,
+            len(text),
+            ctypes.byref(call.options),
+            ctypes.byref(pointer),
+            ctypes.byref(error),
+        )
+        _check(code, error)
+        return json.loads(Result._take(pointer.value))
 
     def solve_many(
         self,
@@ -415,6 +436,14 @@ class Result:
         finally:
             _lib.crumple_free(pointer)
 
+    def svg(self, time: float | None = None) -> str:
+        """The scene from above as SVG, at a time (s) or after the crash."""
+        at = float("nan") if time is None else time
+        return self._take(_lib.crumple_svg(self._pointer, at, None))
+
+    def _repr_html_(self) -> str:
+        return self.svg() + f"<p>{html.escape(repr(self)[1:-1])}</p>"
+
     def _vehicles(self) -> list[str]:
         return [name[:-8] for name in self.names() if name.endswith(".ees_kmh")]
 
@@ -440,6 +469,11 @@ def _handle() -> Crumple:
 def solve(scene: Scene, set: Mapping[str, Any] = {}) -> Result:
     """Crumple.solve with the models of the installation."""
     return _handle().solve(scene, set)
+
+
+def damage(measured: Scene) -> dict[str, Any]:
+    """Crumple.damage with the models of the installation."""
+    return _handle().damage(measured)
 
 
 def solve_many(

@@ -32,6 +32,7 @@ static const char help[] =
     "       crumple report SCENE|RESULT      expert's report as HTML or PDF\n"
     "       crumple audit RESULT [SCENE]     compute a result again and compare\n"
     "       crumple models [NAME]            list, show or export the models\n"
+    "       crumple schema [NAME]            print a JSON Schema, of scenes for example\n"
     "       crumple calibrate                fit the models to the crash tests again\n"
     "       crumple --help | --version\n"
     "\n"
@@ -58,9 +59,10 @@ static const struct word words[] = {
     {"mc", cr_cli_mc},
     {"validate", cr_trial_validate},
     {"models", cr_cli_models},
+    {"schema", cr_cli_schema},
+    {"damage", cr_cli_damage},
     {"calibrate", cr_trial_calibrate},
     {"calibrate-damage", cr_trial_calibrate_damage},
-    {"damage", cr_cli_damage},
     {"fit", cr_cli_fit},
     {"report", cr_expert_report},
     {"audit", cr_expert_audit},
@@ -101,6 +103,41 @@ static void keep_descriptors(void) {
     }
 }
 
+/* "crumple --completions WORD ...": what may stand for the last one; for the shells' completion */
+static int complete(int argc, char **argv) {
+    static char complete_word[] = "--complete";
+    static const char *const options[] = {"--help", "--version", "--repl",  "-e",
+                                          "-i",     "--ascii",   "--color="};
+    struct cr_str out = {0};
+    if (argc > 3) {
+        char *word = argv[2];
+        argv[1] = word;
+        argv[2] = complete_word;
+        for (int i = 0; i < WORDS; i++) {
+            if (strcmp(word, words[i].name) == 0) {
+                return words[i].run(argc - 1, argv + 1);
+            }
+        }
+        return 0;
+    }
+    const char *begun = argc > 2 ? argv[2] : "";
+    for (int i = 0; i < WORDS; i++) {
+        char shown[64];
+        snprintf(shown, sizeof shown, "crumple %s ", words[i].name);
+        if (strncmp(words[i].name, begun, strlen(begun)) == 0 && strstr(help, shown) != NULL) {
+            cr_str_addf(&out, "%s\n", words[i].name);
+        }
+    }
+    for (size_t i = 0; i < sizeof options / sizeof options[0]; i++) {
+        if (begun[0] == '-' && strncmp(options[i], begun, strlen(begun)) == 0) {
+            cr_str_addf(&out, "%s\n", options[i]);
+        }
+    }
+    int status = print(cr_str_get(&out));
+    cr_str_fini(&out);
+    return status;
+}
+
 static int interactive(int argc, char **argv, const char *data_dir) {
     const char *why = cr_tui_refusal();
     char state[1024];
@@ -125,6 +162,9 @@ int main(int argc, char **argv) {
     }
     if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0) {
         return print(help);
+    }
+    if (strcmp(word, "--completions") == 0) {
+        return complete(argc, argv);
     }
     for (int i = 0; i < WORDS; i++) {
         if (strcmp(word, words[i].name) == 0) {

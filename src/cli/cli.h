@@ -11,6 +11,7 @@ const char *cr_data_dir(char *buf, int size);
 int cr_cli_run(int argc, char **argv);
 int cr_cli_stack(int argc, char **argv);
 int cr_cli_merge(int argc, char **argv);
+int cr_cli_schema(int argc, char **argv);
 int cr_cli_models(int argc, char **argv);
 int cr_cli_mc(int argc, char **argv);
 int cr_cli_fit(int argc, char **argv);

@@ -1,6 +1,7 @@
 noinst_LIBRARIES += libcli.a
 libcli_a_SOURCES = \
 	src/cli/cli.h \
+	src/cli/complete.c \
 	src/cli/damage.c \
 	src/cli/data.c \
 	src/cli/feed.c src/cli/feed.h \
@@ -17,10 +18,12 @@ libcli_a_SOURCES = \
 	src/cli/resume.c src/cli/resume.h \
 	src/cli/rows.c src/cli/rows.h \
 	src/cli/run.c \
+	src/cli/schema.c \
 	src/cli/shared.c \
 	src/cli/sink.c src/cli/sink.h \
 	src/cli/stack.c \
 	src/cli/study.c src/cli/study.h src/cli/study_priv.h \
+	src/cli/study_picture.c \
 	src/cli/study_plot.c \
 	src/cli/word.h
 # where the data are: of a build in its source tree, and once installed (data.c)
@@ -32,3 +35,5 @@ EXTRA_crumple_DEPENDENCIES = source-folder
 source-folder: Makefile
 	$(AM_V_GEN)echo '$(CR_SRCDIR)' >$@
 libcli_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)
+clusterdir = $(pkgdatadir)/cluster
+dist_cluster_SCRIPTS = share/cluster/parallel.sh share/cluster/slurm-array.sbatch

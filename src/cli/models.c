@@ -330,6 +330,19 @@ static enum cr_err models(const char *name, const struct options *opt, struct cr
 #define TEXT(word, value, to, what)                                                                \
     { .name = word, .arg = value, .text = to, .help = what }
 
+/* for completion: "sedan|sedan/1|...|suv/12" */
+static void list_names(char *buf, size_t size) {
+    size_t n = 0;
+    buf[0] = '\0';
+    for (int t = 0; t < CR_TYPES; t++) {
+        const char *word = cr_type_word((enum cr_type)t);
+        n += (size_t)snprintf(buf + n, size - n, "%s%s", n > 0 ? "|" : "", word);
+        for (int clock = 1; clock <= 12; clock++) {
+            n += (size_t)snprintf(buf + n, size - n, "|%s/%d", word, clock);
+        }
+    }
+}
+
 int cr_cli_models(int argc, char **argv) {
     struct options opt = {.view = VIEW_ALL};
     const struct cr_option table[] = {
@@ -352,7 +365,10 @@ int cr_cli_models(int argc, char **argv) {
          .help = "form of the list (text)"},
         CR_CLI_LOOK_OPTIONS(&opt.look),
     };
+    char names[CR_TYPES * 13 * 24];
+    list_names(names, sizeof names);
     const struct cr_usage usage = {.word = "models",
+                                   .candidates = names,
                                    .operands = "[NAME]",
                                    .about = about,
                                    .option = table,

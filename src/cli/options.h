@@ -37,7 +37,8 @@ struct cr_usage {
     const char *about;    /* lines of text, each ending in a newline */
     const struct cr_option *option;
     int options;
-    int least, most; /* number of operands; most < 0: any */
+    int least, most;        /* number of operands; most < 0: any */
+    const char *candidates; /* "a|b|c": operands that completion offers; NULL: files */
 };
 
 /* Parse argv (argv[0] is the word itself). Options and operands may be mixed, "--" ends the

@@ -48,6 +48,12 @@ int cr_cli_options(const struct cr_usage *usage, int argc, char **argv, int *ope
     struct cr_str out = {0};
     struct cr_error err = {0};
     bool help;
+    if (argc > 1 && strcmp(argv[1], "--complete") == 0) {
+        cr_cli_complete(usage, argc - 2, argv + 2, &out);
+        enum cr_err written = cr_cli_emit(NULL, &out, &err);
+        cr_str_fini(&out);
+        return written == CR_ERR_OK ? 0 : cr_cli_fail(&err);
+    }
     enum cr_err code = cr_options_parse(usage, argc, argv, operands, &help, &err);
     if (code == CR_ERR_OK && !help) {
         return -1;

@@ -4,6 +4,7 @@
 
 #include "cli/pair.h"
 #include "cli/study.h"
+#include "figure/pictures.h"
 
 #include <cjson/cJSON.h>
 #include <errno.h>
@@ -49,6 +50,12 @@ enum cr_err cr_sink_new(const struct cr_sink_options *options, struct cr_sink **
     if (code == CR_ERR_OK && options->group != NULL && !options->summary) {
         cr_err_set(err, CR_ERR_USAGE, "--group says by what to divide a --summary");
         cr_err_hint(err, "add --summary");
+        code = CR_ERR_USAGE;
+    }
+    if (code == CR_ERR_OK && options->picture != NULL &&
+        (options->plot == NULL || cr_picture_format_of(options->picture) < 0)) {
+        cr_err_set(err, CR_ERR_USAGE, "--picture is the file of a --plot, as .svg, .pdf or .png");
+        cr_err_hint(err, "for example --plot 'x=A.speed_kmh y=A.ees_kmh' --picture plot.svg");
         code = CR_ERR_USAGE;
     }
     if (code == CR_ERR_OK && (options->summary || options->plot != NULL)) {
@@ -183,7 +190,9 @@ enum cr_err cr_sink_summary(struct cr_sink *sink, struct cr_error *err) {
         cr_study_summary(sink->study, &text);
         cr_pair_summary(sink->pairs, &text);
     }
-    if (sink->opt->plot != NULL) {
+    if (sink->opt->picture != NULL) {
+        code = cr_study_picture(sink->study, sink->opt->picture, err);
+    } else if (sink->opt->plot != NULL) {
         cr_str_add(&text, sink->opt->summary ? "\n" : "");
         code = cr_study_plot(sink->study, &look, width, &text, err);
     }

@@ -13,7 +13,7 @@ struct cr_sink_options {
     int format; /* enum cr_sink_format */
     struct cr_option_values fields;
     bool summary;
-    const char *group, *plot;
+    const char *group, *plot, *picture;
     struct cr_cli_look look;
 };
 enum cr_sink_format { CR_SINK_JSON, CR_SINK_CSV };
@@ -40,6 +40,10 @@ enum cr_sink_format { CR_SINK_JSON, CR_SINK_CSV };
          .arg = "AXES",                                                                            \
          .text = &(s)->plot,                                                                       \
          .help = "'x=A.speed_kmh y=A.ees_kmh': points; with z=NAME a heat map of it"},             \
+        {.name = "picture",                                                                        \
+         .arg = "FILE",                                                                            \
+         .text = &(s)->picture,                                                                    \
+         .help = "the plot as FILE.svg, .pdf or .png instead of text"},                            \
         CR_CLI_LOOK_OPTIONS(&(s)->look)
 
 struct cr_sink;

@@ -28,5 +28,8 @@ CR_MUST_CHECK enum cr_err cr_study_note(struct cr_study *study, const struct cJS
 void cr_study_summary(const struct cr_study *study, struct cr_str *out);
 CR_MUST_CHECK enum cr_err cr_study_plot(const struct cr_study *study, const struct cr_look *look,
                                         int width, struct cr_str *out, struct cr_error *err);
+/* The plot as a picture, in the format that the path ends in. Errors: USAGE, IO, MEMORY. */
+CR_MUST_CHECK enum cr_err cr_study_picture(const struct cr_study *study, const char *path,
+                                           struct cr_error *err);
 
 #endif

@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAP_COLUMNS = 10, MAP_ROWS = 16, PLOT_ROWS = 22 };
+enum { PLOT_ROWS = 22 };
 
-static double axis_of(const struct cr_study *s, int row, int axis) {
+double cr_study_axis(const struct cr_study *s, int row, int axis) {
     int fields = s->opt.fields->n;
     return s->value[row * (fields + s->axes) + fields + axis];
 }
@@ -23,8 +23,8 @@ static enum cr_err points(const struct cr_study *s, const struct cr_look *look, 
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for a plot");
     }
     for (int i = 0; i < s->rows; i++) {
-        xy[2 * i] = axis_of(s, i, 0);
-        y[2 * i] = axis_of(s, i, 1);
+        xy[2 * i] = cr_study_axis(s, i, 0);
+        y[2 * i] = cr_study_axis(s, i, 1);
         xy[2 * i + 1] = y[2 * i + 1] = (double)NAN;
     }
     snprintf(title, sizeof title, "%s over %s", s->axis[1], s->axis[0]);
@@ -47,23 +47,17 @@ static enum cr_err points(const struct cr_study *s, const struct cr_look *look, 
     return code;
 }
 
-/* One axis of a map: its own values where they are few, else bins of one width. */
-struct steps {
-    int n;
-    bool bins;
-    double lo, width, at[MAP_ROWS];
-};
-
 static int by_size(const void *a, const void *b) {
     double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
 }
 
+/* an axis of a map: its own values where they are few, else bins of one width */
 static void make_steps(const struct cr_study *s, int axis, int most, double *work,
-                       struct steps *out) {
+                       struct cr_map_steps *out) {
     int n = cr_study_column(s, s->opt.fields->n + axis, -1, work);
     qsort(work, (size_t)n, sizeof *work, by_size);
-    *out = (struct steps){.n = 0};
+    *out = (struct cr_map_steps){.n = 0};
     for (int i = 0; i < n && !out->bins; i++) {
         if (i > 0 && work[i] - work[i - 1] <= 1e-9 * fabs(work[i])) {
             continue;
@@ -83,7 +77,7 @@ static void make_steps(const struct cr_study *s, int axis, int most, double *wor
     }
 }
 
-static int step_of(const struct steps *s, double x) {
+static int step_of(const struct cr_map_steps *s, double x) {
     if (s->bins) {
         int i = (int)((x - s->lo) / s->width);
         return i < s->n ? i : s->n - 1;
@@ -95,16 +89,9 @@ static int step_of(const struct steps *s, double x) {
     return best;
 }
 
-struct map {
-    struct steps x, y;
-    double mean[MAP_ROWS][MAP_COLUMNS];
-    int n[MAP_ROWS][MAP_COLUMNS];
-    double lo, hi;
-};
-
-static void fill_map(const struct cr_study *s, struct map *m) {
+static void fill_map(const struct cr_study *s, struct cr_map *m) {
     for (int i = 0; i < s->rows; i++) {
-        double x = axis_of(s, i, 0), y = axis_of(s, i, 1), z = axis_of(s, i, 2);
+        double x = cr_study_axis(s, i, 0), y = cr_study_axis(s, i, 1), z = cr_study_axis(s, i, 2);
         if (isfinite(x) && isfinite(y) && isfinite(z)) {
             int row = step_of(&m->y, y), col = step_of(&m->x, x);
             m->n[row][col]++;
@@ -123,7 +110,23 @@ static void fill_map(const struct cr_study *s, struct map *m) {
     }
 }
 
-static void map_row(const struct map *m, int row, const struct cr_look *look, struct cr_str *out) {
+struct cr_map *cr_study_map(const struct cr_study *s) {
+    struct cr_map *m = calloc(1, sizeof *m);
+    double *work = calloc((size_t)s->rows + 1, sizeof *work);
+    if (m != NULL && work != NULL) {
+        make_steps(s, 0, CR_MAP_COLUMNS, work, &m->x);
+        make_steps(s, 1, CR_MAP_ROWS, work, &m->y);
+        fill_map(s, m);
+    } else {
+        free(m);
+        m = NULL;
+    }
+    free(work);
+    return m;
+}
+
+static void map_row(const struct cr_map *m, int row, const struct cr_look *look,
+                    struct cr_str *out) {
     static const char *const shades[] = {" ", "\u2591", "\u2592", "\u2593", "\u2588"};
     static const char ascii[] = " .:*#";
     cr_str_addf(out, "%9.4g", m->y.at[row]);
@@ -146,16 +149,10 @@ static void map_row(const struct map *m, int row, const struct cr_look *look, st
 
 static enum cr_err heat_map(const struct cr_study *s, const struct cr_look *look,
                             struct cr_str *out, struct cr_error *err) {
-    struct map *m = calloc(1, sizeof *m);
-    double *work = calloc((size_t)s->rows + 1, sizeof *work);
-    if (m == NULL || work == NULL) {
-        free(m);
-        free(work);
+    struct cr_map *m = cr_study_map(s);
+    if (m == NULL) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for a map");
     }
-    make_steps(s, 0, MAP_COLUMNS, work, &m->x);
-    make_steps(s, 1, MAP_ROWS, work, &m->y);
-    fill_map(s, m);
     cr_str_addf(out, "%s: %s down, %s across%s\n", s->axis[2], s->axis[1], s->axis[0],
                 m->x.bins || m->y.bins ? " (means of bins, at their middle)" : "");
     cr_str_fill(out, ' ', 9);
@@ -167,7 +164,6 @@ static enum cr_err heat_map(const struct cr_study *s, const struct cr_look *look
         map_row(m, row, look, out);
     }
     free(m);
-    free(work);
     return CR_ERR_OK;
 }
 

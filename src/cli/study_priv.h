@@ -21,6 +21,25 @@ struct cr_study {
     } code[CR_STUDY_CODES];
 };
 
+/* A map: means of z over values or bins of x and y. */
+enum { CR_MAP_COLUMNS = 10, CR_MAP_ROWS = 16 };
+struct cr_map_steps {
+    int n;
+    bool bins;
+    double lo, width, at[CR_MAP_ROWS];
+};
+struct cr_map {
+    struct cr_map_steps x, y;
+    double mean[CR_MAP_ROWS][CR_MAP_COLUMNS];
+    int n[CR_MAP_ROWS][CR_MAP_COLUMNS];
+    double lo, hi;
+};
+/* NULL when memory is out; free() it. */
+struct cr_map *cr_study_map(const struct cr_study *study);
+
+/* Value of an axis of the plot in a row. */
+double cr_study_axis(const struct cr_study *study, int row, int axis);
+
 /* Finite values of a column (fields, then axes) in a group (-1: all) into out; how many. */
 int cr_study_column(const struct cr_study *study, int column, int group, double *out);
 

@@ -13,8 +13,13 @@
 int cr_cli_fail(const struct cr_error *err);
 
 /* Parse the options and operands of a word as cr_options_parse does. Returns -1 to go on; or, after
- * printing the help or the fault, the exit status. */
+ * printing the help or the fault, the exit status. "--complete WORD..." as the first ones prints
+ * completions instead. */
 int cr_cli_options(const struct cr_usage *usage, int argc, char **argv, int *operands);
+
+/* What may stand for the last of n words after the word of the usage, one candidate per line, for
+ * shells. Nothing where files are wanted. */
+void cr_cli_complete(const struct cr_usage *usage, int n, char **word, struct cr_str *out);
 
 /* Write a text to a file, whole or not at all, or to standard output when path is NULL or "-".
  * Errors: IO, also for a closed pipe or a full disk behind standard output. */

@@ -155,6 +155,9 @@ struct cr_crush_file {
 };
 CR_MUST_CHECK enum cr_err cr_crush_read(const char *path, struct cr_crush_file *out,
                                         struct cr_error *err);
+/* The same of a text; src names it in errors. */
+CR_MUST_CHECK enum cr_err cr_crush_parse(const char *text, size_t len, const char *src,
+                                         struct cr_crush_file *out, struct cr_error *err);
 void cr_crush_file_fini(struct cr_crush_file *file);
 /* Resolve the vehicles and open the case; grids in the arena, participants in file->scene. */
 CR_MUST_CHECK enum cr_err cr_crush_case_open(struct cr_crush_file *file,

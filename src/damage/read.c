@@ -334,30 +334,36 @@ static enum cr_err read_file(struct reader *r, const cJSON *json, struct cr_crus
     return code;
 }
 
-enum cr_err cr_crush_read(const char *path, struct cr_crush_file *out, struct cr_error *err) {
-    char *text = NULL;
-    size_t len = 0;
+enum cr_err cr_crush_parse(const char *text, size_t len, const char *src, struct cr_crush_file *out,
+                           struct cr_error *err) {
     struct cr_error own = {0};
     err = err != NULL ? err : &own;
     struct reader r = {.err = err};
     *out = (struct cr_crush_file){.object_mass = NAN, .restitution = NAN};
     cr_scene_init(&out->scene);
-    enum cr_err code = cr_file_read(path, &text, &len, err);
+    enum cr_err code = cr_json_check(text, len, src, err);
     if (code == CR_ERR_OK) {
-        code = cr_json_check(text, len, path, err);
-    }
-    if (code == CR_ERR_OK) {
-        cJSON *json = cJSON_Parse(text);
+        cJSON *json = cJSON_ParseWithLength(text, len);
         code = read_file(&r, json, out);
         cJSON_Delete(json);
         if (code != CR_ERR_OK && err->src[0] == '\0') {
-            cr_scene_locate(text, len, path, err);
+            cr_scene_locate(text, len, src, err);
         }
     }
-    free(text);
     if (code != CR_ERR_OK) {
         cr_crush_file_fini(out);
     }
+    return code;
+}
+
+enum cr_err cr_crush_read(const char *path, struct cr_crush_file *out, struct cr_error *err) {
+    char *text = NULL;
+    size_t len = 0;
+    enum cr_err code = cr_file_read(path, &text, &len, err);
+    if (code == CR_ERR_OK) {
+        code = cr_crush_parse(text, len, path, out, err);
+    }
+    free(text);
     return code;
 }
 

@@ -128,6 +128,12 @@ CRUMPLE_API int crumple_stack(const crumple *lib, int threads, const crumple_opt
                               crumple_next next, crumple_done done, void *user,
                               crumple_error *error);
 
+/* EES and delta-v out of a measured deformation: the text of a damage file (crumple(1)) into *json,
+ * what crumple damage --format=json prints. Free it with crumple_free. Of the options the name
+ * counts. Errors: those of scenes. */
+CRUMPLE_API int crumple_damage(const crumple *lib, const char *text, size_t length,
+                               const crumple_options *options, char **json, crumple_error *error);
+
 /* Parts of the JSON of a result. */
 enum crumple_json_flag {
     CRUMPLE_TRACE = 1,    /* with the time series */
@@ -160,6 +166,11 @@ CRUMPLE_API const char *crumple_word(const crumple_result *result, const char *n
  * and returns how many there are, 0 for a name that is not there. */
 CRUMPLE_API size_t crumple_series(const crumple_result *result, const char *name, double *out,
                                   size_t size);
+
+/* The scene from above as an SVG element with the EES of the voxels, speeds and forces, at a time
+ * in s of the scene; NaN: after the crash. Its length into *length unless that is NULL. NULL when
+ * memory is out. Free with crumple_free. */
+CRUMPLE_API char *crumple_svg(const crumple_result *result, double time, size_t *length);
 
 /* What crumple_field gives for each voxel. */
 enum crumple_field_kind {

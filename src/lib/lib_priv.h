@@ -3,6 +3,8 @@
 #define CR_LIB_LIB_PRIV_H
 
 #include "lib/crumple.h"
+
+#include "damage/crush.h"
 #include "result/names.h"
 #include "result/result.h"
 
@@ -11,6 +13,7 @@
 struct crumple {
     struct cr_model_lib *models;
     struct cr_irf_set *irf;
+    struct cr_crush_rules rules; /* of measured deformations */
     locale_t c_locale; /* numbers with a point, messages in English, for the time of a call */
     char hash[CR_HASH_SIZE];
 };

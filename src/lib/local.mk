@@ -3,14 +3,16 @@
 noinst_LIBRARIES += liblib.a
 liblib_a_SOURCES = \
 	src/lib/crumple.h \
+	src/lib/damage.c \
 	src/lib/error.c \
 	src/lib/lib_priv.h \
 	src/lib/open.c \
+	src/lib/picture.c \
 	src/lib/read.c \
 	src/lib/solve.c
 liblib_a_CPPFLAGS = $(AM_CPPFLAGS) -DPKGDATADIR='"$(pkgdatadir)"'
 liblib_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)
-CR_LIB_LIBS = liblib.a libresult.a libscene.a libsolver.a libmodel.a libbase.a
+CR_LIB_LIBS = liblib.a libdamage.a libfigure.a librender.a libresult.a libscene.a libsolver.a libmodel.a libbase.a
 
 # The version of the interface, not of the program: raise the first number, here and in debian/,
 # when a program that was linked with the library no longer runs with it; else the second, when a

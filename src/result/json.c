@@ -212,6 +212,9 @@ enum cr_err cr_result_tree(const struct cr_result *r, const struct cr_result_opt
         cr_tree_text(json, "pair", r->scene.pair);
     }
     put_assumed(r, version, json);
+    if (version > 1) {
+        cr_json_quality(r, json);
+    }
     if (!put_input(r, opts, json)) {
         cJSON_Delete(json);
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for the JSON of a result");

@@ -6,6 +6,7 @@
 
 #include <cjson/cJSON.h>
 #include <math.h>
+#include <string.h>
 
 void cr_json_put(cJSON *to, const char *key, double x) {
     cr_tree_put(to, key, isfinite(x) ? cJSON_CreateNumber(cr_round12(x)) : cJSON_CreateNull());
@@ -178,6 +179,22 @@ void cr_json_impacts(const struct cr_result *r, cJSON *json) {
         put_vehicle(r, k, 0, vehicles);
         put_vehicle(r, k, 1, vehicles);
     }
+}
+
+/* the doubts among the warnings, each code once */
+void cr_json_quality(const struct cr_result *r, cJSON *json) {
+    cJSON *quality = cJSON_AddObjectToObject(json, "quality"), *flags = cJSON_CreateArray();
+    for (int i = 0; i < r->warnings; i++) {
+        bool told = !cr_result_is_doubt(r->warning_code[i]);
+        for (int k = 0; k < i; k++) {
+            told = told || strcmp(r->warning_code[k], r->warning_code[i]) == 0;
+        }
+        if (!told) {
+            cJSON_AddItemToArray(flags, cJSON_CreateString(r->warning_code[i]));
+        }
+    }
+    cJSON_AddBoolToObject(quality, "clean", cJSON_GetArraySize(flags) == 0);
+    cJSON_AddItemToObject(quality, "doubts", flags);
 }
 
 /* version 1: the text alone */

@@ -17,6 +17,7 @@ libresult_a_SOURCES = \
 	src/result/outline.c \
 	src/result/planar.c src/result/planar.h \
 	src/result/pulse.c src/result/pulse.h \
+	src/result/quality.c \
 	src/result/rating.c src/result/rating.h \
 	src/result/result.h src/result/result_priv.h \
 	src/result/risk.c \

@@ -172,8 +172,10 @@ double cr_pulse_olc(const double *accel, int n, double dt) {
         double f = s - v * (t - t1) / 2;
         if (f >= STOP) {
             double share = f > f0 && f0 > 0 ? (STOP - f0) / (f - f0) : 1;
-            double t2 = t - dt + share * dt;
-            return (v0 + share * (v - v0)) / (t2 - t1);
+            double t2 = t - dt + share * dt, v2 = v0 + share * (v - v0);
+            if (v2 > 0) { /* else the vehicle has caught up: nothing holds the occupant */
+                return v2 / (t2 - t1);
+            }
         }
         f0 = f;
     }

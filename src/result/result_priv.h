@@ -27,6 +27,11 @@ double cr_result_pdof(struct cr_vec2 delta_v_body);
 void cr_result_warn(struct cr_result *result, const char *code, const char *fmt, ...)
     CR_PRINTF(3, 4);
 
+/* Warnings for what makes a measured result doubtful: models may be NULL. */
+void cr_result_quality(struct cr_result *result, const struct cr_model_lib *models);
+/* Whether a code of a warning is a doubt about the result, not only a limit of its models. */
+bool cr_result_is_doubt(const char *code);
+
 /* Warnings for all limits of validity the measured result leaves. */
 void cr_result_check(struct cr_result *result);
 

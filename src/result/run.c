@@ -253,6 +253,21 @@ static void warn_part(struct cr_result *r) {
                    1e3 * (sol->t[sol->samples - 1] - sol->t_contact));
 }
 
+/* objects are rigid: they do not crush each other */
+static enum cr_err need_vehicle(const struct cr_scene *scene, struct cr_error *err) {
+    for (int i = 0; i < scene->n; i++) {
+        if (scene->part[i].kind == CR_KIND_VEHICLE) {
+            return CR_ERR_OK;
+        }
+    }
+    cr_err_set(err, CR_ERR_MISSING, "there is no vehicle among the participants");
+    cr_err_hint(err, "objects are rigid and do not crush each other: make one a vehicle");
+    if (err != NULL) {
+        snprintf(err->where, sizeof err->where, "/participants");
+    }
+    return CR_ERR_MISSING;
+}
+
 enum cr_err cr_result_run(const struct cr_scene *scene, const struct cr_context *ctx,
                           struct cr_result **out, struct cr_error *err) {
     *out = NULL;
@@ -266,6 +281,7 @@ enum cr_err cr_result_run(const struct cr_scene *scene, const struct cr_context 
     rc = rc ? rc : cr_scene_copy(scene, &r->resolved, err);
     rc = rc ? rc : cr_scene_resolve(&r->resolved, ctx->models, &r->assumed, err);
     rc = rc ? rc : cr_result_afford(&r->resolved, ctx, err);
+    rc = rc ? rc : need_vehicle(&r->resolved, err);
     rc = rc ? rc : settle(r, ctx, err);
     bool part = rc == CR_ERR_INTERRUPTED && r->solution != NULL;
     if (ctx->irf != NULL) {
@@ -280,6 +296,7 @@ enum cr_err cr_result_run(const struct cr_scene *scene, const struct cr_context 
         warn_part(r);
     }
     cr_result_check(r);
+    cr_result_quality(r, ctx->models);
     *out = r;
     return rc;
 }

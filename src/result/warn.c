@@ -63,6 +63,11 @@ static bool is_narrow(const struct cr_participant *p) {
             (p->shape == CR_OBJECT_BOX && fmin(p->length, p->width) < NARROW));
 }
 
+/* what was asked for is there: the vehicle brings its own model or stiffness of that face */
+static bool has_own(const struct cr_participant *p, int face) {
+    return p->model.file[0] != '\0' || p->model.face[face].b > 0;
+}
+
 /* Direct damage narrower than this share of the width at one end of the front: outside the rails
  * (validation.md, small overlap). */
 static const double SMALL_OVERLAP = 0.3;
@@ -71,7 +76,7 @@ static void check_face(struct cr_result *r, const struct cr_contact *c, int car,
     const struct cr_severity *s = &r->of[car];
     const struct cr_participant *p = &r->resolved.part[car], *q = &r->resolved.part[other];
     bool side = s->face == CR_FACE_LEFT || s->face == CR_FACE_RIGHT;
-    if (side && !is_narrow(q)) {
+    if (side && !is_narrow(q) && !has_own(p, CR_MODEL_SIDE)) {
         cr_result_warn(r, "side-model",
                        "%s: side struck by the wide %s, but the sides of the models rest on narrow "
                        "poles: depth and EES are estimates; own A, B stiffness of the side can be "
@@ -127,7 +132,7 @@ static void check_contact(struct cr_result *r, const struct cr_contact *c) {
 static void check_vehicle(struct cr_result *r, int i) {
     const struct cr_severity *s = &r->of[i];
     const struct cr_participant *p = &r->resolved.part[i];
-    if (s->energy > 0 && s->face == CR_FACE_REAR) {
+    if (s->energy > 0 && s->face == CR_FACE_REAR && !has_own(p, CR_MODEL_REAR)) {
         cr_result_warn(r, "rear-model",
                        "%s: struck at the rear, where the models rest on few tests: EES and "
                        "depth are estimates; own A, B stiffness of the rear can be given",

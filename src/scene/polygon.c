@@ -32,6 +32,11 @@ static bool edges_meet(struct cr_vec2 a, struct cr_vec2 b, struct cr_vec2 c, str
 }
 
 enum cr_err cr_scene_polygon_check(struct cr_reader *r, struct cr_vec2 *v, int n) {
+    if (n > 3 && v[0].x == v[n - 1].x && v[0].y == v[n - 1].y) {
+        cr_scene_fail(r, CR_ERR_RANGE, "the last corner of the polygon repeats the first");
+        cr_err_hint(r->err, "leave it out: the ring closes by itself");
+        return CR_ERR_RANGE;
+    }
     for (int i = 0; i < n; i++) {
         struct cr_vec2 a = v[i], b = v[(i + 1) % n], c = v[(i + 2) % n];
         /* neighbours share a corner; they may not fold back onto each other */

@@ -41,6 +41,11 @@ static const char *number_word(const struct cr_key *key, char *buf, size_t size)
 /* a slip of the unit is what most absurd numbers are */
 static void hint_unit(struct cr_reader *r, const struct cr_key *key, double x) {
     const struct cr_unit *own = cr_scene_key_unit(key), *unit;
+    if (strcmp(key->name, "position_m") == 0) {
+        cr_err_hint(r->err,
+                    "map coordinates (UTM) are too large: take a point nearby off all of them");
+        return;
+    }
     for (int i = 0; (unit = cr_unit_nth(key->dim, i)) != NULL; i++) {
         double y = cr_unit_from_si(own, cr_unit_to_si(unit, x));
         if (unit != own && key->dim != CR_DIM_NUMBER && y >= key->lo && y <= key->hi) {

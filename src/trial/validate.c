@@ -358,6 +358,13 @@ static void list_options(struct options *opt, struct cr_option list[OPTIONS]) {
     memcpy(list, table, sizeof table);
 }
 
+/* for completion */
+static const char classes[] =
+#define X(name, word, title) "|" word
+    CR_TEST_CLASS_LIST(X)
+#undef X
+    ;
+
 /* options and operands; -1, or the exit status if that is all there is to do */
 static int read_options(int argc, char **argv, struct options *opt, int *operands) {
     struct cr_option table[OPTIONS];
@@ -368,7 +375,8 @@ static int read_options(int argc, char **argv, struct options *opt, int *operand
                                    .option = table,
                                    .options = OPTIONS,
                                    .least = 0,
-                                   .most = -1};
+                                   .most = -1,
+                                   .candidates = classes};
     return cr_cli_options(&usage, argc, argv, operands);
 }
 

@@ -5,8 +5,10 @@ import os
 import pathlib
 import signal
 import sys
+import tempfile
 import threading
 import unittest
+import xml.etree.ElementTree
 
 ROOT = pathlib.Path(sys.argv.pop())
 sys.path.insert(0, str(ROOT / "bindings"))
@@ -83,6 +85,41 @@ class Solve(unittest.TestCase):
             result.series("A.colour")
         with self.assertRaises(KeyError):
             result.field("A", "colour")
+
+    def test_damage(self):
+        measured = {
+            "crumple_damage": 1,
+            "vehicles": [
+                {
+                    "id": "A",
+                    "type": "sedan",
+                    "mass_kg": 1600,
+                    "damage": {
+                        "face": "front",
+                        "field_length_m": 1.4,
+                        "crush_m": [0.12, 0.14, 0.20, 0.22, 0.18, 0.10],
+                    },
+                }
+            ],
+            "object": {},
+        }
+        with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
+            json.dump(measured, file)
+            file.flush()
+            with os.popen(f"'{os.environ['CRUMPLE']}' damage -f json '{file.name}'") as run:
+                self.assertEqual(crumple.damage(measured), json.load(run))
+        del measured["vehicles"][0]["mass_kg"]
+        measured["vehicles"][0]["damage"]["crush_m"] = "deep"
+        with self.assertRaises(crumple.Error) as caught:
+            crumple.damage(measured)
+        self.assertTrue(caught.exception.where)
+
+    def test_picture(self):
+        result = crumple.solve(wall(50))
+        svg = xml.etree.ElementTree.fromstring(result.svg())
+        self.assertTrue(svg.tag.endswith("svg"))
+        self.assertNotEqual(result.svg(0.1), result.svg())
+        self.assertIn("<svg", result._repr_html_())
 
     def test_interrupt(self):
         slow = wall(50)

@@ -12,7 +12,8 @@ for file in bin/crumple share/man/man1/crumple.1 share/crumple/models/suv.json \
     [ -f "$prefix/$file" ]
     report $? "installs $file"
 done
-missing=$(cd "$SRC" && find models share -type f ! -path 'share/completions/*' |
+missing=$(cd "$SRC" && find models share -type f ! -path 'share/completions/*' \
+    ! -path 'share/desktop/*' |
     while read -r file; do
         part=${file#share/}
         [ -f "$prefix/share/crumple/$part" ] || [ -f "$prefix/share/doc/crumple/${part#doc/}" ] ||

@@ -27,6 +27,18 @@ same "--per impact: a row per impact and participant" \
 run run -f text "$(cd "$(dirname "$demo")" && pwd)/three-cars.json"
 has "text tells each impact" "$out" 'Impacts .*each by itself'
 has "and whose risk it is" "$out" 'injury by the severest impact'
+run run "$tmp/wall.json" --set A.mass_kg=3300
+has "a mass in lb is doubted" "$out" '"implausible"'
+has "with the guess" "$out" 'mass 3300 is far from .*if it is in lb it is 1497'
+run run "$demo"
+same "plausible masses are not" "$(printf '%s' "$out" | grep -c '"implausible"')" 0
+cat >"$tmp/objects.json" <<'JSON'
+{ "crumple": 1, "participants": [
+  { "id": "W", "kind": "object", "shape": "wall", "position_m": [0, 0] },
+  { "id": "B", "kind": "object", "shape": "box", "length_m": 1, "width_m": 1, "mass_kg": 900,
+    "position_m": [9, 0], "heading_deg": 180, "speed_kmh": 50 } ] }
+JSON
+refused "objects alone" 3 'no vehicle among the participants.*do not crush' run "$tmp/objects.json"
 run run --per wheel "$demo"
 same "--per knows what there is a row for" "$status" 2
 has "and says so" "$errs" 'participant.impact'

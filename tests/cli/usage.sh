@@ -18,13 +18,22 @@ run --help
 same "--help succeeds" "$status" 0
 has "--help names run" "$out" 'crumple run SCENE.json'
 has "--help explains the exit status" "$out" 'Exit status: 0 done'
-for word in run stack merge validate models calibrate; do
+for word in run stack merge validate models schema calibrate; do
     run $word --help
     same "$word --help succeeds" "$status" 0
     has "$word --help begins with the usage" "$out" "^usage: crumple $word "
     empty "the manual has every option of $word" "$(undocumented "$word")"
 done
 
+run schema
+same "schema lists the schemas" "$out" "$(printf 'scene\nresult\nvoxel-model\nrecipe')"
+for name in $out; do
+    run schema "$name"
+    same "schema $name is that file" "$(cksum <"$tmp/out")" \
+        "$(cksum <"$SRC/share/schema/$name.schema.json")"
+    has "which has an id" "$out" '"\$id":[[:space:]]*"https://'
+done
+refused "no such schema" 2 "no schema 'sceen' .one of scene" schema sceen
 refused "unknown word" 2 'unknown .*rnu.*did you mean run' rnu
 refused "unknown option of the program" 2 'unknown option --versoin.*mean --version' \
     --versoin

@@ -12,16 +12,46 @@ fuzz_scene_LDADD = $(fuzz_ldadd)
 fuzz_model_SOURCES = tests/fuzz/fuzz_model.c tests/fuzz/fuzz.h
 fuzz_model_CFLAGS = $(CR_CFLAGS)
 fuzz_model_LDADD = $(fuzz_ldadd)
+# readers of files, results and whole solves
+fuzz_files = fuzz_signal fuzz_table fuzz_feed fuzz_data fuzz_crash
+fuzz_files_ldadd = libtrial.a libcli.a libfigure.a libstudy.a libdamage.a librender.a libresult.a \
+	$(fuzz_ldadd) $(GSL_LIBS) $(NLOPT_LIBS) $(CAIRO_LIBS)
+EXTRA_PROGRAMS += $(fuzz_files)
+fuzz_signal_SOURCES = tests/fuzz/fuzz_signal.c tests/fuzz/fuzz.h tests/fuzz/scratch.h
+fuzz_signal_CFLAGS = $(CR_CFLAGS)
+fuzz_signal_LDADD = $(fuzz_files_ldadd)
+fuzz_table_SOURCES = tests/fuzz/fuzz_table.c tests/fuzz/fuzz.h tests/fuzz/scratch.h
+fuzz_table_CFLAGS = $(CR_CFLAGS)
+fuzz_table_LDADD = $(fuzz_files_ldadd)
+fuzz_feed_SOURCES = tests/fuzz/fuzz_feed.c tests/fuzz/fuzz.h tests/fuzz/scratch.h
+fuzz_feed_CFLAGS = $(CR_CFLAGS)
+fuzz_feed_LDADD = $(fuzz_files_ldadd)
+fuzz_data_SOURCES = tests/fuzz/fuzz_data.c tests/fuzz/fuzz.h tests/fuzz/scratch.h
+fuzz_data_CFLAGS = $(CR_CFLAGS)
+fuzz_data_LDADD = $(fuzz_files_ldadd)
+fuzz_crash_SOURCES = tests/fuzz/fuzz_crash.c tests/fuzz/fuzz.h tests/fuzz/scratch.h
+fuzz_crash_CFLAGS = $(CR_CFLAGS)
+fuzz_crash_LDADD = $(fuzz_files_ldadd)
 if FUZZING
 fuzz_cmd_LDFLAGS = $(CR_LDFLAGS) -fsanitize=fuzzer
 fuzz_scene_LDFLAGS = $(CR_LDFLAGS) -fsanitize=fuzzer
 fuzz_model_LDFLAGS = $(CR_LDFLAGS) -fsanitize=fuzzer
+fuzz_signal_LDFLAGS = $(CR_LDFLAGS) -fsanitize=fuzzer
+fuzz_table_LDFLAGS = $(CR_LDFLAGS) -fsanitize=fuzzer
+fuzz_feed_LDFLAGS = $(CR_LDFLAGS) -fsanitize=fuzzer
+fuzz_data_LDFLAGS = $(CR_LDFLAGS) -fsanitize=fuzzer
+fuzz_crash_LDFLAGS = $(CR_LDFLAGS) -fsanitize=fuzzer
 else
 fuzz_cmd_SOURCES += tests/fuzz/replay.c
 fuzz_scene_SOURCES += tests/fuzz/replay.c
 fuzz_model_SOURCES += tests/fuzz/replay.c
-check_PROGRAMS += $(fuzz_targets)
-TESTS += $(fuzz_targets)
+fuzz_signal_SOURCES += tests/fuzz/replay.c
+fuzz_table_SOURCES += tests/fuzz/replay.c
+fuzz_feed_SOURCES += tests/fuzz/replay.c
+fuzz_data_SOURCES += tests/fuzz/replay.c
+fuzz_crash_SOURCES += tests/fuzz/replay.c
+check_PROGRAMS += $(fuzz_targets) $(fuzz_files)
+TESTS += $(fuzz_targets) $(fuzz_files)
 endif
 EXTRA_DIST += tests/fuzz/corpus
 
@@ -31,10 +61,10 @@ fuzz:
 	$(MKDIR_P) fuzzing
 	case '$(srcdir)' in /*) src='$(srcdir)' ;; *) src='../$(srcdir)' ;; esac; cd fuzzing && \
 	    { test -f Makefile || "$$src/configure" -q CC=clang --enable-fuzzing --enable-sanitizers; }
-	cd fuzzing && $(MAKE) fuzz_scene fuzz_model fuzz_cmd
-	cd fuzzing && for target in scene model cmd; do \
+	cd fuzzing && $(MAKE) $(fuzz_targets) $(fuzz_files)
+	cd fuzzing && for target in scene model cmd signal table feed data crash; do \
 	    $(MKDIR_P) corpus-$$target && \
-	    ./fuzz_$$target -max_total_time=$(FUZZ_SECONDS) -max_len=20000 -timeout=10 \
+	    SRC='$(abs_srcdir)' ./fuzz_$$target -max_total_time=$(FUZZ_SECONDS) -max_len=20000 -timeout=10 \
 	        corpus-$$target '$(abs_srcdir)'/tests/fuzz/corpus/$$target || exit 1; \
 	done
 .PHONY: fuzz

@@ -241,6 +241,35 @@ static void test_json(void **state) {
     crumple_result_free(r);
 }
 
+static void test_svg(void **state) {
+    (void)state;
+    crumple_result *r = solve_with(50, NULL);
+    size_t length;
+    char *text = crumple_svg(r, (double)NAN, &length);
+    assert_int_equal(strlen(text), length);
+    assert_non_null(strstr(text, "<svg"));
+    assert_non_null(strstr(text, "</svg>"));
+    crumple_free(text);
+    crumple_result_free(r);
+}
+
+/* a result outlives the models it was solved with */
+static void test_closed_before(void **state) {
+    (void)state;
+    crumple *own;
+    crumple_result *r;
+    char scene[1024];
+    scene_at(50, scene);
+    assert_int_equal(crumple_open(getenv("SRC"), &own, NULL), CRUMPLE_OK);
+    assert_int_equal(crumple_solve(own, scene, strlen(scene), NULL, &r, NULL), CRUMPLE_OK);
+    crumple_close(own);
+    crumple_free(crumple_svg(r, 0.2, NULL));
+    char *text = crumple_json(r, CRUMPLE_TRACE | CRUMPLE_RESOLVED, NULL);
+    assert_non_null(text);
+    crumple_free(text);
+    crumple_result_free(r);
+}
+
 static int cancel_at_third(void *user) {
     return ++*(int *)user >= 3;
 }
@@ -361,6 +390,7 @@ int main(void) {
         cmocka_unit_test(test_values),   cmocka_unit_test(test_names),
         cmocka_unit_test(test_series),   cmocka_unit_test(test_field),
         cmocka_unit_test(test_json),     cmocka_unit_test(test_cancel),
+        cmocka_unit_test(test_svg),      cmocka_unit_test(test_closed_before),
         cmocka_unit_test(test_stack),    cmocka_unit_test(test_threads),
     };
     return cmocka_run_group_tests_name("lib", tests, open_lib, close_lib);

@@ -301,6 +301,57 @@ static void damage_belongs_to_its_impact(void **state) {
     }
 }
 
+static int has(const char *code) {
+    int n = 0;
+    for (int i = 0; i < result->warnings; i++) {
+        n += strcmp(result->warning_code[i], code) == 0;
+    }
+    return n;
+}
+
+/* A plain crash raises no doubt; each of the ways in which one can be nonsense has its code. */
+static void doubts_are_named(void **state) {
+    (void)state;
+    make();
+    for (int b = 0; b < 3; b++) { /* 4 m from CG to CG are a bumper's touch of cars of 4 m */
+        result->resolved.part[b].model.blend = true;
+    }
+    touch(0, T0, 100, cr_vec2(MASS * 6, 0), 0);
+    measure();
+    cr_result_quality(result, NULL);
+    assert_int_equal(result->warnings, 0);
+
+    struct cr_impact *k = &result->impact[0];
+    k->t_plastic_end = k->t_begin + 0.01;
+    k->of[0].acceleration_max = 70 * CR_G;
+    k->of[1].energy_induced = 0.6 * k->of[1].energy;
+    cr_result_quality(result, NULL);
+    assert_int_equal(has("spike"), 1);
+    assert_int_equal(has("induced"), 1);
+    assert_int_equal(has("through"), 0);
+    k->of[0].face = CR_FACE_FRONT;
+    k->of[0].face_depth_dynamic = 3.9;
+    cr_result_quality(result, NULL);
+    assert_int_equal(has("through"), 1);
+
+    make(); /* the second car drives on into the first one's place */
+    touch(0, T0, 100, cr_vec2(MASS * 1, 0), 0);
+    trace[3 * 50 + 1].pos.x = 1.5;
+    contact[0].stop = CR_STOP_NO_OVERLAP;
+    trace[3 * 99].vel.x += 9;
+    measure();
+    result->resolved.part[0].model.blend = true;
+    cr_result_quality(result, NULL);
+    assert_int_equal(has("through"), 1);
+    assert_int_equal(has("closed-approaching"), 1);
+    assert_int_equal(has("pdof-border"), 0);
+    result->resolved.part[1].model.blend = false;
+    result->of[1].pdof = cr_rad(44.5);
+    cr_result_quality(result, NULL);
+    assert_int_equal(has("pdof-border"), 1);
+    assert_true(cr_result_is_doubt("through") && !cr_result_is_doubt("side-model"));
+}
+
 static int setup(void **state) {
     (void)state;
     result = calloc(1, sizeof *result);
@@ -324,6 +375,7 @@ int main(void) {
         TEST(a_contact_ends_where_it_only_rubs),
         TEST(yaw_and_tyres),
         TEST(damage_belongs_to_its_impact),
+        TEST(doubts_are_named),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -219,6 +219,20 @@ static void resampling_keeps_the_impulse(void **state) {
     assert_int_equal(cr_pulse_new(&sol, 0, cr_vec2(0, 1), 0.1, &p, NULL), CR_ERR_RANGE);
 }
 
+/* the vehicle turns round and catches the occupant up before 0.3 m are used: nothing held it */
+static void olc_is_never_negative(void **state) {
+    (void)state;
+    double a[LONG];
+    for (int turn = 1; turn < LONG; turn += 7) {
+        for (int back = 1; back < 6; back++) {
+            for (int i = 0; i < LONG; i++) {
+                a[i] = i < turn ? 20 * CR_G : -back * 20 * CR_G;
+            }
+            assert_true(cr_pulse_olc(a, LONG, DT) >= 0);
+        }
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(filter_gain_is_that_of_j211),
@@ -227,6 +241,7 @@ int main(void) {
         cmocka_unit_test(filter_refuses_coarse_samples),
         cmocka_unit_test(olc_of_constant_deceleration),
         cmocka_unit_test(olc_of_a_sudden_stop),
+        cmocka_unit_test(olc_is_never_negative),
         cmocka_unit_test(vpi_of_constant_deceleration),
         cmocka_unit_test(asi_of_constant_deceleration),
         cmocka_unit_test(thiv_of_constant_deceleration),
