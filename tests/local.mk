@@ -2,6 +2,7 @@
 EXTRA_DIST += tests/unit/test.h
 if HAVE_CMOCKA
 include $(srcdir)/tests/unit/base.mk
+include $(srcdir)/tests/unit/catalogue.mk
 include $(srcdir)/tests/unit/model.mk
 include $(srcdir)/tests/unit/solver.mk
 include $(srcdir)/tests/unit/scene.mk

@@ -7,12 +7,18 @@
 #include <string.h>
 
 void cr_cmd_describe(const struct cr_participant *p, char *buf, int size) {
-    char what[120], mass[40] = "fixed";
-    if (isfinite(p->mass)) {
+    char what[CR_NAME_MAX + 160], mass[40] = "fixed";
+    if (p->kind == CR_KIND_VEHICLE && !isfinite(p->mass)) {
+        snprintf(mass, sizeof mass, "%s", p->car[0] != '\0' ? "" : "of unknown mass");
+    } else if (isfinite(p->mass)) {
         snprintf(mass, sizeof mass, "%.10g kg", p->mass);
     }
     if (p->kind == CR_KIND_VEHICLE) {
-        snprintf(what, sizeof what, "%s %s", p->type < CR_TYPES ? cr_type_word(p->type) : "no type",
+        snprintf(what, sizeof what, "%s%s%s %s", p->car,
+                 p->car[0] != '\0' && p->type < CR_TYPES ? ", " : "",
+                 p->type < CR_TYPES  ? cr_type_word(p->type)
+                 : p->car[0] == '\0' ? "auto"
+                                     : "",
                  mass);
     } else if (p->shape == CR_OBJECT_POLE) {
         snprintf(what, sizeof what, "%s pole %.10g m thick", mass, 2 * p->radius);

@@ -1,6 +1,8 @@
 /* Commands that edit the scene: vehicle, object, list, remove, copy, new. */
 #include "cmd/cmd_priv.h"
 
+#include "catalogue/catalogue.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -136,15 +138,43 @@ static enum cr_err find_or_add(struct cr_call *call, enum cr_kind kind, struct c
     return CR_ERR_OK;
 }
 
-/* a vehicle needs a type; its mass is that of the type's reference car unless it is given */
+/* What the catalogue says of the car that was named, before anything is changed by it. */
+static enum cr_err say_car(struct cr_call *call, const struct cr_participant *p,
+                           struct cr_error *err) {
+    const struct cr_catalogue *catalogue;
+    const struct cr_car *car;
+    struct cr_str line = {0};
+    enum cr_err code = cr_session_need_models(call->s, err);
+    code = code == CR_ERR_OK ? cr_model_catalogue(call->s->models, &catalogue, err) : code;
+    code = code == CR_ERR_OK ? cr_catalogue_find(catalogue, p->car, &car, err) : code;
+    if (code != CR_ERR_OK) {
+        return cr_cmd_blame(call, "car", code);
+    }
+    cr_car_name(car, &line);
+    cr_str_addf(&line, ": %.0f kg kerb + %.0f driver, %.3f x %.3f m (%s)", car->curb, CR_CAR_DRIVER,
+                car->length, car->width, car->source);
+    cr_say(call->s, "%s", cr_str_get(&line));
+    cr_str_fini(&line);
+    return CR_ERR_OK;
+}
+
+/* A vehicle needs a type, unless a car of the catalogue or its size says it; its mass is that of
+ * the type's reference car unless it is given. */
 static enum cr_err complete_vehicle(struct cr_call *call, struct cr_scene *scene,
                                     struct cr_participant *p, bool is_new, struct cr_error *err) {
     (void)is_new;
     char value[40], full[CR_NAME_MAX + 16];
     double mass;
+    if (p->car[0] != '\0') {
+        return cr_cmd_given(call, "car") ? say_car(call, p, err) : CR_ERR_OK;
+    }
+    if (p->type >= CR_TYPES && cr_cmd_given(call, "type")) {
+        return CR_ERR_OK;
+    }
     if (p->type >= CR_TYPES) {
         cr_err_set(err, CR_ERR_MISSING, "vehicle %s needs a type", p->id);
-        cr_err_hint(err, "type=super-compact, mini-compact, compact, station-wagon, sedan or suv");
+        cr_err_hint(err, "type=super-compact, mini-compact, compact, station-wagon, sedan, suv or "
+                         "auto; or car=\"golf 2015\"");
         return cr_cmd_blame(call, "NAME", CR_ERR_MISSING);
     }
     if (isfinite(p->mass) || isfinite(p->kerb_mass) || isfinite(p->load)) {

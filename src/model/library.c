@@ -5,6 +5,7 @@
 
 #include "base/file.h"
 #include "base/vec.h"
+#include "catalogue/catalogue.h"
 
 #include <assert.h>
 #include <math.h>
@@ -47,6 +48,8 @@ struct cache {
     struct cr_model_recipe *recipe[CR_TYPES]; /* NULL: not read yet */
     struct kept kept[CR_TYPES];
     struct finished finished;
+    char *own_cars; /* folder of the user's tables */
+    struct cr_catalogue *catalogue;
 };
 
 struct cr_model_lib {
@@ -95,6 +98,29 @@ enum cr_err cr_model_need_all(const struct cr_model_lib *lib, struct cr_error *e
     return rc;
 }
 
+enum cr_err cr_model_own_cars(struct cr_model_lib *lib, const char *dir, struct cr_error *err) {
+    free(lib->cache->own_cars);
+    lib->cache->own_cars = dir != NULL ? strdup(dir) : NULL;
+    return dir != NULL && lib->cache->own_cars == NULL
+               ? cr_err_set(err, CR_ERR_MEMORY, "no memory for the models")
+               : CR_ERR_OK;
+}
+
+enum cr_err cr_model_catalogue(const struct cr_model_lib *lib, const struct cr_catalogue **out,
+                               struct cr_error *err) {
+    struct cache *cache = lib->cache;
+    char data[4096], shipped[4200];
+    cr_file_dir(lib->dir, data, sizeof data);
+    cr_file_part(data, "catalogue", shipped, sizeof shipped);
+    const char *const dirs[] = {shipped, cache->own_cars};
+    pthread_mutex_lock(&cache->lock);
+    enum cr_err code =
+        cache->catalogue != NULL ? CR_ERR_OK : cr_catalogue_open(dirs, 2, &cache->catalogue, err);
+    *out = cache->catalogue;
+    pthread_mutex_unlock(&cache->lock);
+    return code;
+}
+
 static const struct cr_model_recipe *recipe_of(const struct cr_model_lib *lib, enum cr_type type) {
     assert(lib->cache->recipe[type] != NULL);
     return lib->cache->recipe[type];
@@ -126,6 +152,8 @@ void cr_model_lib_free(struct cr_model_lib *lib) {
         free(lib->cache->recipe[i]);
     }
     cr_arena_free(&lib->cache->finished.arena);
+    cr_catalogue_free(lib->cache->catalogue);
+    free(lib->cache->own_cars);
     pthread_mutex_destroy(&lib->cache->finished.lock);
     pthread_mutex_destroy(&lib->cache->lock);
     free(lib->cache);

@@ -81,6 +81,15 @@ CR_MUST_CHECK enum cr_err cr_model_lib_open(const char *dir, struct cr_model_lib
                                             struct cr_error *err);
 void cr_model_lib_free(struct cr_model_lib *lib);
 
+/* The cars by name: tables *.csv of the folder catalogue beside the recipes, and of a folder of the
+ * user's own (NULL: none), which is set before threads use the library. They are read when they are
+ * asked for. Errors: those of cr_catalogue_open. */
+struct cr_catalogue;
+CR_MUST_CHECK enum cr_err cr_model_own_cars(struct cr_model_lib *lib, const char *dir,
+                                            struct cr_error *err);
+CR_MUST_CHECK enum cr_err cr_model_catalogue(const struct cr_model_lib *lib,
+                                             const struct cr_catalogue **out, struct cr_error *err);
+
 /* Read the recipe of a type, or of all, unless that was done before. What asks for a grid or for
  * voxels does it by itself; the functions below that only look into a recipe want it done. Errors:
  * IO, SYNTAX, MODEL, ... with their place. */

@@ -48,13 +48,19 @@ void cr_render_assumed(const struct cr_result *result, struct cr_str *out) {
         const struct cr_participant *part = &result->resolved.part[b];
         size_t n = strlen(part->id);
         bool any = false;
+        const char *from = NULL;
         for (int i = 0; i < a->n; i++) {
             if (strncmp(a->key[i], part->id, n) != 0 || a->key[i][n] != '.') {
                 continue;
             }
             cr_str_addf(out, any ? ", " : "%s: ", part->id);
             add_value(part, a->key[i] + n + 1, out);
+            cr_str_add(out, a->from[i][0] != '\0' ? "*" : "");
+            from = a->from[i][0] != '\0' ? a->from[i] : from;
             any = true;
+        }
+        if (from != NULL) {
+            cr_str_addf(out, "; * from %s", from);
         }
         cr_str_add(out, any ? "\n" : "");
     }

@@ -39,6 +39,25 @@ enum cr_err cr_result_scene_hash(const struct cr_scene *scene, char hex[CR_HASH_
     return code;
 }
 
+/* what the scene says of the file it was made from, and which values a car of the catalogue gave */
+static bool put_origin(const struct cr_result *r, cJSON *input) {
+    cJSON *scene = cr_scene_to_json(&r->scene, false);
+    cJSON *source = cJSON_DetachItemFromObjectCaseSensitive(scene, "source");
+    cJSON_Delete(scene);
+    if (source != NULL && !cJSON_AddItemToObject(input, "source", source)) {
+        cJSON_Delete(source);
+        return false;
+    }
+    cJSON *from = NULL;
+    for (int i = 0; i < r->assumed.n; i++) {
+        if (r->assumed.from[i][0] != '\0') {
+            from = from != NULL ? from : cJSON_AddObjectToObject(input, "catalogue");
+            cJSON_AddStringToObject(from, r->assumed.key[i], r->assumed.from[i]);
+        }
+    }
+    return scene != NULL;
+}
+
 static bool put_input(const struct cr_result *r, const struct cr_result_opts *opts, cJSON *json) {
     cJSON *input = cr_tree_object(json, "input");
     char hex[CR_HASH_SIZE];
@@ -58,6 +77,9 @@ static bool put_input(const struct cr_result *r, const struct cr_result_opts *op
     }
     if (r->irf_hash[0] != '\0' && opts->version != 1) {
         cJSON_AddStringToObject(input, "irf_sha256", r->irf_hash);
+    }
+    if (!put_origin(r, input)) {
+        return false;
     }
     if (opts->resolved) {
         cJSON *all = cr_scene_to_json(&r->resolved, true);

@@ -65,7 +65,7 @@ static enum cr_err find_units(const struct cr_csv *csv, struct columns *c, struc
 static enum cr_err add(struct cr_signal *s, int *size, const double row[2]) {
     if (s->n == *size) {
         int more = *size ? 2 * *size : 512;
-        // times and values are interleaved while reading
+        /* times and values are interleaved while reading */
         double *m = realloc(s->memory, 2 * (size_t)more * sizeof *m);
         if (!m) {
             return CR_ERR_MEMORY;

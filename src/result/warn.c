@@ -53,6 +53,19 @@ static const char *beside(double x, double limit, char buf[16]) {
     return buf;
 }
 
+/* A mass that nobody gave: everything else follows it. */
+static void check_mass(struct cr_result *r) {
+    for (int i = 0; i < r->resolved.n; i++) {
+        double spread = r->assumed.mass_spread[i];
+        if (spread > 0) {
+            cr_result_warn(r, "mass-assumed",
+                           "%s: mass assumed, %.0f kg +- %.0f %% (one standard deviation): EES and "
+                           "delta-v follow it",
+                           r->resolved.part[i].id, r->resolved.part[i].mass, 100 * spread);
+        }
+    }
+}
+
 static bool is_vehicle(const struct cr_result *r, int i) {
     return r->resolved.part[i].kind == CR_KIND_VEHICLE;
 }
@@ -167,6 +180,7 @@ static void check_vehicle(struct cr_result *r, int i) {
 
 void cr_result_check(struct cr_result *r) {
     const struct cr_solution *sol = r->solution;
+    check_mass(r);
     for (int k = 0; k < sol->contacts; k++) {
         const struct cr_contact *c = &sol->contact[k];
         /* only the main contact of a body is worth a word; the others belong to the same crash */

@@ -195,16 +195,6 @@ static void hint_missing(struct cr_reader *r, const struct cr_key *key) {
     }
 }
 
-/* a vehicle's mass is asked for unless kerb mass or load say it */
-static enum cr_err mass_complete(struct cr_reader *r, const struct cr_participant *p) {
-    if (p->kind != CR_KIND_VEHICLE || !isnan(p->mass) || !isnan(p->kerb_mass) || !isnan(p->load)) {
-        return CR_ERR_OK;
-    }
-    cr_scene_fail(r, CR_ERR_MISSING, "vehicle \"%s\" has no \"mass_kg\"", p->id);
-    cr_err_hint(r->err, "mass as crashed, with load, in kg, or \"kerb_mass_kg\" and \"load_kg\"");
-    return CR_ERR_MISSING;
-}
-
 enum cr_err cr_scene_part_complete(struct cr_reader *r, const struct cr_participant *p) {
     unsigned mask = cr_scene_kind_mask(p);
     int n;
@@ -222,7 +212,7 @@ enum cr_err cr_scene_part_complete(struct cr_reader *r, const struct cr_particip
         hint_missing(r, key);
         return CR_ERR_MISSING;
     }
-    return mass_complete(r, p);
+    return CR_ERR_OK;
 }
 
 enum cr_err cr_scene_whole_check(struct cr_reader *r, const struct cr_scene *scene) {

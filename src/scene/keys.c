@@ -47,13 +47,25 @@ static const char *const type_words[] = {
 #define X(name, word) word,
     CR_TYPE_LIST(X)
 #undef X
+        "auto", /* CR_TYPES: by its dimensions */
 };
+
+#define SOURCE(n, i, text)                                                                         \
+    { ROW("source." n, CR_KEY_TEXT, 0, 0, IN(cr_scene, source[i]), text), .aux = CR_SOURCE_MAX }
 
 static const struct cr_key scene_keys[] = {
     {ROW("name", CR_KEY_TEXT, 0, 0, IN(cr_scene, name), "name of the scene"), .aux = CR_NAME_MAX},
     {ROW("pair", CR_KEY_TEXT, 0, 0, IN(cr_scene, pair),
          "scenes of one pair are the same crash with and without a safety system"),
      .aux = CR_NAME_MAX},
+    SOURCE("format", CR_SOURCE_FORMAT, "form of the file that the scene was made from"),
+    SOURCE("file", CR_SOURCE_FILE, "name of that file"),
+    SOURCE("sha256", CR_SOURCE_SHA256, "SHA-256 of its bytes"),
+    SOURCE("case", CR_SOURCE_CASE, "which of its cases"),
+    SOURCE("converter", CR_SOURCE_CONVERTER, "program and version that made the scene"),
+    SOURCE("reference", CR_SOURCE_REFERENCE,
+           "point of the vehicles that the file's places were taken for"),
+    SOURCE("note", CR_SOURCE_NOTE, "what was left out, trimmed or chosen"),
 };
 
 /* Ranges: dt and voxel as far as the convergence tests go; restitution below 1, so that every crash
@@ -94,7 +106,12 @@ static const struct cr_key participant_keys[] = {
     TEXT("id", ANY, cr_participant, id, CR_NAME_MAX, "name, unique"),
     WORD("kind", ANY, cr_participant, kind, kind_words, "vehicle or object"),
     WORD("shape", O, cr_participant, shape, shape_words, "rigid outline"),
-    WORD("type", V, cr_participant, type, type_words, "which of the six EES models"),
+    {ROW("car", CR_KEY_TEXT, V, 0, IN(cr_participant, car),
+         "car of the catalogue by make, model and year, for what is not given"),
+     .aux = CR_NAME_MAX},
+    {ROW("type", CR_KEY_WORD, V, 0, IN(cr_participant, type),
+         "which of the six EES models, or auto: by the catalogue, by length and height, by mass"),
+     .words = type_words, .aux = COUNT(type_words)},
     NUMBER("mass_kg", V, 0, "kg", MASS, 100, 60000, NAN, mass,
            "mass as crashed, with load: momentum and inertia; else kerb mass and load"),
     NUMBER("kerb_mass_kg", V, 0, "kg", MASS, 100, 60000, NAN, kerb_mass,

@@ -3,6 +3,7 @@ libscene_a_SOURCES = \
 	src/scene/check.c \
 	src/scene/compile.c \
 	src/scene/dive.c \
+	src/scene/guess.c \
 	src/scene/keys.c src/scene/keys.h \
 	src/scene/members.c \
 	src/scene/outline.c \

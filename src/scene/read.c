@@ -155,7 +155,8 @@ static enum cr_err read_version(struct cr_reader *r, const cJSON *json) {
 }
 
 static enum cr_err unknown_top(struct cr_reader *r, const char *name) {
-    static const char *const top[] = {"crumple", "name", "pair", "settings", "participants"};
+    static const char *const top[] = {"crumple", "name",     "pair",
+                                      "source",  "settings", "participants"};
     cr_scene_fail(r, CR_ERR_KEY, "unknown key \"%.60s\"", name);
     int n;
     const struct cr_key *row = cr_scene_keys(CR_KEYS_SETTINGS, &n);
@@ -165,7 +166,7 @@ static enum cr_err unknown_top(struct cr_reader *r, const char *name) {
             return CR_ERR_KEY;
         }
     }
-    const char *near = cr_str_nearest(name, top, 5);
+    const char *near = cr_str_nearest(name, top, 6);
     if (strcmp(name, "crumple_result") == 0) {
         cr_err_hint(r->err, "this is a result, not a scene");
     } else if (near != NULL) {
@@ -188,6 +189,10 @@ static enum cr_err read_top(struct cr_reader *r, const cJSON *m, struct cr_scene
     }
     if (strcmp(m->string, "participants") == 0) {
         return read_participants(r, m, scene);
+    }
+    if (strcmp(m->string, "source") == 0) {
+        struct cr_members to = {.table = CR_KEYS_SCENE, .base = scene};
+        return cr_scene_object_read(r, &to, m, "source.");
     }
     const struct cr_key *key = cr_scene_key_find(CR_KEYS_SCENE, m->string, 0);
     return key != NULL ? cr_scene_value_read(r, key, m, scene) : unknown_top(r, m->string);

@@ -1,7 +1,8 @@
-/* Values that were not given, from type and mass. */
+/* Values that were not given, from the catalogue, from type and mass. */
 #include "scene/scene_priv.h"
 
 #include "base/number.h"
+#include "catalogue/catalogue.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -117,27 +118,35 @@ static const struct {
 
 void cr_assumed_fini(struct cr_assumed *assumed) {
     free(assumed->key);
+    free(assumed->from);
     *assumed = (struct cr_assumed){0};
 }
 
-static enum cr_err assume(struct cr_assumed *a, const char *id, const char *key,
-                          struct cr_error *err) {
-    if (a == NULL) {
-        return CR_ERR_OK;
+/* Type and mass, which all other rules start from: by the car of the catalogue, else by size. */
+static enum cr_err resolve_kind(struct cr_participant *p, const struct cr_model_lib *lib,
+                                struct cr_assuming *a, struct cr_error *err) {
+    enum cr_err code = p->car[0] != '\0' ? cr_scene_from_car(p, lib, a, err) : CR_ERR_OK;
+    if (code == CR_ERR_OK && p->type == CR_TYPES) {
+        code = cr_scene_guess_type(p, lib, err);
+        code = code == CR_ERR_OK ? cr_scene_assume(a, p->id, "type", err) : code;
     }
-    void *more = realloc(a->key, ((size_t)a->n + 1) * sizeof *a->key);
-    if (more == NULL) {
-        return cr_err_set(err, CR_ERR_MEMORY, "no memory to resolve the scene");
+    code = code == CR_ERR_OK ? cr_model_need(lib, p->type, err) : code;
+    if (code == CR_ERR_OK && isnan(p->mass) && isnan(p->kerb_mass)) {
+        p->kerb_mass = cr_scene_guess_mass(p, lib, &a->mass_spread) - CR_CAR_DRIVER;
+        code = cr_scene_assume(a, p->id, "kerb_mass_kg", err);
+        if (code == CR_ERR_OK && isnan(p->load)) {
+            p->load = CR_CAR_DRIVER;
+            code = cr_scene_assume(a, p->id, "load_kg", err);
+        }
     }
-    a->key = more;
-    snprintf(a->key[a->n++], sizeof *a->key, "%s.%s", id, key);
-    return CR_ERR_OK;
+    return code;
 }
 
 static enum cr_err resolve_vehicle(struct cr_participant *p, const struct cr_model_lib *lib,
-                                   struct cr_assumed *assumed, struct cr_error *err) {
+                                   struct cr_assuming *a, struct cr_error *err) {
     struct basis b = {.part = p};
-    enum cr_err code = cr_model_need(lib, p->type, err);
+    a->mass_spread = 0;
+    enum cr_err code = resolve_kind(p, lib, a, err);
     if (code != CR_ERR_OK) {
         return code;
     }
@@ -156,7 +165,7 @@ static enum cr_err resolve_vehicle(struct cr_participant *p, const struct cr_mod
         bool follows = (strcmp(rules[i].key, "load_kg") == 0 && weighed) ||
                        (strcmp(rules[i].key, "mass_kg") == 0) ||
                        (strcmp(rules[i].key, "kerb_mass_kg") == 0 && weighed && loaded);
-        code = follows ? CR_ERR_OK : assume(assumed, p->id, rules[i].key, err);
+        code = follows ? CR_ERR_OK : cr_scene_assume(a, p->id, rules[i].key, err);
         if (code != CR_ERR_OK) {
             return code;
         }
@@ -165,14 +174,14 @@ static enum cr_err resolve_vehicle(struct cr_participant *p, const struct cr_mod
 }
 
 /* without a height range an object is as high as a vehicle at least: 0 to 3 m */
-static enum cr_err resolve_object(struct cr_participant *p, struct cr_assumed *assumed,
+static enum cr_err resolve_object(struct cr_participant *p, struct cr_assuming *a,
                                   struct cr_error *err) {
     if (!isnan(p->z_lo)) {
         return CR_ERR_OK;
     }
     p->z_lo = 0;
     p->z_hi = 3;
-    return assume(assumed, p->id, "height_m", err);
+    return cr_scene_assume(a, p->id, "height_m", err);
 }
 
 /* what the method decides of a vehicle's model where the scene does not */
@@ -187,8 +196,7 @@ static void resolve_model(struct cr_participant *p, int method) {
 }
 
 static enum cr_err resolve_part(struct cr_reader *r, struct cr_participant *p,
-                                const struct cr_model_lib *lib, int method,
-                                struct cr_assumed *assumed) {
+                                const struct cr_model_lib *lib, int method, struct cr_assuming *a) {
     enum cr_err code = cr_scene_part_complete(r, p);
     cr_scene_model_kind(p);
     if (p->kind == CR_KIND_VEHICLE) {
@@ -198,8 +206,14 @@ static enum cr_err resolve_part(struct cr_reader *r, struct cr_participant *p,
         code = cr_scene_part_check(r, p);
     }
     if (code == CR_ERR_OK) {
-        code = p->kind == CR_KIND_VEHICLE ? resolve_vehicle(p, lib, assumed, r->err)
-                                          : resolve_object(p, assumed, r->err);
+        code = p->kind == CR_KIND_VEHICLE ? resolve_vehicle(p, lib, a, r->err)
+                                          : resolve_object(p, a, r->err);
+        bool placeless = code != CR_ERR_OK && r->err != NULL && r->err->src[0] == '\0' &&
+                         r->err->where[0] == '\0';
+        if (placeless) { /* a car that is not in the catalogue: here is who named it */
+            snprintf(r->err->where, sizeof r->err->where, "%s%s", r->path,
+                     p->car[0] != '\0' ? "/car" : "");
+        }
     }
     if (isnan(p->course) && p->waypoints == 0) {
         p->course = p->heading;
@@ -233,12 +247,16 @@ enum cr_err cr_scene_resolve(struct cr_scene *scene, const struct cr_model_lib *
         return code;
     }
     resolve_settings(&scene->set);
+    struct cr_assuming a = {.list = assumed};
     cr_scene_enter(&r, "participants");
     for (int i = 0; i < scene->n && code == CR_ERR_OK; i++) {
         char token[12];
         snprintf(token, sizeof token, "%d", i);
         size_t up = cr_scene_enter(&r, token);
-        code = resolve_part(&r, &scene->part[i], lib, (int)scene->set.method, assumed);
+        code = resolve_part(&r, &scene->part[i], lib, (int)scene->set.method, &a);
+        if (assumed != NULL) {
+            assumed->mass_spread[i] = a.mass_spread;
+        }
         cr_scene_leave(&r, up);
     }
     return code;

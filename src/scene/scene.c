@@ -87,6 +87,7 @@ enum cr_err cr_scene_copy(const struct cr_scene *from, struct cr_scene *to, stru
     memcpy(to->name, from->name, sizeof to->name);
     memcpy(to->pair, from->pair, sizeof to->pair);
     memcpy(to->dir, from->dir, sizeof to->dir);
+    memcpy(to->source, from->source, sizeof to->source);
     to->set = from->set;
     enum cr_err code = copy_text(&to->extra, from->extra, err);
     for (int i = 0; i < from->n && code == CR_ERR_OK; i++) {

@@ -19,6 +19,19 @@
 enum { CR_NAME_CHARS = 63, CR_NAME_MAX = 4 * CR_NAME_CHARS + 1 };
 enum { CR_PATH_MAX = 512, CR_VERTEX_MAX = 64, CR_WAYPOINT_MAX = 100000 };
 
+/* Where an imported scene comes from: texts, "" where nothing is known. */
+enum cr_source {
+    CR_SOURCE_FORMAT,
+    CR_SOURCE_FILE,
+    CR_SOURCE_SHA256,
+    CR_SOURCE_CASE,
+    CR_SOURCE_CONVERTER,
+    CR_SOURCE_REFERENCE,
+    CR_SOURCE_NOTE,
+    CR_SOURCES
+};
+enum { CR_SOURCE_MAX = 256 };
+
 enum cr_method { CR_METHOD_EXTENDED, CR_METHOD_PAPER };
 
 /* How a value that is not known exactly is distributed about the one that is given. The tolerance
@@ -99,7 +112,8 @@ struct cr_participant {
     int waypoints;                /* > 0: instead of pos, heading, speed */
     struct cr_waypoint *waypoint; /* owned */
     /* vehicle */
-    enum cr_type type; /* CR_TYPES: not given */
+    char car[CR_NAME_MAX]; /* words of the catalogue */
+    enum cr_type type;     /* CR_TYPES: not given */
     double wheelbase, track, front_overhang, cg_behind_front_axle, cg_height, yaw_inertia;
     struct cr_model_choice model;
     double brake[CR_WHEELS], steer[CR_WHEELS]; /* 0..1, rad: front left, front right, rear l, r */
@@ -117,6 +131,7 @@ struct cr_participant {
 
 struct cr_scene {
     char name[CR_NAME_MAX], pair[CR_NAME_MAX];
+    char source[CR_SOURCES][CR_SOURCE_MAX];
     char dir[CR_PATH_MAX]; /* folder that relative model files start from */
     struct cr_settings set;
     int n;
@@ -191,10 +206,14 @@ int cr_spread_find(const char *word);
 CR_MUST_CHECK enum cr_err cr_scene_assign(struct cr_scene *scene, const char *text,
                                           struct cr_error *err);
 
-/* List of "A.track_m" keys that cr_scene_resolve assumed. */
+/* List of "A.track_m" keys that cr_scene_resolve assumed, and where each value is from: "" for a
+ * rule of its own, "a row of the catalogue" for what the car has. */
+enum { CR_FROM_MAX = 192 };
 struct cr_assumed {
     int n;
     char (*key)[CR_NAME_MAX + 32];
+    char (*from)[CR_FROM_MAX];
+    double mass_spread[CR_BODY_MAX]; /* relative standard deviation of an assumed mass, 0: given */
 };
 void cr_assumed_fini(struct cr_assumed *assumed);
 

@@ -109,6 +109,28 @@ CR_MUST_CHECK enum cr_err cr_scene_part_complete(struct cr_reader *r,
 CR_MUST_CHECK enum cr_err cr_scene_whole_check(struct cr_reader *r, const struct cr_scene *scene);
 CR_MUST_CHECK enum cr_err cr_scene_id_check(struct cr_reader *r, const char *id);
 
+/* What is being assumed: the list, and where the next value is from ("": a rule). */
+struct cr_assuming {
+    struct cr_assumed *list; /* nullable */
+    char from[CR_FROM_MAX];
+    double mass_spread; /* of the vehicle at hand */
+};
+CR_MUST_CHECK enum cr_err cr_scene_assume(struct cr_assuming *a, const char *id, const char *key,
+                                          struct cr_error *err);
+
+/* guess.c: what the words of the catalogue say of a vehicle, for what it does not give. Errors:
+ * those of cr_catalogue_open and cr_catalogue_find. */
+CR_MUST_CHECK enum cr_err cr_scene_from_car(struct cr_participant *p,
+                                            const struct cr_model_lib *lib, struct cr_assuming *a,
+                                            struct cr_error *err);
+/* Its type by length and height, else by mass. */
+CR_MUST_CHECK enum cr_err cr_scene_guess_type(struct cr_participant *p,
+                                              const struct cr_model_lib *lib, struct cr_error *err);
+/* Its mass, kg, from type and size, with the relative standard deviation of this rule. The recipe
+ * of its type must have been read. */
+double cr_scene_guess_mass(const struct cr_participant *p, const struct cr_model_lib *lib,
+                           double *spread);
+
 /* Participant of a kind with nothing given. */
 void cr_scene_part_init(struct cr_participant *part, enum cr_kind kind);
 void cr_scene_part_fini(struct cr_participant *part);

@@ -48,7 +48,8 @@ static void hint_unit(struct cr_reader *r, const struct cr_key *key, double x) {
     }
     for (int i = 0; (unit = cr_unit_nth(key->dim, i)) != NULL; i++) {
         double y = cr_unit_from_si(own, cr_unit_to_si(unit, x));
-        if (unit != own && key->dim != CR_DIM_NUMBER && y >= key->lo && y <= key->hi) {
+        bool likely = key->dim != CR_DIM_NUMBER && strcmp(unit->name, "us") != 0;
+        if (unit != own && likely && y >= key->lo && y <= key->hi) {
             cr_err_hint(r->err, "if it is in %s, write %.10g", unit->name, y);
             return;
         }

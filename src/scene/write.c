@@ -172,7 +172,7 @@ struct cJSON *cr_scene_to_json(const struct cr_scene *scene, bool all) {
     bool done = json != NULL && put(json, "crumple", cJSON_CreateNumber(1));
     for (int i = 0; i < n && done; i++) {
         if (cr_scene_value_known(&row[i], scene)) {
-            done = put(json, row[i].name, cr_scene_value_write(&row[i], scene));
+            done = put_path(json, row[i].name, cr_scene_value_write(&row[i], scene));
         }
     }
     done = done && put_settings(json, scene, all) && put_participants(json, scene, all) &&

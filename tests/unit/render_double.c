@@ -236,7 +236,8 @@ void render_double_init(struct render_double *d) {
     add_contact(d, 2400 * 2 * 200 * PULSE / CR_PI);
     static char keys[][CR_NAME_MAX + 32] = {"A.track_m", "A.cg.height_m", "B.track_m"};
     d->result.resolved.part[0].cg_height = 0.7;
-    d->result.assumed = (struct cr_assumed){3, keys};
+    static char from[3][CR_FROM_MAX];
+    d->result.assumed = (struct cr_assumed){.n = 3, .key = keys, .from = from};
     d->result.warnings = 1;
     snprintf(d->result.warning[0], sizeof d->result.warning[0],
              "A: 38 kJ went into a crush deeper than the tests of its model reach, 0.55 m");

@@ -4,6 +4,7 @@
 #include "solver/solver.h"
 
 #include <stdlib.h>
+#include <stdio.h>
 #include <string.h>
 
 static struct cr_model_lib *lib;
@@ -217,7 +218,50 @@ static void test_contradictions_show_once_all_is_known(void **state) {
     assert_int_equal(cr_scene_add(&s, "B", CR_KIND_OBJECT, NULL, &err), CR_ERR_OK);
     assert_int_equal(cr_scene_resolve(&s, lib, NULL, &err), CR_ERR_MISSING);
     assert_string_equal(err.where, "/participants/0");
-    assert_string_equal(err.text, "vehicle \"A\" has no \"type\"");
+    assert_string_equal(err.text, "vehicle \"A\" has neither type, car, mass nor size");
+    cr_scene_fini(&s);
+}
+
+/* what is not said comes from the catalogue, else from size or mass, and is told */
+static void test_kind_and_mass_are_assumed(void **state) {
+    (void)state;
+    static const struct {
+        const char *keys;
+        enum cr_type type;
+        double lo, hi, spread; /* mass */
+    } row[] = {
+        {"\"length_m\": 4.857, \"width_m\": 1.833, \"height_m\": 1.454", CR_TYPE_SEDAN, 1600, 1700,
+         0.11},
+        {"\"length_m\": 3.5", CR_TYPE_SUPER_COMPACT, 1100, 1140, 0.11},
+        {"\"length_m\": 4.1, \"height_m\": 1.8", CR_TYPE_SUV, 1500, 1900, 0.11},
+        {"\"mass_kg\": 1400", CR_TYPE_COMPACT, 1400, 1400, 0},
+        {"\"type\": \"auto\"", CR_TYPE_SEDAN, 1600, 1700, 0.15},
+        {"\"car\": \"volkswagen golf 2015\"", CR_TYPE_COMPACT, 1390, 1480, 0.06},
+        {"\"car\": \"2015 GOLF vw\", \"mass_kg\": 1500", CR_TYPE_COMPACT, 1500, 1500, 0},
+        {"\"car\": \"vw golf 2015\", \"type\": \"suv\"", CR_TYPE_SUV, 1390, 1480, 0.06},
+    };
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+        char a[300];
+        struct cr_scene s;
+        struct cr_assumed assumed = {0};
+        snprintf(a, sizeof a, "\"id\": \"A\", \"kind\": \"vehicle\", %s, \"position_m\": [0, 0]",
+                 row[i].keys);
+        scene_of(a, WALL, &s);
+        resolve(&s, &assumed);
+        assert_int_equal(s.part[0].type, row[i].type);
+        assert_true(s.part[0].mass >= row[i].lo && s.part[0].mass <= row[i].hi);
+        check_near(assumed.mass_spread[0], row[i].spread, 1e-12);
+        cr_assumed_fini(&assumed);
+        cr_scene_fini(&s);
+    }
+    struct cr_scene s;
+    struct cr_error err;
+    scene_of(
+        "\"id\": \"A\", \"kind\": \"vehicle\", \"car\": \"toyota corola\", \"position_m\": [0, 0]",
+        WALL, &s);
+    assert_int_equal(cr_scene_resolve(&s, lib, NULL, &err), CR_ERR_NAME);
+    assert_string_equal(err.where, "/participants/0/car");
+    assert_non_null(strstr(err.hint, "corolla"));
     cr_scene_fini(&s);
 }
 
@@ -447,6 +491,7 @@ static void test_placed_without_gap_is_no_overlap(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_regressions),
+        cmocka_unit_test(test_kind_and_mass_are_assumed),
         cmocka_unit_test(test_sizes_from_type),
         cmocka_unit_test(test_masses),
         cmocka_unit_test(test_methods_decide_what_is_not_given),

@@ -1,0 +1,57 @@
+/* Cars by name: dimensions and kerb masses from tables, found by words in any order.
+ *
+ * A catalogue is the tables *.csv of some folders, those of a later folder before the others; it is
+ * read once and then only looked at, so threads may share it. Columns: make, model, from, to, body,
+ * type, curb_kg, min_kg, max_kg, length_m, width_m, height_m, wheelbase_m, track_m,
+ * cg_behind_front_axle_m, cg_height_m, source; all but make and model may be empty or not there. */
+#ifndef CR_CATALOGUE_CATALOGUE_H
+#define CR_CATALOGUE_CATALOGUE_H
+
+#include "base/err.h"
+#include "base/str.h"
+
+/* A generation of a body; NaN where a number is not known, m and kg. */
+struct cr_car {
+    const char *make, *model, *body, *type, *source;
+    int from, to; /* model years, 0: not known */
+    double curb, curb_least, curb_most;
+    double length, width, height, wheelbase, track, cg_behind_front_axle, cg_height;
+    const char *file; /* name of its table */
+    int line;         /* in it */
+};
+
+/* What a driver adds to the kerb mass, kg. */
+#define CR_CAR_DRIVER 75.0
+
+struct cr_catalogue;
+
+/* Read all tables of n folders; one that is not there has none. Errors: IO, SYNTAX, TYPE, RANGE
+ * with file and line; MISSING where there is no table at all. */
+CR_MUST_CHECK enum cr_err cr_catalogue_open(const char *const *dir, int n,
+                                            struct cr_catalogue **out, struct cr_error *err);
+void cr_catalogue_free(struct cr_catalogue *catalogue);
+
+int cr_catalogue_cars(const struct cr_catalogue *catalogue);
+const struct cr_car *cr_catalogue_car(const struct cr_catalogue *catalogue, int i);
+
+/* Rows that all words fit, into `found` (room for cr_catalogue_cars); returns how many. A word is a
+ * part of make, model or body, a year, or a length in m ("4.25m"); case, accents and signs do not
+ * matter. No words: all. */
+int cr_catalogue_search(const struct cr_catalogue *catalogue, const char *words, int *found);
+
+/* The one car of these words. Where they leave several, those whose whole model was named go before
+ * the others, and the usual body (sedan, hatchback, SUV, van, pickup) before coupe, convertible and
+ * wagon if no body was named. Errors: NAME with the nearest names or with what tells the rest
+ * apart. */
+CR_MUST_CHECK enum cr_err cr_catalogue_find(const struct cr_catalogue *catalogue, const char *words,
+                                            const struct cr_car **out, struct cr_error *err);
+
+/* "Volkswagen Golf Hatchback 2015-2021" */
+void cr_car_name(const struct cr_car *car, struct cr_str *out);
+
+/* Make, model or year that a word of such a search could go on with: those that `words` (may be "")
+ * leave, each once. next(user, word) is told each. */
+void cr_catalogue_complete(const struct cr_catalogue *catalogue, const char *words,
+                           void (*next)(void *user, const char *word), void *user);
+
+#endif

@@ -1,0 +1,16 @@
+/* What the files of src/catalogue share: the tables and their rows. */
+#ifndef CR_CATALOGUE_CATALOGUE_PRIV_H
+#define CR_CATALOGUE_CATALOGUE_PRIV_H
+
+#include "catalogue/catalogue.h"
+
+struct cr_records;
+
+struct cr_catalogue {
+    struct cr_records **table; /* own the texts */
+    int tables;
+    struct cr_car *car;
+    int n;
+};
+
+#endif

@@ -1,0 +1,300 @@
+/* Finds cars by words: what matches, what is meant by them, and what could come next. */
+#include "catalogue/catalogue_priv.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { WORD = 40, WORDS = 12 };
+
+/* letters of Latin-1 and Latin Extended-A without their accents, by code point from U+00C0 */
+static const char bare[] = "aaaaaaaceeeeiiiidnooooo ouuuuytsaaaaaaaceeeeiiiidnooooo ouuuuyty"
+                           "aaaaaaccccccccddddeeeeeeeeeegggggggghhhhiiiiiiiiiiiijjkkklllllll"
+                           "lllnnnnnnnnnoooooooorrrrrrssssssssttttttuuuuuuuuuuuuwwyyyzzzzzzs";
+
+/* Lower case without accents; everything but letters, digits and points becomes a blank. */
+static void fold(const char *s, char *out, size_t size) {
+    size_t n = 0;
+    for (; *s != '\0' && n + 1 < size; s++) {
+        unsigned char c = (unsigned char)*s;
+        if (c >= 0xc3 && c <= 0xc5 && (s[1] & 0xc0) == 0x80) {
+            unsigned code = (c & 0x1fU) << 6 | ((unsigned char)s[1] & 0x3fU);
+            out[n++] = code - 0xc0 < sizeof bare - 1 ? bare[code - 0xc0] : ' ';
+            s++;
+        } else {
+            out[n++] = (char)(isalnum(c) || c == '.' ? tolower(c) : ' ');
+        }
+    }
+    out[n] = '\0';
+}
+
+struct words {
+    int n;
+    char word[WORDS][WORD];
+};
+
+static void split(const char *text, struct words *out) {
+    char folded[256];
+    fold(text, folded, sizeof folded);
+    out->n = 0;
+    for (char *save = NULL, *w = strtok_r(folded, " ", &save); w != NULL && out->n < WORDS;
+         w = strtok_r(NULL, " ", &save)) {
+        snprintf(out->word[out->n++], WORD, "%s", w);
+    }
+}
+
+/* "F-150" as one: f150 */
+static void joined(const char *text, char out[WORD]) {
+    char folded[WORD];
+    size_t n = 0;
+    fold(text, folded, sizeof folded);
+    for (const char *p = folded; *p != '\0'; p++) {
+        if (*p != ' ' && *p != '.') {
+            out[n++] = *p;
+        }
+    }
+    out[n] = '\0';
+}
+
+/* usual short names of makes */
+static const char *make_of(const char *word) {
+    static const char *const other[][2] = {{"vw", "volkswagen"}, {"chevy", "chevrolet"},
+                                           {"benz", "mercedes"}, {"skoda", "skoda"},
+                                           {"datsun", "nissan"}, {"landrover", "land"}};
+    for (size_t i = 0; i < sizeof other / sizeof other[0]; i++) {
+        if (strcmp(word, other[i][0]) == 0) {
+            return other[i][1];
+        }
+    }
+    return word;
+}
+
+static bool is_year(const char *word, int *year) {
+    char *end;
+    long x = strtol(word, &end, 10);
+    *year = (int)x;
+    return strlen(word) == 4 && *end == '\0' && x >= 1900 && x < 2100;
+}
+
+/* "4.25m", "4.25" */
+static bool is_length(const char *word, double *length) {
+    char *end;
+    if (strchr(word, '.') == NULL || !isdigit((unsigned char)word[0])) {
+        return false;
+    }
+    *length = strtod(word, &end);
+    return *end == '\0' || strcmp(end, "m") == 0;
+}
+
+/* whole: 2; the begin of a word of three letters or more: 1 */
+static int fits_text(const char *word, const char *text) {
+    struct words part;
+    char whole[WORD];
+    int best = 0;
+    joined(text, whole);
+    if (whole[0] != '\0' && strcmp(word, whole) == 0) {
+        return 2;
+    }
+    split(text, &part);
+    for (int i = 0; i < part.n; i++) {
+        bool same = strcmp(part.word[i], word) == 0;
+        bool begins = strlen(word) >= 3 && strncmp(part.word[i], word, strlen(word)) == 0;
+        best = same ? 2 : begins && best < 1 ? 1 : best;
+    }
+    return best;
+}
+
+static bool fits(const struct cr_car *car, const char *word) {
+    int year;
+    double length;
+    if (is_length(word, &length)) {
+        return fabs(car->length - length) < 0.006;
+    }
+    if (is_year(word, &year) && car->from <= year && year <= car->to) {
+        return true;
+    }
+    return fits_text(make_of(word), car->make) > 0 || fits_text(word, car->model) > 0 ||
+           fits_text(word, car->body) > 0;
+}
+
+int cr_catalogue_search(const struct cr_catalogue *c, const char *words, int *found) {
+    struct words w;
+    int n = 0;
+    split(words, &w);
+    for (int i = 0; i < c->n; i++) {
+        bool all = true;
+        for (int k = 0; k < w.n && all; k++) {
+            all = fits(&c->car[i], w.word[k]);
+        }
+        if (all) {
+            found[n++] = i;
+        }
+    }
+    return n;
+}
+
+/* every word of the model was said */
+static bool model_is_whole(const struct cr_car *car, const struct words *w) {
+    struct words part;
+    char whole[WORD];
+    split(car->model, &part);
+    joined(car->model, whole);
+    int said = 0;
+    for (int i = 0; i < part.n; i++) {
+        bool one = false;
+        for (int k = 0; k < w->n && !one; k++) {
+            one = strcmp(w->word[k], part.word[i]) == 0 || strcmp(w->word[k], whole) == 0;
+        }
+        said += one;
+    }
+    return said == part.n;
+}
+
+static bool is_usual(const struct cr_car *car, const struct words *w) {
+    (void)w;
+    static const char *const special[] = {"Coupe", "Convertible", "Wagon"};
+    for (size_t i = 0; i < sizeof special / sizeof special[0]; i++) {
+        if (strcmp(car->body, special[i]) == 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Keeps what passes, unless nothing does. */
+static int prefer(const struct cr_catalogue *c, int *found, int n, const struct words *w,
+                  bool (*pass)(const struct cr_car *car, const struct words *w)) {
+    int kept = 0;
+    for (int i = 0; i < n; i++) {
+        kept += pass(&c->car[found[i]], w);
+    }
+    if (kept == 0) {
+        return n;
+    }
+    kept = 0;
+    for (int i = 0; i < n; i++) {
+        if (pass(&c->car[found[i]], w)) {
+            found[kept++] = found[i];
+        }
+    }
+    return kept;
+}
+
+static void list_some(const struct cr_catalogue *c, const int *found, int n, struct cr_error *err) {
+    struct cr_str list = {0};
+    for (int i = 0; i < n && i < 3; i++) {
+        const struct cr_car *car = &c->car[found[i]];
+        cr_str_add(&list, i > 0 ? "; " : "");
+        cr_car_name(car, &list);
+        cr_str_addf(&list, " %.3fm", car->length);
+    }
+    cr_str_add(&list, n > 3 ? " ..." : "");
+    cr_err_hint(err, "add year, body or length: %.150s", cr_str_get(&list));
+    cr_str_fini(&list);
+}
+
+/* nearest make or model to a word that fits nothing */
+static enum cr_err unknown(const struct cr_catalogue *c, const char *words, struct cr_error *err) {
+    struct words w;
+    split(words, &w);
+    cr_err_set(err, CR_ERR_NAME, "no car of the catalogue is '%.80s'", words);
+    const char **names = calloc(2 * (size_t)c->n + 1, sizeof *names);
+    char(*lower)[WORD] = calloc(2 * (size_t)c->n + 1, sizeof *lower);
+    const char *near = NULL;
+    for (int i = 0; names != NULL && lower != NULL && i < c->n; i++) {
+        joined(c->car[i].make, lower[2 * i]);
+        joined(c->car[i].model, lower[2 * i + 1]);
+        names[2 * i] = lower[2 * i];
+        names[2 * i + 1] = lower[2 * i + 1];
+    }
+    for (int k = 0; names != NULL && lower != NULL && k < w.n && near == NULL; k++) {
+        bool known = false;
+        for (int i = 0; i < c->n && !known; i++) {
+            known = fits(&c->car[i], w.word[k]);
+        }
+        near = known ? NULL : cr_str_nearest(w.word[k], names, 2 * c->n);
+    }
+    if (near != NULL) {
+        cr_err_hint(err, "did you mean '%s'? crumple catalogue lists them", near);
+    } else {
+        cr_err_hint(err, "crumple catalogue WORDS lists what there is; or give type and mass");
+    }
+    free(names);
+    free(lower);
+    return CR_ERR_NAME;
+}
+
+enum cr_err cr_catalogue_find(const struct cr_catalogue *c, const char *words,
+                              const struct cr_car **out, struct cr_error *err) {
+    struct words w;
+    int *found = calloc((size_t)c->n + 1, sizeof *found);
+    if (found == NULL) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory to look for a car");
+    }
+    split(words, &w);
+    enum cr_err code = CR_ERR_OK;
+    int n = w.n > 0 ? cr_catalogue_search(c, words, found) : 0;
+    if (n == 0) {
+        code = unknown(c, words, err);
+    }
+    n = n > 1 ? prefer(c, found, n, &w, model_is_whole) : n;
+    n = n > 1 ? prefer(c, found, n, &w, is_usual) : n;
+    if (n == 1) {
+        *out = &c->car[found[0]];
+    } else if (n > 1) {
+        code = cr_err_set(err, CR_ERR_NAME, "%d cars are '%.80s'", n, words);
+        list_some(c, found, n, err);
+    }
+    free(found);
+    return code;
+}
+
+/* ---- completion ---- */
+
+static bool told_before(char (*told)[WORD], int n, const char *word) {
+    for (int i = 0; i < n; i++) {
+        if (strcmp(told[i], word) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* words that say the make, the model, the years of a car, whichever the others do not say yet */
+void cr_catalogue_complete(const struct cr_catalogue *c, const char *words,
+                           void (*next)(void *user, const char *word), void *user) {
+    struct words w;
+    int *found = calloc((size_t)c->n + 1, sizeof *found);
+    char(*told)[WORD] = calloc(200 + (size_t)c->n, sizeof *told);
+    split(words, &w);
+    int n = found != NULL ? cr_catalogue_search(c, words, found) : 0, tell = 0;
+    for (int i = 0; told != NULL && i < n; i++) {
+        const struct cr_car *car = &c->car[found[i]];
+        bool make = false;
+        for (int k = 0; k < w.n; k++) {
+            make = make || fits_text(make_of(w.word[k]), car->make) == 2;
+        }
+        bool whole = model_is_whole(car, &w);
+        if (!whole) {
+            char word[WORD];
+            snprintf(word, sizeof word, "%s", make ? car->model : car->make);
+            if (!told_before(told, tell, word)) {
+                next(user, word);
+                memcpy(told[tell++], word, sizeof word);
+            }
+        }
+        for (int year = car->from; whole && year > 0 && year <= car->to && tell < 190; year++) {
+            char word[WORD];
+            snprintf(word, sizeof word, "%d", year);
+            if (!told_before(told, tell, word)) {
+                next(user, word);
+                memcpy(told[tell++], word, sizeof word);
+            }
+        }
+    }
+    free(found);
+    free(told);
+}

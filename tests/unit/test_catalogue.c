@@ -1,0 +1,153 @@
+/* Cars by name: words in any order, year and body, what is missed or not unique; and that every row
+ * of the shipped table is a car that can be crashed. */
+#include "test.h"
+
+#include "catalogue/catalogue.h"
+#include "result/result.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static struct cr_catalogue *cars;
+static struct cr_model_lib *lib;
+
+static const char *in_tree(const char *part) {
+    static char path[600];
+    const char *src = getenv("SRC");
+    snprintf(path, sizeof path, "%s/%s", src != NULL ? src : ".", part);
+    return path;
+}
+
+static int open_cars(void **state) {
+    (void)state;
+    const char *dir = in_tree("share/catalogue");
+    return cr_catalogue_open(&dir, 1, &cars, NULL) != CR_ERR_OK ||
+           cr_model_lib_open(in_tree("models"), &lib, NULL) != CR_ERR_OK;
+}
+
+static int close_cars(void **state) {
+    (void)state;
+    cr_catalogue_free(cars);
+    cr_model_lib_free(lib);
+    return 0;
+}
+
+static void one_car_by_many_words(void **state) {
+    (void)state;
+    static const char *const words[] = {"golf 2015", "2015 Golf VW",
+                                        "volkswagen GOLF hatchback 2015", "vw golf 4.25m 2016",
+                                        "V\xc3\xb6lkswagen golf 2015"};
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        const struct cr_car *car = NULL;
+        struct cr_error err = {0};
+        if (cr_catalogue_find(cars, words[i], &car, &err) != CR_ERR_OK) {
+            fail_msg("%s: %s; %s", words[i], err.text, err.hint);
+        }
+        assert_string_equal(car->model, "Golf");
+        assert_true(car->from <= 2015 && car->to >= 2015);
+        assert_string_equal(car->body, "Hatchback");
+        check_near(car->length, 4.25, 0.01); /* 167.3 in in the Canadian specifications */
+    }
+    const struct cr_car *car;
+    assert_int_equal(cr_catalogue_find(cars, "golf wagon 2015", &car, NULL), CR_ERR_OK);
+    assert_string_equal(car->body, "Wagon");
+}
+
+static void what_is_not_one_car(void **state) {
+    (void)state;
+    static const struct {
+        const char *words, *text, *hint;
+    } row[] = {
+        {"toyota corola", "no car", "corolla"},
+        {"camry", "cars are 'camry'", "1992-1996"},
+        {"golf 1890", "no car", ""},
+        {"", "no car", "crumple catalogue"},
+        {"spaceship", "no car", ""},
+    };
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+        const struct cr_car *car;
+        struct cr_error err = {0};
+        assert_int_equal(cr_catalogue_find(cars, row[i].words, &car, &err), CR_ERR_NAME);
+        if (strstr(err.text, row[i].text) == NULL || strstr(err.hint, row[i].hint) == NULL) {
+            fail_msg("%s: %s; %s", row[i].words, err.text, err.hint);
+        }
+    }
+}
+
+struct told {
+    int n;
+    bool wanted;
+    const char *word;
+};
+
+static void tell(void *user, const char *word) {
+    struct told *t = user;
+    t->n++;
+    t->wanted = t->wanted || strcmp(word, t->word) == 0;
+}
+
+static void make_then_model_then_year(void **state) {
+    (void)state;
+    static const struct {
+        const char *words, *next;
+    } row[] = {{"", "Toyota"}, {"toyota", "Camry"}, {"toyota camry", "1995"}};
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+        struct told t = {.word = row[i].next};
+        cr_catalogue_complete(cars, row[i].words, tell, &t);
+        assert_true(t.wanted);
+        assert_true(t.n > 1 && t.n < 200);
+    }
+}
+
+/* a coarse solve: what is on trial is that the row makes a car */
+static void every_row_solves_against_a_wall(void **state) {
+    (void)state;
+    struct cr_context ctx = {.models = lib};
+    int *all = calloc((size_t)cr_catalogue_cars(cars), sizeof *all);
+    int n = cr_catalogue_search(cars, "", all);
+    assert_true(n > 1000);
+    for (int i = 0; i < n; i++) {
+        const struct cr_car *car = cr_catalogue_car(cars, i);
+        char text[700];
+        struct cr_scene scene;
+        struct cr_result *result = NULL;
+        struct cr_error err = {0};
+        /* the row itself, by its numbers: several rows may share their words */
+        int len =
+            snprintf(text, sizeof text,
+                     "{\"crumple\":1,\"settings\":{\"voxel_mm\":100,\"dt_ms\":2},"
+                     "\"participants\":[{\"id\":\"A\",\"kind\":\"vehicle\",\"type\":\"%s\","
+                     "\"mass_kg\":%g,\"length_m\":%g,\"width_m\":%g,\"wheelbase_m\":%g,"
+                     "\"position_m\":[0,0],\"speed_kmh\":40},{\"id\":\"W\",\"kind\":"
+                     "\"object\",\"shape\":\"wall\",\"position_m\":[5,0],\"heading_deg\":180}]}",
+                     car->type, car->curb + CR_CAR_DRIVER, car->length, car->width, car->wheelbase);
+        assert_true(len < (int)sizeof text);
+        enum cr_err code = cr_scene_parse(text, (size_t)len, "row", &scene, &err);
+        if (code == CR_ERR_OK) {
+            struct cr_participant *p = &scene.part[0];
+            p->height = car->height;
+            p->track = car->track;
+            p->cg_behind_front_axle = car->cg_behind_front_axle;
+            p->cg_height = car->cg_height;
+            code = cr_result_run(&scene, &ctx, &result, &err);
+        }
+        if (code != CR_ERR_OK || !(result->of[0].delta_v > 40 / 3.6)) {
+            fail_msg("cars.csv:%d: %s %s: %s", car->line, car->make, car->model, err.text);
+        }
+        cr_result_free(result);
+        cr_scene_fini(&scene);
+    }
+    free(all);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(one_car_by_many_words),
+        cmocka_unit_test(what_is_not_one_car),
+        cmocka_unit_test(make_then_model_then_year),
+        cmocka_unit_test(every_row_solves_against_a_wall),
+    };
+    return cmocka_run_group_tests(tests, open_cars, close_cars);
+}
