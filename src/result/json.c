@@ -51,8 +51,8 @@ static bool put_origin(const struct cr_result *r, cJSON *input) {
     cJSON *from = NULL;
     for (int i = 0; i < r->assumed.n; i++) {
         if (r->assumed.from[i][0] != '\0') {
-            from = from != NULL ? from : cJSON_AddObjectToObject(input, "catalogue");
-            cJSON_AddStringToObject(from, r->assumed.key[i], r->assumed.from[i]);
+            from = from != NULL ? from : cr_tree_object(input, "catalogue");
+            cr_tree_text(from, r->assumed.key[i], r->assumed.from[i]);
         }
     }
     return scene != NULL;
@@ -74,6 +74,9 @@ static bool put_input(const struct cr_result *r, const struct cr_result_opts *op
         cr_str_addf(&s, "%s sha256 %s", r->compiled.model[i], r->compiled.hash[i]);
         cr_tree_str(models, r->resolved.part[i].id, &s);
         cr_str_fini(&s);
+    }
+    if (r->irf_hash[0] != '\0' && opts->version != 1) {
+        cJSON_AddStringToObject(input, "irf_sha256", r->irf_hash);
     }
     if (!put_origin(r, input)) {
         return false;

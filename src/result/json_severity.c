@@ -183,18 +183,18 @@ void cr_json_impacts(const struct cr_result *r, cJSON *json) {
 
 /* the doubts among the warnings, each code once */
 void cr_json_quality(const struct cr_result *r, cJSON *json) {
-    cJSON *quality = cJSON_AddObjectToObject(json, "quality"), *flags = cJSON_CreateArray();
+    cJSON *quality = cr_tree_object(json, "quality"), *flags = cJSON_CreateArray();
     for (int i = 0; i < r->warnings; i++) {
         bool told = !cr_result_is_doubt(r->warning_code[i]);
         for (int k = 0; k < i; k++) {
             told = told || strcmp(r->warning_code[k], r->warning_code[i]) == 0;
         }
         if (!told) {
-            cJSON_AddItemToArray(flags, cJSON_CreateString(r->warning_code[i]));
+            cr_tree_push(flags, cJSON_CreateString(r->warning_code[i]));
         }
     }
-    cJSON_AddBoolToObject(quality, "clean", cJSON_GetArraySize(flags) == 0);
-    cJSON_AddItemToObject(quality, "doubts", flags);
+    cr_tree_bool(quality, "clean", cJSON_GetArraySize(flags) == 0);
+    cr_tree_put(quality, "doubts", flags);
 }
 
 /* version 1: the text alone */

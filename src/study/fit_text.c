@@ -2,6 +2,7 @@
 #include "study/fit.h"
 
 #include "base/json.h"
+#include "base/tree.h"
 
 #include <cjson/cJSON.h>
 #include <math.h>
@@ -94,41 +95,41 @@ static cJSON *input_json(const struct cr_fit *fit, int i) {
     const struct cr_study_input *in = &fit->study.in[i];
     const struct cr_fit_input *f = &fit->input[i];
     cJSON *o = cJSON_CreateObject();
-    cJSON_AddStringToObject(o, "key", in->key);
-    cJSON_AddStringToObject(o, "unit", in->unit->name);
-    cJSON_AddNumberToObject(o, "value", in_unit(in->unit, f->best));
-    cJSON_AddNumberToObject(o, "low", in_unit(in->unit, f->lo));
-    cJSON_AddNumberToObject(o, "high", in_unit(in->unit, f->hi));
-    cJSON_AddBoolToObject(o, "determined", f->determined);
-    cJSON_AddBoolToObject(o, "at_bound", fit->at_bound[i]);
-    cJSON *by = cJSON_AddObjectToObject(o, "determined_by");
+    cr_tree_text(o, "key", in->key);
+    cr_tree_text(o, "unit", in->unit->name);
+    cr_tree_number(o, "value", in_unit(in->unit, f->best));
+    cr_tree_number(o, "low", in_unit(in->unit, f->lo));
+    cr_tree_number(o, "high", in_unit(in->unit, f->hi));
+    cr_tree_bool(o, "determined", f->determined);
+    cr_tree_bool(o, "at_bound", fit->at_bound[i]);
+    cJSON *by = cr_tree_object(o, "determined_by");
     for (int k = 0; k < fit->evidence.n; k++) {
-        cJSON_AddNumberToObject(by, fit->evidence.target[k].name, f->by[k]);
+        cr_tree_number(by, fit->evidence.target[k].name, f->by[k]);
     }
     return o;
 }
 
 enum cr_err cr_fit_json(const struct cr_fit *fit, struct cr_str *out, struct cr_error *err) {
     cJSON *root = cJSON_CreateObject();
-    cJSON_AddStringToObject(root, "class", "fit");
-    cJSON_AddNumberToObject(root, "solves", fit->solves);
-    cJSON_AddNumberToObject(root, "misfit", fit->misfit);
-    cJSON_AddBoolToObject(root, "contradictory", fit->contradictory);
-    cJSON_AddBoolToObject(root, "interrupted", fit->interrupted);
-    cJSON *list = cJSON_AddArrayToObject(root, "inputs");
+    cr_tree_text(root, "class", "fit");
+    cr_tree_number(root, "solves", fit->solves);
+    cr_tree_number(root, "misfit", fit->misfit);
+    cr_tree_bool(root, "contradictory", fit->contradictory);
+    cr_tree_bool(root, "interrupted", fit->interrupted);
+    cJSON *list = cr_tree_array(root, "inputs");
     for (int i = 0; i < fit->study.n; i++) {
-        cJSON_AddItemToArray(list, input_json(fit, i));
+        cr_tree_push(list, input_json(fit, i));
     }
-    cJSON *evidence = cJSON_AddArrayToObject(root, "evidence");
+    cJSON *evidence = cr_tree_array(root, "evidence");
     for (int k = 0; k < fit->evidence.n; k++) {
         const struct cr_fit_target *t = &fit->evidence.target[k];
         cJSON *o = cJSON_CreateObject();
-        cJSON_AddStringToObject(o, "name", t->name);
-        cJSON_AddStringToObject(o, "unit", t->unit->name);
-        cJSON_AddNumberToObject(o, "measured", in_unit(t->unit, t->value));
-        cJSON_AddNumberToObject(o, "tolerance", in_unit(t->unit, t->half));
-        cJSON_AddNumberToObject(o, "found", in_unit(t->unit, fit->found[k]));
-        cJSON_AddItemToArray(evidence, o);
+        cr_tree_text(o, "name", t->name);
+        cr_tree_text(o, "unit", t->unit->name);
+        cr_tree_number(o, "measured", in_unit(t->unit, t->value));
+        cr_tree_number(o, "tolerance", in_unit(t->unit, t->half));
+        cr_tree_number(o, "found", in_unit(t->unit, fit->found[k]));
+        cr_tree_push(evidence, o);
     }
     bool done = cr_json_add(root, true, out);
     cr_str_add(out, "\n");
