@@ -58,16 +58,16 @@ struct cr_body {
     double inertia; /* about the vertical axis through the CG, kg m2; <= 0: does not turn */
     struct cr_vec2 pos, vel;
     double heading, yaw_rate;
-    struct cr_grid grid;                       /* nx = 0 for a rigid object */
-    struct cr_shape shape;                     /* CR_SHAPE_NONE for a grid */
-    double friction;                           /* of its surface; < 0: the case's friction */
-    int wheels;                                /* 0 or CR_WHEELS */
-    struct cr_wheel wheel[CR_WHEELS];          /* front left, front right, rear left, rear right */
-    struct cr_strength strength;               /* of all layers */
-    struct cr_strength against[CR_BODY_MAX];   /* of the layers that meet this partner in height;
+    struct cr_grid grid;                     /* nx = 0 for a rigid object */
+    struct cr_shape shape;                   /* CR_SHAPE_NONE for a grid */
+    double friction;                         /* of its surface; < 0: the case's friction */
+    int wheels;                              /* 0 or CR_WHEELS */
+    struct cr_wheel wheel[CR_WHEELS];        /* front left, front right, rear left, rear right */
+    struct cr_strength strength;             /* of all layers */
+    struct cr_strength against[CR_BODY_MAX]; /* of the layers that meet this partner in height;
                                                   NULL: strength */
-    int waypoints;                             /* 0: pos, vel, heading above are the start */
-    const struct cr_waypoint *waypoint;        /* borrowed, [waypoints] */
+    int waypoints;                           /* 0: pos, vel, heading above are the start */
+    const struct cr_waypoint *waypoint;      /* borrowed, [waypoints] */
 };
 
 enum cr_end { CR_END_SEPARATION, CR_END_REST };

@@ -62,7 +62,8 @@ static void hold(struct face *f, struct cr_vec2 place, struct cr_hold *hold) {
     }
     double hidden = fmax(deep - (open + 2.5) * h, 0);
     for (int i = from; i <= to; i++) {
-        double slope = i > at ? f->up + slope_at(f, i - 1) / here.in : f->down + slope_at(f, i) / here.in;
+        double slope =
+            i > at ? f->up + slope_at(f, i - 1) / here.in : f->down + slope_at(f, i) / here.in;
         here.depth = deep - 2 * hidden - slope * fabs(i - at) * h;
         here.dragged = fabs(i - at) > 0.499; /* the contact itself is not on that line */
         hold[i] = here.depth > hold[i].depth ? here : hold[i];

@@ -22,7 +22,8 @@ static void begin_phase(const struct cr_solver *s, struct cr_touch *t, enum cr_p
     double time = s->cs->opts.elastic_s, dt = s->cs->opts.dt;
     if (!(time > 0)) {
         double shape = phase == CR_PHASE_COMPRESSION ? 2 / (1 + half_way) : 2 / half_way;
-        time = cr_clamp(shape * t->elastic_plan / fmax(t->force, 1), cr_elastic_least, cr_elastic_most);
+        time = cr_clamp(shape * t->elastic_plan / fmax(t->force, 1), cr_elastic_least,
+                        cr_elastic_most);
         time = ceil(time / dt) * dt;
     }
     t->elastic_time = t->elastic_left = time;

@@ -19,7 +19,8 @@ static double impulse_to_end(const struct cr_duo *d, const struct cr_force *f,
  * rubs: 1. What slides rubs with what exceeds the cone: (1 + mu tan a) / (1 + mu^2), a being the
  * angle between motion and normal; the two agree where tan a = mu. On a rigid surface the crush goes
  * along the normal and all of the rest of the motion rubs. */
-static double work_per_energy(const struct cr_duo *d, const struct cr_force *f, double vn, double vf) {
+static double work_per_energy(const struct cr_duo *d, const struct cr_force *f, double vn,
+                              double vf) {
     double hooked = d->ma->soft && d->mb->soft ? f->cosine * f->cosine : 1;
     return vf / (vn * f->cosine) * hooked;
 }

@@ -195,7 +195,8 @@ static bool find_in_row(struct cr_side *k, const struct opponent *o, int iy, int
 static bool find_cells(struct cr_side *k, const struct opponent *o) {
     const struct cr_grid *g = &k->m->body->grid;
     struct window w = window_of(k->m, o);
-    const int *front = k->m->surface.first[CR_FACE_FRONT], *rear = k->m->surface.first[CR_FACE_REAR];
+    const int *front = k->m->surface.first[CR_FACE_FRONT],
+              *rear = k->m->surface.first[CR_FACE_REAR];
     for (int iy = w.y0; iy < w.y1; iy++) {
         int row = iy < 0 ? 0 : iy < g->ny ? iy : g->ny - 1;
         int from = rear[row] - EDGE, to = g->nx - front[row] + EDGE;
@@ -258,10 +259,10 @@ static bool find_side(struct cr_duo *d, int side) {
     struct cr_moving *me = side == 0 ? d->ma : d->mb, *other = side == 0 ? d->mb : d->ma;
     struct cr_side kept = *k;
     *k = (struct cr_side){.m = me,
-                           .cell = kept.cell,
-                           .cells_size = kept.cells_size,
-                           .loss = kept.loss,
-                           .losses_size = kept.losses_size};
+                          .cell = kept.cell,
+                          .cells_size = kept.cells_size,
+                          .loss = kept.loss,
+                          .losses_size = kept.losses_size};
     if (!me->soft) {
         return true;
     }

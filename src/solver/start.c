@@ -81,8 +81,9 @@ static struct cr_vec2 way_back(struct cr_solver *s, int i, int other) {
     if (isinf(along) && isinf(straight)) {
         return cr_vec2(NAN, NAN);
     }
-    return along <= cr_way_worth * straight || (parts && !isinf(along)) ? cr_vec2_scale(back, along)
-                                                                 : cr_vec2_scale(away, straight);
+    return along <= cr_way_worth * straight || (parts && !isinf(along))
+               ? cr_vec2_scale(back, along)
+               : cr_vec2_scale(away, straight);
 }
 
 bool cr_start_overlap(struct cr_solver *s, struct cr_overlap *out) {

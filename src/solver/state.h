@@ -21,18 +21,18 @@ struct cr_moving {
     struct cr_vec2 lo, hi; /* box that holds it, body frame */
     bool driven;           /* follows its waypoints */
     bool at_rest;
-    bool soft;                       /* it has voxels; else it is a rigid shape */
-    struct cr_surface surface;       /* of a soft body */
+    bool soft;                 /* it has voxels; else it is a rigid shape */
+    struct cr_surface surface; /* of a soft body */
     /* energy per unit of material against each partner by the way it is pushed, J */
     const double *unit[CR_BODY_MAX][CR_PUSHES];
-    int wheel_voxel[CR_WHEELS];      /* at the wheel's place, -1: beside the grid */
-    bool drag[CR_WHEELS];            /* that voxel was crushed: the wheel slides */
-    double energy, induced;          /* plastic so far, J */
-    double crushed;                  /* plan area so far, m2 */
-    struct cr_vec2 slice_impulse;    /* contact impulse in this slice, N s */
-    struct cr_vec2 slice_coe;        /* its |impulse|-weighted place, summed, N s m */
-    double slice_weight;             /* sum of |impulse|, N s */
-    struct cr_vec2 vel_begin;        /* at the begin of the slice */
+    int wheel_voxel[CR_WHEELS];   /* at the wheel's place, -1: beside the grid */
+    bool drag[CR_WHEELS];         /* that voxel was crushed: the wheel slides */
+    double energy, induced;       /* plastic so far, J */
+    double crushed;               /* plan area so far, m2 */
+    struct cr_vec2 slice_impulse; /* contact impulse in this slice, N s */
+    struct cr_vec2 slice_coe;     /* its |impulse|-weighted place, summed, N s m */
+    double slice_weight;          /* sum of |impulse|, N s */
+    struct cr_vec2 vel_begin;     /* at the begin of the slice */
     double yaw_begin;
     struct cr_vec2 delta_v;
     double yaw_change;
@@ -73,16 +73,17 @@ struct cr_side {
     int losses, losses_size;
     struct cr_loss *loss; /* the first `direct` are of the contact, the others dragged along */
     int direct;
-    double share;            /* of the overlap that this body gives way by, 0..1 */
-    double begin, end;       /* force of its structure in the contact now, and if it alone gives way, N */
-    double thick;            /* sum of force x overlap, N m */
-    double closing;          /* sum of force x approach, N m/s */
-    double advance;          /* of the contact into this body in the slice, mean, m */
-    double energy, induced;  /* of the losses, J */
-    double area;             /* plan area lost, m2 */
-    struct cr_vec2 pressure; /* on this body: strength along the opponent's normals, body frame, N */
-    struct cr_vec2 moment;   /* sum of strength x place, N m */
-    double weight;           /* sum of strength, N */
+    double share;      /* of the overlap that this body gives way by, 0..1 */
+    double begin, end; /* force of its structure in the contact now, and if it alone gives way, N */
+    double thick;      /* sum of force x overlap, N m */
+    double closing;    /* sum of force x approach, N m/s */
+    double advance;    /* of the contact into this body in the slice, mean, m */
+    double energy, induced; /* of the losses, J */
+    double area;            /* plan area lost, m2 */
+    struct cr_vec2
+        pressure;          /* on this body: strength along the opponent's normals, body frame, N */
+    struct cr_vec2 moment; /* sum of strength x place, N m */
+    double weight;         /* sum of strength, N */
 };
 
 /* To what depth a line of a face is held by the contact, behind the edge of the grid, and how the
@@ -136,7 +137,7 @@ struct cr_solver {
     struct cr_arena arena;
     struct cr_moving m[CR_BODY_MAX];
     struct cr_side side[2]; /* of the pair being worked */
-    struct cr_hold *hold;     /* scratch of drag.c, one entry a line of the longest face */
+    struct cr_hold *hold;   /* scratch of drag.c, one entry a line of the longest face */
     struct cr_touch touch[CR_PAIR_MAX];
     double t, dt, dt_contact;
     bool touched;    /* some contact has begun */

@@ -76,7 +76,8 @@ static void spread_piece(struct cr_surface *s, double *near, int ix, int iy, str
             double d2 = cr_vec2_dot(d, d);
             int k = cr_surface_at(s, ix + i, iy + j);
             double along = cr_vec2_dot(d, p.n);
-            if (d2 < near[k] * (1 - 1e-9) || (d2 < near[k] * (1 + 1e-9) && fabs(along) > fabs(s->phi[k]))) {
+            if (d2 < near[k] * (1 - 1e-9) ||
+                (d2 < near[k] * (1 + 1e-9) && fabs(along) > fabs(s->phi[k]))) {
                 near[k] = fmin(d2, near[k]);
                 s->phi[k] = cr_clamp(along, -s->band, s->band);
             }
@@ -157,9 +158,8 @@ static bool take_arrays(struct cr_surface *s, struct cr_arena *arena, double **n
 
 bool cr_surface_new(struct cr_surface *s, const struct cr_grid *grid, struct cr_arena *arena) {
     double *near;
-    *s = (struct cr_surface){.grid = grid,
-                             .stride = grid->nx + 2 * CR_MARGIN,
-                             .band = cr_band_voxels * grid->h};
+    *s = (struct cr_surface){
+        .grid = grid, .stride = grid->nx + 2 * CR_MARGIN, .band = cr_band_voxels * grid->h};
     if (!take_arrays(s, arena, &near)) {
         return false;
     }

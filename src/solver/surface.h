@@ -33,10 +33,10 @@ struct cr_surface {
 
 /* One of the four faces as lines that run inward: line i, voxel n of it from outside. */
 struct cr_lines {
-    int n, length; /* lines, voxels in a line */
-    int first;     /* voxel 0 of line 0 */
-    int next;      /* from a voxel to its neighbour in the next line */
-    int inward;    /* to the next voxel of the line */
+    int n, length;            /* lines, voxels in a line */
+    int first;                /* voxel 0 of line 0 */
+    int next;                 /* from a voxel to its neighbour in the next line */
+    int inward;               /* to the next voxel of the line */
     struct cr_vec2 along, in; /* unit vectors, body frame: to the next line, and inward */
     struct cr_vec2 corner;    /* where line 0 begins, less half a voxel along, body frame, m */
 };

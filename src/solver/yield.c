@@ -20,7 +20,8 @@ static double force_of(const struct cr_side *k, double share) {
 static double imbalance(const struct cr_duo *d, double t) {
     const struct cr_side *a = &d->s->side[0], *b = &d->s->side[1];
     double share = 1 / (1 + exp(-t));
-    double fa = d->touch->taut[0] + force_of(a, share), fb = d->touch->taut[1] + force_of(b, 1 - share);
+    double fa = d->touch->taut[0] + force_of(a, share),
+           fb = d->touch->taut[1] + force_of(b, 1 - share);
     return cr_rate_exponent * t + log(fmax(fa, 1e-9) / fmax(fb, 1e-9));
 }
 

@@ -95,7 +95,8 @@ static void front_into_flank(void **state) {
 static double energy_ahead_of(const struct cr_result *r, double depth) {
     const struct cr_body *b = &r->compiled.cs.body[0];
     const struct cr_grid *g = &b->grid;
-    const double *energy = b->against[1].energy[0] != NULL ? b->against[1].energy[0] : b->strength.energy[0];
+    const double *energy =
+        b->against[1].energy[0] != NULL ? b->against[1].energy[0] : b->strength.energy[0];
     const double *left = r->solution->body[0].left;
     double ahead = 0, all = 0;
     for (int k = 0; k < g->nx * g->ny; k++) {

@@ -148,7 +148,8 @@ static void layers_that_meet_in_height(void **state) {
         for (size_t i = 0; i < n; i++) {
             low[i] = 0.5 * car.grid.energy[i];
         }
-        car.against[1] = k == 1 ? (struct cr_strength){{low, low, low}} : (struct cr_strength){{NULL}};
+        car.against[1] =
+            k == 1 ? (struct cr_strength){{low, low, low}} : (struct cr_strength){{NULL}};
         struct cr_case cs = case_of(car, wall_body(0, 0, CR_PI));
         struct cr_solver *s = solved(&cs);
         depth[k] = cr_solver_solution(s)->body[0].rest.crushed / width;

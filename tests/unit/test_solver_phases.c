@@ -101,7 +101,8 @@ static void restitution_by_closing_speed(void **state) {
     (void)state;
     check_near(cr_restitution_auto(3, true), 0.33, 1e-12);
     check_near(cr_restitution_auto(7.15, true), 0.245, 1e-12);
-    check_near(cr_restitution_auto(10.001, true), cr_restitution_auto(9.999, true), 1e-4); /* no jump */
+    check_near(cr_restitution_auto(10.001, true), cr_restitution_auto(9.999, true),
+               1e-4); /* no jump */
     check_near(cr_restitution_auto(20, true), 0.16, 1e-12);
     check_near(cr_restitution_auto(1, false), 0.3, 1e-12);
     check_near(cr_restitution_auto(6, false), 0.2, 1e-12);
