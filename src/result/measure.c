@@ -54,8 +54,8 @@ static int impacts_of(const struct cr_events *all, int body) {
     return n;
 }
 
-/* The model of a vehicle by name; strengths that are mixed by the force are told by the sector that the
- * force lies in. */
+/* The model of a vehicle by name; strengths that are mixed by the force are told by the sector
+ * that the force lies in. */
 static void name_model(const struct cr_result *r, int i, struct cr_severity *s) {
     const struct cr_participant *p = &r->resolved.part[i];
     memcpy(s->model, r->compiled.model[i], sizeof s->model);

@@ -43,8 +43,8 @@ bool cr_crush_voxel(struct cr_side *k, int voxel, int at, double phi, struct cr_
     return true;
 }
 
-/* Overlap that is left from before goes no faster than the bodies approach: the force is then that of
- * the structure, however much there is. */
+/* Overlap that is left from before goes no faster than the bodies approach: the force is then
+ * that of the structure, however much there is. */
 static double share_to_pass(const struct cr_duo *d) {
     double thick = 0, closing = 0;
     for (int side = 0; side < 2; side++) {

@@ -1,4 +1,5 @@
-/* Step 1 of the paper: what of two bodies does not fit into one place, and which of them loses it. */
+/* Step 1 of the paper: what of two bodies does not fit into one place, and which of them loses
+ * it. */
 #ifndef CR_SOLVER_CRUSH_H
 #define CR_SOLVER_CRUSH_H
 
@@ -7,7 +8,8 @@
 /* overlap.c: the voxels of both bodies about their contact, into s->crush. Nothing changes. False
  * when memory is out; `met` says whether anything overlaps and comes closer. */
 bool cr_overlap_find(struct cr_duo *d, bool *met);
-/* signed distance of the opponent of a side at a place in the side's frame, m, and its normal there */
+/* signed distance of the opponent of a side at a place in the side's frame, m, and its normal
+ * there */
 double cr_overlap_distance(const struct cr_duo *d, int side, struct cr_vec2 p,
                            struct cr_vec2 *normal);
 /* plan area that the two share at their present places, m2; negative when memory is out */
@@ -19,11 +21,12 @@ void cr_yield_share(struct cr_duo *d);
 /* crush.c: the surfaces of both recede by their shares; energy, pressure and losses of each. False
  * when memory is out. */
 bool cr_crush_contact(struct cr_duo *d);
-/* the surface at a voxel moves to phi with the normal n, pushed along `push`: adds a loss; voxel < 0 in
- * the margin; false when memory is out */
+/* the surface at a voxel moves to phi with the normal n, pushed along `push`: adds a loss; voxel
+ * < 0 in the margin; false when memory is out */
 bool cr_crush_voxel(struct cr_side *k, int voxel, int at, double phi, struct cr_vec2 n,
                     struct cr_vec2 push);
-/* Give back the share 1 - lambda of the losses and book the rest at time t; lambda = 0 undoes all. */
+/* Give back the share 1 - lambda of the losses and book the rest at time t; lambda = 0 undoes
+ * all. */
 void cr_crush_settle(struct cr_duo *d, double lambda);
 
 /* drag.c: what lies beside the contact is dragged along (induced deformation); added to the losses

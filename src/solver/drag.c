@@ -1,11 +1,11 @@
 /* Step 1, induced deformation: a struck face drags along what lies beside the contact.
  *
  * The depth w of a face, along its lines, falls by no more than the slope k beside the contact:
- *     w[i] >= w[j] - k |y[i] - y[j]| - (o[i] - o[j])+,
- * o being how far the undeformed outline of a line lies back: a wall on a rounded front drags
- * nothing. Where the surface of the contact itself recedes with the slope s, the limit is k + s: a
- * corner that is driven on obliquely does not drag the flank. The least such depths come from a pass
- * up and a pass down the lines. A stamp of the width b on a uniform face q: E = q (b d + d^2 / k). */
+ * w[i] >= w[j] - k |y[i] - y[j]| - (o[i] - o[j])+, o being how far the undeformed outline of a
+ * line lies back: a wall on a rounded front drags nothing. Where the surface of the contact
+ * itself recedes with the slope s, the limit is k + s: a corner that is driven on obliquely does
+ * not drag the flank. The least such depths come from a pass up and a pass down the lines. A
+ * stamp of the width b on a uniform face q: E = q (b d + d^2 / k). */
 #include "solver/crush.h"
 #include "solver/tuning.h"
 
@@ -38,10 +38,10 @@ static double rest_depth(const struct cr_surface *s, struct cr_vec2 place) {
     return least;
 }
 
-/* What holds the lines about a place of the contact's surface with the normal n there. A place of the
- * surface belongs to the face that it looks at, unless it is much closer to another: the side of a
- * dent in an end is no dent of the flank. One behind material that still stands in its line holds
- * nothing. */
+/* What holds the lines about a place of the contact's surface with the normal n there. A place
+ * of the surface belongs to the face that it looks at, unless it is much closer to another: the
+ * side of a dent in an end is no dent of the flank. One behind material that still stands in its
+ * line holds nothing. */
 static void hold(struct face *f, struct cr_vec2 place, struct cr_hold *hold) {
     const struct cr_surface *s = &f->k->m->surface;
     double h = s->grid->h, faces = f->faces;
@@ -101,8 +101,8 @@ static void hold_all(const struct cr_duo *d, int side, struct face *f, struct cr
     }
 }
 
-/* No slope is too steep: a pass up and a pass down the lines. What drags a line hands on to the next
- * how its own surface recedes. */
+/* No slope is too steep: a pass up and a pass down the lines. What drags a line hands on to the
+ * next how its own surface recedes. */
 static void limit_slopes(const struct face *f, struct cr_hold *l) {
     const double *o = f->k->m->surface.outline[f->face];
     double h = f->k->m->surface.grid->h;
@@ -152,7 +152,8 @@ static double strength_of(const struct face *f, int line, double depth) {
     return (here + u * (there - here)) / s->grid->h;
 }
 
-/* Lines that are dragged to their limit pull on the contact: what of a line is taut, and how far. */
+/* Lines that are dragged to their limit pull on the contact: what of a line is taut, and how
+ * far. */
 static void pull_line(struct cr_duo *d, int side, struct face *f, int line, double held,
                       double depth) {
     struct cr_surface *s = &f->k->m->surface;

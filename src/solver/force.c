@@ -36,8 +36,9 @@ static void within_cone(struct cr_force *f, struct cr_vec2 v, double mu) {
     f->cosine = cr_vec2_dot(f->direction, n);
 }
 
-/* Crushing material presses with its strength on each part of a surface along that part's own normal,
- * however slowly it comes. Each body presses on the other by the share that it gives way. */
+/* Crushing material presses with its strength on each part of a surface along that part's own
+ * normal, however slowly it comes. Each body presses on the other by the share that it gives
+ * way. */
 static struct cr_vec2 pressure_on_b(const struct cr_duo *d) {
     const struct cr_side *a = &d->s->side[0], *b = &d->s->side[1];
     struct cr_vec2 on_a = cr_vec2_rotate(a->pressure, d->ma->c, d->ma->s);

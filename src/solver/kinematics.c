@@ -123,8 +123,8 @@ static double approach_speed(const struct cr_duo *d) {
     return fmin(bound, at_coe + cr_patch_reach * fabs(ma->yaw_rate - mb->yaw_rate));
 }
 
-/* Longest slice in which a pair that may touch approaches by no more than one voxel: a whole part of
- * `most`, so that the slices of a crash are of one length. */
+/* Longest slice in which a pair that may touch approaches by no more than one voxel: a whole
+ * part of `most`, so that the slices of a crash are of one length. */
 static double within_reach(const struct cr_duo *d, double most) {
     const struct cr_moving *ma = d->ma, *mb = d->mb;
     double fast = approach_speed(d), h = fmax(ma->body->grid.h, mb->body->grid.h);

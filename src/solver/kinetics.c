@@ -15,10 +15,10 @@ static double impulse_to_end(const struct cr_duo *d, const struct cr_force *f,
     return fmax((1 - e) * left - e * plastic / f->cosine, 0);
 }
 
-/* Work of the contact per energy of the crush. What sticks is crushed along its motion and nothing
- * rubs: 1. What slides rubs with what exceeds the cone: (1 + mu tan a) / (1 + mu^2), a being the
- * angle between motion and normal; the two agree where tan a = mu. On a rigid surface the crush goes
- * along the normal and all of the rest of the motion rubs. */
+/* Work of the contact per energy of the crush. What sticks is crushed along its motion and
+ * nothing rubs: 1. What slides rubs with what exceeds the cone: (1 + mu tan a) / (1 + mu^2), a
+ * being the angle between motion and normal; the two agree where tan a = mu. On a rigid surface
+ * the crush goes along the normal and all of the rest of the motion rubs. */
 static double work_per_energy(const struct cr_duo *d, const struct cr_force *f, double vn,
                               double vf) {
     double hooked = d->ma->soft && d->mb->soft ? f->cosine * f->cosine : 1;
@@ -51,10 +51,10 @@ static bool book(struct cr_duo *d, const struct cr_force *f, const struct cr_sli
 }
 
 /* Eq. (2), (4), (5) as an impulse: J v - J^2 / (2 m_eff) = W takes exactly the work W out of the
- * two bodies, where |F| = E / s would overshoot as the approach goes to zero. W is the crush energy
- * and the friction work of the slice. Where the bodies have less energy than W, or the plastic phase
- * ends within the slice, only the share lambda of the deformation takes place: what a smaller J pays
- * for. */
+ * two bodies, where |F| = E / s would overshoot as the approach goes to zero. W is the crush
+ * energy and the friction work of the slice. Where the bodies have less energy than W, or the
+ * plastic phase ends within the slice, only the share lambda of the deformation takes place:
+ * what a smaller J pays for. */
 bool cr_kinetics_slice(struct cr_duo *d, const struct cr_force *f) {
     struct cr_solver *s = d->s;
     struct cr_touch *t = d->touch;

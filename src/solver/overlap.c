@@ -156,8 +156,8 @@ static void note_cell(struct cr_side *k, const struct opponent *o, int ix, int i
     k->cell[k->cells++] = c;
 }
 
-/* The voxels [from, to) of a row; false when memory is out. Voxels that a distance says are far from
- * one of the surfaces are passed over: it changes by no more than the way. */
+/* The voxels [from, to) of a row; false when memory is out. Voxels that a distance says are far
+ * from one of the surfaces are passed over: it changes by no more than the way. */
 static bool find_in_row(struct cr_side *k, const struct opponent *o, int iy, int from, int to) {
     const struct cr_surface *f = &k->m->surface;
     const struct cr_grid *g = f->grid;
@@ -212,8 +212,9 @@ static double on_surface(double phi, double h) {
     return fmax(1 - fabs(phi) / h, 0);
 }
 
-/* Forces, thickness and closing speed of what presses. Voxels beyond the outline have no strength to
- * say; those inside speak for them, or a structure would seem weaker within its first half voxel. */
+/* Forces, thickness and closing speed of what presses. Voxels beyond the outline have no
+ * strength to say; those inside speak for them, or a structure would seem weaker within its
+ * first half voxel. */
 static void sum_cells(struct cr_side *k) {
     const struct cr_grid *g = &k->m->body->grid;
     double h = g->h, all[2] = {0}, solid[2] = {0};
@@ -245,8 +246,8 @@ double cr_overlap_distance(const struct cr_duo *d, int side, struct cr_vec2 p,
     return distance_to(&o, p);
 }
 
-/* Direction in which a body is pushed, its frame: that of the force in the last slice, before the first
- * that of the motion. */
+/* Direction in which a body is pushed, its frame: that of the force in the last slice, before
+ * the first that of the motion. */
 static struct cr_vec2 push_on(const struct cr_duo *d, int side) {
     const struct cr_moving *m = side == 0 ? d->ma : d->mb;
     struct cr_vec2 ahead = cr_vec2_unit(cr_vec2_sub(d->ma->vel, d->mb->vel), cr_vec2(1, 0));

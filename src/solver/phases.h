@@ -12,7 +12,8 @@ enum cr_stop cr_abort_check(struct cr_duo *d, bool deformed);
 bool cr_touch_begin(struct cr_duo *d, const struct cr_force *f);
 /* the contact is over */
 void cr_touch_end(struct cr_solver *s, struct cr_touch *t);
-/* energy of approach of a touch against what the pair has crushed so far; infinite for a first one */
+/* energy of approach of a touch against what the pair has crushed so far; infinite for a first
+ * one */
 double cr_touch_weight(const struct cr_duo *d, const struct cr_force *f);
 
 /* restitution.c: factor on the restitution of whole ends, 0..1, where only part of an end is

@@ -1,4 +1,5 @@
-/* Rigid outlines: signed distance (negative inside) and outward unit normal, in the object's frame. */
+/* Rigid outlines: signed distance (negative inside) and outward unit normal, in the object's
+ * frame. */
 #ifndef CR_SOLVER_SHAPE_H
 #define CR_SOLVER_SHAPE_H
 

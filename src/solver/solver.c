@@ -51,7 +51,8 @@ static bool begin_contact(struct cr_duo *d, const struct cr_force *f) {
     return cr_touch_begin(d, f);
 }
 
-/* Steps 1 to 3 for a pair. False when memory is out; `deformed` says whether anything was crushed. */
+/* Steps 1 to 3 for a pair. False when memory is out; `deformed` says whether anything was
+ * crushed. */
 static bool crush_pair(struct cr_duo *d, bool *deformed) {
     struct cr_force f;
     *deformed = false;

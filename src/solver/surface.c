@@ -41,7 +41,8 @@ static struct cr_vec2 fill_gradient(const struct cr_grid *g, int ix, int iy) {
     return cr_vec2(x, y);
 }
 
-/* Does the outline pass through or beside a voxel? A voxel filled in part says by its fill where. */
+/* Does the outline pass through or beside a voxel? A voxel filled in part says by its fill
+ * where. */
 static bool outline_piece(const struct cr_surface *s, int ix, int iy, struct piece *out) {
     const struct cr_grid *g = s->grid;
     double fill = fill_at(g, ix, iy), dense = s->dense[iy * g->nx + ix];
@@ -192,8 +193,8 @@ bool cr_surface_new(struct cr_surface *s, const struct cr_grid *grid, struct cr_
     return true;
 }
 
-/* Weights of the three nodes about a place t off the middle one, and their slopes: a parabola in each
- * stretch, so that a gradient has no jumps, nor a side that it prefers. */
+/* Weights of the three nodes about a place t off the middle one, and their slopes: a parabola in
+ * each stretch, so that a gradient has no jumps, nor a side that it prefers. */
 static inline void parabola(double t, double w[3], double slope[3]) {
     w[0] = 0.5 * (0.5 - t) * (0.5 - t);
     w[1] = 0.75 - t * t;

@@ -1,10 +1,10 @@
-/* The material of a deformable body as it is crushed: a signed distance in the middle of each voxel
- * says where its surface lies, and what is left of the voxel follows from it.
+/* The material of a deformable body as it is crushed: a signed distance in the middle of each
+ * voxel says where its surface lies, and what is left of the voxel follows from it.
  *
- * phi < 0 inside, > 0 outside, in m; known within a band about the surface, beyond which it only says
- * "further away than the band". The surface only ever recedes: phi never falls. Two surfaces, of any
- * form and place, are brought together by one formula (overlap.c), and nothing in it depends on where
- * the two grids lie. */
+ * phi < 0 inside, > 0 outside, in m; known within a band about the surface, beyond which it only
+ * says "further away than the band". The surface only ever recedes: phi never falls. Two
+ * surfaces, of any form and place, are brought together by one formula (overlap.c), and nothing
+ * in it depends on where the two grids lie. */
 #ifndef CR_SOLVER_SURFACE_H
 #define CR_SOLVER_SURFACE_H
 

@@ -1,35 +1,38 @@
-/* Every number of the solver that is not physics with a unit of its own: what it is, of which kind,
- * and what breaks without it.
+/* Every number of the solver that is not physics with a unit of its own: what it is, of which
+ * kind, and what breaks without it.
  *
- * source: physics with a source.  guard: against rounding or for the grid; the result does not hang
- * on it, or converges as the voxel does.  fitted: chosen so that tests come out, which are named. */
+ * source: physics with a source.  guard: against rounding or for the grid; the result does not
+ * hang on it, or converges as the voxel does.  fitted: chosen so that tests come out, which are
+ * named. */
 #ifndef CR_SOLVER_TUNING_H
 #define CR_SOLVER_TUNING_H
 
-/* guard: half width of the band in which a surface is known, of the part of it that is kept true while
- * the surface moves, and of the core in which two surfaces are compared, voxels. The interpolation
- * between voxels reaches one further than the core. */
+/* guard: half width of the band in which a surface is known, of the part of it that is kept true
+ * while the surface moves, and of the core in which two surfaces are compared, voxels. The
+ * interpolation between voxels reaches one further than the core. */
 static const double cr_band_voxels = 3.5, cr_kept_voxels = 2.75, cr_core_voxels = 1.3;
 /* guard: what is left of a voxel below this share of it does not hide the voxels behind it. */
 static const double cr_crumb = 0.05;
-/* guard: a surface that comes along at less than this cosine of its motion is passed by, not pressed
- * on: the rounding of two fields that slide along each other is no pressure. */
+/* guard: a surface that comes along at less than this cosine of its motion is passed by, not
+ * pressed on: the rounding of two fields that slide along each other is no pressure. */
 static const double cr_passed_by = 0.05;
 /* source: structures are stronger when they are crushed faster, 1.1 to 1.3 at 15 m/s against static
  * tests: an exponent of 0.02 to 0.03. It decides which of two structures of equal strength gives
  * way; without it that would be chance. */
 static const double cr_rate_exponent = 0.03;
-/* guard: overlap that is left over from before is taken away at most this much faster than the bodies
- * approach, so that the force is that of the structure: strength times width. */
+/* guard: overlap that is left over from before is taken away at most this much faster than the
+ * bodies approach, so that the force is that of the structure: strength times width. */
 static const double cr_pass_most = 1.1;
-/* fitted: the beam of an end and what stands on it hangs together between its rails, up to this share
- * of the half width; beyond, wing and wheel house are dragged along less, by this slope. */
+/* fitted: the beam of an end and what stands on it hangs together between its rails, up to this
+ * share of the half width; beyond, wing and wheel house are dragged along less, by this slope. */
 static const double cr_rails_share = 0.43, cr_beyond_rails = 3;
-/* source: sheet metal and bars that crush each other interlock (0.55 in SMAC; up to 0.8 in staged
- * crashes); on a smooth rigid surface sheet metal slides at crash speeds: 0.1 is what leads the fleet
- * past the edge of a rigid barrier as in 398 tests with 25 % overlap. */
+/* fitted: sheet metal and bars that crush each other interlock (0.55 in SMAC, up to 0.8 in staged
+ * crashes): 1.0 is what leads the delta-v of the car-to-car tests; on a smooth rigid surface sheet
+ * metal slides: 0.1 is what leads the fleet past the edge of a rigid barrier as in 398 tests with
+ * 25 % overlap. */
 static const double cr_friction_hooked = 1.0, cr_friction_smooth = 0.1;
-/* guard: a force closer to the surface than this cosine has no approach that could be divided by. */
+/* guard: a force closer to the surface than this cosine has no approach that could be divided
+ * by. */
 static const double cr_cosine_least = 1e-4;
 /* guard: approach below which no contact begins, m/s: rounding after a contact. */
 static const double cr_begin_speed = 1e-3;
@@ -38,21 +41,24 @@ static const double cr_threshold_reached = 1e-4;
 /* source: structures leave gaps behind the bumper and before the wheel: a contact is over when this
  * long a way or time passed without crush, m and s. */
 static const double cr_gap_path = 0.35, cr_gap_time = 0.05;
-/* source: definition. A touch whose energy of approach is below this share of the pair's crush energy
- * is rubbing of bodies that turn away, not the crash: where they last touched, and elsewhere. */
+/* source: definition. A touch whose energy of approach is below this share of the pair's crush
+ * energy is rubbing of bodies that turn away, not the crash: where they last touched, and
+ * elsewhere. */
 static const double cr_rubbing_here = 0.01, cr_rubbing_elsewhere = 0.001;
 /* source: corners and curved ends lag behind: from this share of an end's width on it is whole. */
 static const double cr_whole_width = 0.95;
 /* guard: approach of two bodies in one slice, voxels. */
 static const double cr_approach_voxels = 1;
-/* guard: half the size of a contact patch, m: what turns about the COE within it counts as approach. */
+/* guard: half the size of a contact patch, m: what turns about the COE within it counts as
+ * approach. */
 static const double cr_patch_reach = 0.75;
 /* guard: slices of free motion after a contact are up to this many times longer. */
 static const double cr_free_stretch = 4;
 /* source: limits of the elastic phases where the force decides, s; the paper takes 5 ms. */
 static const double cr_elastic_least = 5e-3, cr_elastic_most = 0.03;
-/* source: the other end of a car that was struck off its CG slaps 50 to 250 ms later: how long after a
- * contact another touch belongs to the same crash, s, and the step in which it is looked for. */
+/* source: the other end of a car that was struck off its CG slaps 50 to 250 ms later: how long
+ * after a contact another touch belongs to the same crash, s, and the step in which it is looked
+ * for. */
 static const double cr_horizon = 0.3, cr_probe_step = 0.01;
 /* source: definition. A touch foreseen is waited for if its energy of approach is this share of the
  * crash so far, and this far from the last one, m. */
@@ -62,8 +68,8 @@ static const double cr_rest_speed = 0.05, cr_rest_yaw = 0.02;
 /* guard: plan area that two bodies may share at the start without being called overlapping, m2: the
  * voxels of an outline stand out by up to half an edge. */
 static const double cr_overlap_area_most = 0.01;
-/* guard: the way out of an overlap is looked for in steps, to a resolution, m; going back is worth so
- * many times the way straight apart. */
+/* guard: the way out of an overlap is looked for in steps, to a resolution, m; going back is
+ * worth so many times the way straight apart. */
 static const double cr_way_step = 0.25, cr_way_resolution = 0.01, cr_way_worth = 3;
 
 #endif

@@ -1,11 +1,11 @@
 /* Step 1: which of two structures in series gives way.
  *
- * One share per pair and slice, from the forces of both whole structures in the contact: line by line
- * single voxels would decide, by chance. Structures are stronger when they are crushed faster, with
- * an exponent c; the forces are equal where
- *     F_A(share) share^c = F_B(1 - share) (1 - share)^c,
- * F_A and F_B being linear between the present surface and that of the opponent. The left side rises
- * and the right falls while no structure gets weaker as it is crushed, so there is one share. */
+ * One share per pair and slice, from the forces of both whole structures in the contact: line by
+ * line single voxels would decide, by chance. Structures are stronger when they are crushed
+ * faster, with an exponent c; the forces are equal where F_A(share) share^c = F_B(1 - share) (1
+ * - share)^c, F_A and F_B being linear between the present surface and that of the opponent. The
+ * left side rises and the right falls while no structure gets weaker as it is crushed, so there
+ * is one share. */
 #include "solver/crush.h"
 #include "solver/tuning.h"
 

@@ -324,7 +324,8 @@ static struct cr_result *demo(const char *voxel_mm, const char *dt_ms) {
     return r;
 }
 
-/* Two real structures against each other: corners that are round by half a voxel make 3 % of an EES. */
+/* Two real structures against each other: corners that are round by half a voxel make 3 % of an
+ * EES. */
 static void defaults_are_near_the_limit_of_the_demo(void **state) {
     (void)state;
     struct cr_result *got = demo("25", "0.5"), *want = demo("8", "0.1");

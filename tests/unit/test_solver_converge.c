@@ -90,7 +90,8 @@ static void place_of_the_partner(void **state) {
             struct cr_case moved = cs;
             moved.body[1].pos = cr_vec2_axpy(cs.body[1].pos, 0.025 * i / 8, apart);
             struct numbers n = numbers_of(&moved);
-            /* offset and side: whether a last light touch is rubbing decides on 5 % of the delta-v */
+            /* offset and side: whether a last touch is rubbing decides on 5 % of the
+             * delta-v */
             double dv = k <= TYPICAL_SIDE ? 0.06 : 0.005;
             check_close(typical_name[k], &n, &first, (struct tolerance){0.006, 0.035, dv});
         }

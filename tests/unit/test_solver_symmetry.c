@@ -42,9 +42,9 @@ static void same(const struct numbers *a, const struct numbers *b, bool swapped,
     assert_int_equal(a->stop, b->stop);
 }
 
-/* A typical case with the second body moved off the first one's grid: where the lines of both lie on
- * each other to the last bit, rounding decides which of two voxels a distance is just beyond, and the
- * numbers differ by up to 0.6 %. */
+/* A typical case with the second body moved off the first one's grid: where the lines of both
+ * lie on each other to the last bit, rounding decides which of two voxels a distance is just
+ * beyond, and the numbers differ by up to 0.6 %. */
 static struct cr_case off_grid(struct cr_arena *arena, enum typical which) {
     struct cr_case cs = typical_case(arena, which, voxel, cr_vec2(0, 0));
     cs.body[1].pos = cr_vec2_add(cs.body[1].pos, cr_vec2(0.0007, 0.0053));
