@@ -17,7 +17,7 @@ struct options {
 };
 
 static const char about[] =
-    "Works from the damage back: crush profiles of one or two vehicles (FILE.json) to EES,\n"
+    "Works from the damage back: crush profiles of one or two vehicles (FILE) to EES,\n"
     "energy, centre of energy and CDC, with a partner to delta-v and closing speed; every number\n"
     "with the interval that holds 95 %. See crumple(1) for the file.\n";
 
@@ -102,7 +102,7 @@ int cr_cli_damage(int argc, char **argv) {
         CR_CLI_LOOK_OPTIONS(&opt.look),
     };
     const struct cr_usage usage = {.word = "damage",
-                                   .operands = "FILE.json",
+                                   .operands = "FILE.json|FILE.csv",
                                    .about = about,
                                    .option = table,
                                    .options = sizeof table / sizeof *table,

@@ -123,7 +123,8 @@ struct cr_session {
     struct cr_compiled *compiled; /* of compiled_rev, NULL: none */
     struct cr_view view;
     struct cr_sweep *sweep;
-    struct cr_pulse_shown *pulse; /* what the pane of the pulse shows, NULL: |a| of all */
+    struct cr_damage_notes *damage; /* measured, NULL: none */
+    struct cr_pulse_shown *pulse;   /* what the pane of the pulse shows, NULL: |a| of all */
     void (*pulse_free)(struct cr_pulse_shown *pulse); /* of its owner */
     struct cr_log_line *log;
     int logs, log_size;
@@ -266,6 +267,7 @@ enum cr_err cr_cmd_project(struct cr_session *s, int view, struct cr_error *err)
     X(explain)                                                                                     \
     X(compare)                                                                                     \
     X(assert)                                                                                      \
+    X(damage)                                                                                      \
     X(fit)                                                                                         \
     X(mc)                                                                                          \
     X(sweep)                                                                                       \

@@ -6,6 +6,7 @@ libcmd_a_SOURCES = \
 	src/cmd/cmd.h src/cmd/cmd_priv.h \
 	src/cmd/compare.c \
 	src/cmd/complete.c \
+	src/cmd/damage.c \
 	src/cmd/describe.c \
 	src/cmd/edit.c \
 	src/cmd/export.c src/cmd/export.h \
@@ -46,4 +47,6 @@ dist_tutorial_DATA = \
 	share/tutorial/3-offset-and-rotation.crumple \
 	share/tutorial/4-pole.crumple \
 	share/tutorial/5-emergency-brake.crumple \
+	share/tutorial/6-how-sure.crumple \
+	share/tutorial/7-from-damage.crumple \
 	share/tutorial/reference.json

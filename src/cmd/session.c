@@ -97,6 +97,7 @@ void cr_session_free(struct cr_session *s) {
     }
     cr_result_free(s->result);
     free(s->reference);
+    free(s->damage);
     cr_model_lib_free(s->models);
     cr_irf_free(s->irf);
     for (int i = 0; i < s->logs; i++) {

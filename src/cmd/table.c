@@ -293,6 +293,37 @@ static const struct cr_arg mc_args[] = {
     END,
 };
 
+static const struct cr_arg damage_args[] = {
+    POSITION("NAME", CR_VALUE_VEHICLE, .help = "whose damage was measured"),
+    KEY("face", CR_VALUE_WORD, .words = "front|left|rear|right", .def = "front",
+        .help = "the side that was struck"),
+    KEY("length", CR_VALUE_NUMBER, .dim = CR_DIM_LENGTH, .unit = "m", .lo = 0.05, .hi = 20,
+        .help = "of the damaged field"),
+    KEY("offset", CR_VALUE_NUMBER, .dim = CR_DIM_LENGTH, .unit = "m", .lo = -10, .hi = 10,
+        .def = "0m", .help = "of its middle, to the right or forward"),
+    KEY("c", CR_VALUE_TEXT,
+        .help = "residual depths, evenly over the field from left to right or rear to front: "
+                "12,14,20,22,18,10cm"),
+    KEY("direct", CR_VALUE_NUMBER, .dim = CR_DIM_LENGTH, .unit = "m", .lo = 0.02, .hi = 20,
+        .def = "the field", .help = "width of what was struck directly"),
+    KEY("at", CR_VALUE_NUMBER, .dim = CR_DIM_LENGTH, .unit = "m", .lo = -10, .hi = 10,
+        .def = "as offset", .help = "middle of what was struck directly"),
+    KEY("pdof", CR_VALUE_NUMBER, .dim = CR_DIM_ANGLE, .unit = "deg", .lo = -360, .hi = 360,
+        .def = "square to the face", .help = "direction of the force, clockwise from ahead"),
+    KEY("low", CR_VALUE_NUMBER, .dim = CR_DIM_LENGTH, .unit = "m", .lo = 0, .hi = 4, .def = "0m",
+        .help = "heights that were struck, from"),
+    KEY("high", CR_VALUE_NUMBER, .dim = CR_DIM_LENGTH, .unit = "m", .lo = 0.1, .hi = 5,
+        .def = "the roof", .help = "to"),
+    KEY("tape", CR_VALUE_NUMBER, .dim = CR_DIM_LENGTH, .unit = "m", .lo = 0, .hi = 0.5,
+        .def = "3cm", .help = "tolerance of the depths, 95 %"),
+    KEY("against", CR_VALUE_NAME, .def = "who else was measured",
+        .help = "partner: a measured vehicle, or an object of the scene"),
+    FLAG("solved", .help = "compare with the solved deformation, station by station"),
+    FLAG("picture", .help = "the outline over the voxels, from above and from the side"),
+    KEY("out", CR_VALUE_FILE, .words = ".json", .help = "file for what follows"),
+    END,
+};
+
 static const struct cr_arg fit_args[] = {
     REST("KEY ... to EVIDENCE ...", CR_VALUE_SWEEP,
          .help =
@@ -429,6 +460,11 @@ static const struct cr_command commands[] = {
      .example = {"mc A.speed=56+-3km/h B.overlap=40+-5% draws=50",
                  "mc B.mass=1060+-50kg:uniform draws=50 sampling=sobol"},
      .setup = PAIR_SETUP, .see = "sweep solve"},
+    {ROW(damage, SOLVE, damage_args,
+         "work back from a measured deformation: EES, delta-v, closing speed"),
+     .example = {"damage A face=front length=1.4m c=12,14,20,22,18,10cm",
+                 "damage B length=1.2m c=30,25,20cm pdof=350deg"},
+     .setup = PAIR_SETUP, .see = "fit compare"},
     {ROW(fit, SOLVE, fit_args, "search inputs that explain measured damage, recorders, rest"),
      .example = {"fit A.speed to dv.A=30km/h starts=1 solves=30",
                  "fit A.speed=40:70km/h B.overlap=30%:60% to ees.B=60km/h dv.A=30+-3km/h starts=1 "

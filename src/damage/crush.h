@@ -145,7 +145,8 @@ void cr_crush_best(const struct cr_crush_case *what, const struct cr_crush_rules
 /* A damage file: {"crumple_damage": 1, "vehicles": [{"id": "A", "type": "sedan", "mass_kg": 1500,
  * "damage": {"face": "front", "field_length_m": 1.4, "crush_m": [...]}}], "object": {...}}. The
  * vehicles have the keys of a scene; the scene is initialised by the call and holds them,
- * unresolved. Errors: those of scenes, with line and column. */
+ * unresolved. A .csv has a row per vehicle, with the same keys as columns and c1_m, c2_m ...
+ * Errors: those of scenes, with line and column. */
 struct cr_crush_file {
     struct cr_scene scene;
     int n;

@@ -3,6 +3,7 @@
 
 #include "base/file.h"
 #include "base/json.h"
+#include "base/records.h"
 
 #include <cjson/cJSON.h>
 #include <math.h>
@@ -334,6 +335,86 @@ static enum cr_err read_file(struct reader *r, const cJSON *json, struct cr_crus
     return code;
 }
 
+/* ---- tables ---- */
+
+/* a number of a table under its name, if there is one */
+static enum cr_err copy_number(const struct cr_records *t, int row, const char *column, cJSON *to,
+                               struct cr_error *err) {
+    double x;
+    enum cr_err code = cr_records_number(t, row, column, &x, err);
+    if (code == CR_ERR_OK && !isnan(x)) {
+        cJSON_AddNumberToObject(to, column, x);
+    }
+    return code;
+}
+
+static enum cr_err copy_stations(const struct cr_records *t, int row, cJSON *damage,
+                                 struct cr_error *err) {
+    cJSON *list = cJSON_AddArrayToObject(damage, "crush_m");
+    for (int k = 1; k <= CR_STATIONS_MAX; k++) {
+        char name[8];
+        double x;
+        snprintf(name, sizeof name, "c%d_m", k);
+        enum cr_err code = cr_records_number(t, row, name, &x, err);
+        if (code != CR_ERR_OK || isnan(x)) {
+            return code;
+        }
+        cJSON_AddItemToArray(list, cJSON_CreateNumber(x));
+    }
+    return CR_ERR_OK;
+}
+
+/* a row is a vehicle: the same keys as in JSON, c1_m ... for the stations */
+static enum cr_err row_as_json(const struct cr_records *t, int row, cJSON *vehicles,
+                               struct cr_error *err) {
+    static const char *const own[] = {"mass_kg", "length_m", "width_m", "height_m", "wheelbase_m"};
+    static const char *const of_damage[] = {"field_length_m", "field_offset_m",
+                                            "direct_width_m", "direct_offset_m",
+                                            "pdof_deg",       "crush_tolerance_m"};
+    cJSON *v = cJSON_CreateObject(), *damage = cJSON_AddObjectToObject(v, "damage");
+    cJSON_AddItemToArray(vehicles, v);
+    cJSON_AddStringToObject(v, "id", cr_records_text(t, row, "id"));
+    cJSON_AddStringToObject(v, "type", cr_records_text(t, row, "type"));
+    cJSON_AddStringToObject(damage, "face", cr_records_text(t, row, "face"));
+    enum cr_err code = CR_ERR_OK;
+    for (size_t i = 0; i < sizeof own / sizeof own[0] && code == CR_ERR_OK; i++) {
+        code = copy_number(t, row, own[i], v, err);
+    }
+    for (size_t i = 0; i < sizeof of_damage / sizeof of_damage[0] && code == CR_ERR_OK; i++) {
+        code = copy_number(t, row, of_damage[i], damage, err);
+    }
+    return code == CR_ERR_OK ? copy_stations(t, row, damage, err) : code;
+}
+
+static enum cr_err read_table(const char *path, struct cr_crush_file *out, struct cr_error *err) {
+    struct cr_records t;
+    struct reader r = {.err = err};
+    cJSON *root = cJSON_CreateObject();
+    cJSON_AddNumberToObject(root, "crumple_damage", 1);
+    cJSON *vehicles = cJSON_AddArrayToObject(root, "vehicles");
+    enum cr_err code = cr_records_load(path, &t, err);
+    for (int i = 0; i < t.rows && code == CR_ERR_OK; i++) {
+        code = row_as_json(&t, i, vehicles, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = read_file(&r, root, out);
+        int row = 0; /* the pointer of the fault leads to the row */
+        if (code != CR_ERR_OK && sscanf(err->where, "/vehicles/%d", &row) == 1 && row < t.rows) {
+            cr_err_place(err, path, t.line[row], 0);
+        } else if (code != CR_ERR_OK && err->src[0] == '\0') {
+            cr_err_place(err, path, 0, 0);
+        }
+    }
+    cr_records_fini(&t);
+    cJSON_Delete(root);
+    return code;
+}
+
+static bool is_table(const char *path) {
+    size_t n = strlen(path);
+    return n > 4 && strcmp(path + n - 4, ".csv") == 0;
+}
+
 enum cr_err cr_crush_parse(const char *text, size_t len, const char *src, struct cr_crush_file *out,
                            struct cr_error *err) {
     struct cr_error own = {0};
@@ -359,6 +440,17 @@ enum cr_err cr_crush_parse(const char *text, size_t len, const char *src, struct
 enum cr_err cr_crush_read(const char *path, struct cr_crush_file *out, struct cr_error *err) {
     char *text = NULL;
     size_t len = 0;
+    struct cr_error own = {0};
+    err = err != NULL ? err : &own;
+    if (is_table(path)) {
+        *out = (struct cr_crush_file){.object_mass = NAN, .restitution = NAN};
+        cr_scene_init(&out->scene);
+        enum cr_err read = read_table(path, out, err);
+        if (read != CR_ERR_OK) {
+            cr_crush_file_fini(out);
+        }
+        return read;
+    }
     enum cr_err code = cr_file_read(path, &text, &len, err);
     if (code == CR_ERR_OK) {
         code = cr_crush_parse(text, len, path, out, err);

@@ -169,8 +169,8 @@ static enum cr_err look_around(struct search *s, struct place *places, int n,
 
 /* ---- how well it is determined ---- */
 
-/* derivatives of the residuals by the inputs' shares, central; steps wider than the voxels' noise
- */
+/* derivatives of the residuals by the inputs' shares, central; steps wider than what voxels make
+ * rough */
 static void jacobian(struct search *s, double *j) {
     const double step = 0.03;
     int n = s->fit->study.n, m = s->fit->evidence.n;

@@ -91,7 +91,12 @@ static double objective(unsigned n, const double *x, double *gradient, void *use
     (void)gradient;
     unpack(x, &s->rules);
     cr_field_evaluate(s->field, &s->rules, false);
-    return loss(s->field, s->without);
+    double sum = loss(s->field, s->without);
+    for (int i = 0; i < CR_MODEL_ENDS; i++) {
+        /* threshold and level trade in a flat valley: the recipes' own energy is the better end */
+        sum += pow(log(s->rules.level[i]), 2);
+    }
+    return sum;
 }
 
 enum cr_err cr_field_fit(struct cr_field_table *field, int without, struct cr_crush_rules *rules,

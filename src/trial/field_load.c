@@ -230,6 +230,7 @@ static void open_car(struct loading *l, int i, struct cr_crush_car *car) {
     l->code = cr_scene_add(&scene, "car", CR_KIND_VEHICLE, &p, l->err);
     if (l->code == CR_ERR_OK) {
         p->type = type_of(l, i);
+        p->kerb_mass = mass; /* its structure goes by this, its motion by all of it */
         p->mass = mass + l->f->occupant + (isnan(cargo) ? 0 : cargo);
         p->pos = cr_vec2(0, 0);
         l->code = cr_scene_add(&scene, "wall", CR_KIND_OBJECT, &wall, l->err);

@@ -68,6 +68,11 @@ enum cr_err cr_field_validate(const struct cr_field_task *task, struct cr_str *o
 static enum cr_err fit_all(struct cr_field_table *field, struct cr_crush_rules *rules,
                            struct cr_crush_rules folds[CR_FIELD_FOLDS], struct cr_error *err) {
     enum cr_err code = CR_ERR_OK;
+    static const struct cr_crush_rules begin = {
+        .rise = {0.12, 0.03, 0.15}, .level = {1.3, 0.9, 0.9}, .oblique = 0.7};
+    memcpy(rules->rise, begin.rise, sizeof begin.rise); /* the same end wherever the file stands */
+    memcpy(rules->level, begin.level, sizeof begin.level);
+    rules->oblique = begin.oblique;
     for (int turn = 0; turn < 2 && code == CR_ERR_OK; turn++) { /* again from where it came to */
         code = cr_field_fit(field, -1, rules, err);
     }

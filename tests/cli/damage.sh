@@ -47,6 +47,17 @@ echo '{ "crumple_damage": 1, "object": {}, "vehicles": [ { "id": "A", "type": "s
 run damage "$tmp/tree.json"
 has "an outline, at a tree" "$out" '^  delta-v +[0-9.]+'
 
+cat >"$tmp/pair.csv" <<'END'
+id,type,mass_kg,face,field_length_m,pdof_deg,c1_m,c2_m,c3_m
+A,sedan,1600,front,1.4,0,0.3,0.33,0.3
+B,compact,1300,rear,1.2,,0.1,0.2,0.1
+END
+run damage "$tmp/pair.csv"
+has "a table, a row per vehicle" "$out" \
+    '^B: compact 1300 kg, rear, field 1\.20 m .* crush 10 20 10 cm'
+sed 's/,rear,/,roof,/' "$tmp/pair.csv" >"$tmp/bad.csv"
+refused "a fault in a table has its line" 3 'bad\.csv:3.*front, left' damage "$tmp/bad.csv"
+
 bad() { # NAME STATUS PATTERN DAMAGE [REST]
     pair "$4" "$5" >"$tmp/bad.json"
     refused "$1" "$2" "$3" damage "$tmp/bad.json"
