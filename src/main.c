@@ -6,6 +6,7 @@
 #include "base/show.h"
 #include "base/str.h"
 #include "cli/cli.h"
+#include "expert/expert.h"
 #include "repl/repl.h"
 #include "trial/trial.h"
 #include "tui/tui.h"
@@ -29,6 +30,8 @@ static const char help[] =
     "       crumple fit SCENE.json ... to ... search inputs that explain what was measured\n"
     "       crumple mc SCENE.json            solve many draws of its uncertain inputs\n"
     "       crumple catalogue [WORD ...]     list the cars that scenes can name\n"
+    "       crumple report SCENE|RESULT      expert's report as HTML or PDF\n"
+    "       crumple audit RESULT [SCENE]     compute a result again and compare\n"
     "       crumple models [NAME]            list, show or export the models\n"
     "       crumple schema [NAME]            print a JSON Schema, of scenes for example\n"
     "       crumple calibrate                fit the models to the crash tests again\n"
@@ -63,6 +66,8 @@ static const struct word words[] = {
     {"calibrate", cr_trial_calibrate},
     {"calibrate-damage", cr_trial_calibrate_damage},
     {"fit", cr_cli_fit},
+    {"report", cr_expert_report},
+    {"audit", cr_expert_audit},
 };
 enum { WORDS = sizeof words / sizeof *words };
 

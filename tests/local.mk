@@ -11,6 +11,7 @@ include $(srcdir)/tests/unit/study.mk
 include $(srcdir)/tests/unit/damage.mk
 include $(srcdir)/tests/unit/lib.mk
 include $(srcdir)/tests/unit/render.mk
+include $(srcdir)/tests/unit/expert.mk
 include $(srcdir)/tests/unit/figure.mk
 include $(srcdir)/tests/unit/cmd.mk
 include $(srcdir)/tests/unit/repl.mk

@@ -7,6 +7,7 @@
 static const char head[] =
     ".\\\" made from the command table by make update-manual; do not edit\n"
     ".TH CRUMPLE\\-COMMANDS 7 2026-11-28 \"crumple\" \"Miscellaneous Information\"\n"
+    ".ad l\n" /* lists of words are broken where a justified line could not be */
     ".SH NAME\n"
     "crumple\\-commands \\- the command language of crumple\n"
     ".SH SYNOPSIS\n"

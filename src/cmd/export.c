@@ -159,6 +159,9 @@ static const struct {
     {"front", PICTURE, true, true, cr_export_picture},
     {"risk", PICTURE, true, true, cr_export_picture},
     {"overview", PICTURE, true, true, cr_export_picture},
+    {"channels", 1 << CR_EXPORT_MME | 1 << CR_EXPORT_GP, true, true, cr_export_channels},
+    {"body", 1 << CR_EXPORT_VTK | 1 << CR_EXPORT_OBJ, true, true, cr_export_body},
+    {"film", 1 << CR_EXPORT_CAST, true, true, cr_export_film},
 };
 enum { WHATS = sizeof what_table / sizeof what_table[0] };
 

@@ -11,7 +11,12 @@
     X(TXT, ".txt")                                                                                 \
     X(SVG, ".svg")                                                                                 \
     X(PDF, ".pdf")                                                                                 \
-    X(PNG, ".png")
+    X(PNG, ".png")                                                                                 \
+    X(MME, ".mme")                                                                                 \
+    X(GP, ".gp")                                                                                   \
+    X(VTK, ".vtk")                                                                                 \
+    X(OBJ, ".obj")                                                                                 \
+    X(CAST, ".cast")
 
 enum cr_export_form {
 #define X(name, suffix) CR_EXPORT_##name,
@@ -33,5 +38,10 @@ struct cr_export {
 enum cr_err cr_export_picture(struct cr_export *x, struct cr_error *err);
 /* The last sweep as curves or as a map. */
 enum cr_err cr_export_sweep(struct cr_export *x, struct cr_error *err);
+
+/* ISO-MME channels (beside FILE.mme a folder Channel) or a gnuplot pair; a film; the 3D model. */
+enum cr_err cr_export_channels(struct cr_export *x, struct cr_error *err);
+enum cr_err cr_export_film(struct cr_export *x, struct cr_error *err);
+enum cr_err cr_export_body(struct cr_export *x, struct cr_error *err);
 
 #endif

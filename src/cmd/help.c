@@ -166,6 +166,8 @@ static void roff_text(struct cr_str *out, const char *text) {
             cr_str_add(out, "\\-");
         } else if (*text == '\\') {
             cr_str_add(out, "\\e");
+        } else if (*text == '|') {
+            cr_str_add(out, "|\\:"); /* a long list of words may be broken here */
         } else {
             cr_str_addn(out, text, 1);
         }

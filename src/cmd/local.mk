@@ -10,6 +10,7 @@ libcmd_a_SOURCES = \
 	src/cmd/describe.c \
 	src/cmd/edit.c \
 	src/cmd/export.c src/cmd/export.h \
+	src/cmd/export_forms.c \
 	src/cmd/export_picture.c \
 	src/cmd/files.c \
 	src/cmd/fit.c \

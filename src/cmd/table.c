@@ -354,11 +354,12 @@ static const struct cr_arg save_args[] = {
 static const struct cr_arg export_args[] = {
     POSITION("WHAT", CR_VALUE_STEM,
              .words = "result|scene|field|pulse|steps|sweep|report|before|contact|engagement|after|"
-                      "energy|damage|side|top|front|risk|overview",
+                      "energy|damage|side|top|front|risk|overview|channels|body|film",
              .help = "what is written; with a suffix (after.svg) it is the file as well"),
-    OPTION("FILE", CR_VALUE_FILE, .words = ".csv|.json|.txt|.svg|.pdf|.png",
+    OPTION("FILE", CR_VALUE_FILE,
+           .words = ".csv|.json|.txt|.svg|.pdf|.png|.mme|.gp|.vtk|.obj|.cast",
            .help = "its suffix says how"),
-    KEY("of", CR_VALUE_VEHICLE, .help = "vehicle of damage, side, top, front and risk"),
+    KEY("of", CR_VALUE_VEHICLE, .help = "vehicle of damage, side, top, front, risk and body"),
     KEY("time", CR_VALUE_TIME, .dim = CR_DIM_TIME, .unit = "ms", .lo = 0, .hi = 60000,
         .words = "start|compression|end", .def = "as shown",
         .help = "of the scene, ms after the first contact"),

@@ -138,6 +138,36 @@ void cr_canvas_unclip(struct cr_canvas *c) {
     add_item(c, CR_ACT_UNCLIP);
 }
 
+void cr_canvas_place(struct cr_canvas *c, const struct cr_canvas *picture, double x, double y,
+                     double k) {
+    int steps = c->steps, words = (int)c->words.len;
+    cr_str_addn(&c->words, cr_str_get(&picture->words), picture->words.len);
+    for (int i = 0; i < picture->steps; i++) {
+        struct cr_step s = picture->step[i];
+        for (int j = 0; j < 3; j++) {
+            s.x[j] = x + k * s.x[j];
+            s.y[j] = y + k * s.y[j];
+        }
+        add_step(c, &s);
+    }
+    for (int i = 0; i < picture->items; i++) {
+        struct cr_item *item = add_item(c, picture->item[i].act);
+        if (item == NULL) {
+            return;
+        }
+        *item = picture->item[i];
+        item->from += item->act == CR_ACT_PATH ? steps : words;
+        item->paint.width *= k;
+        item->face.size *= k;
+        item->x = x + k * item->x;
+        item->y = y + k * item->y;
+        item->w *= k;
+        item->h *= k;
+    }
+    c->painted = c->steps;
+    c->failed |= picture->failed || c->words.failed;
+}
+
 /* ---- words ---- */
 
 /* length of the UTF-8 sequence at s, 0 for one that is broken */

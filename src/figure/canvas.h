@@ -27,6 +27,10 @@ void cr_canvas_comma(struct cr_canvas *canvas, bool on);
 /* What follows is moved by x, y; calls do not add up. */
 void cr_canvas_origin(struct cr_canvas *canvas, double x, double y);
 
+/* Everything of another canvas, with its corner at x, y and enlarged by k. */
+void cr_canvas_place(struct cr_canvas *canvas, const struct cr_canvas *picture, double x, double y,
+                     double k);
+
 /* ---- shapes: a path is built, then painted, which empties it ---- */
 
 enum { CR_NO_INK = 1 << 24 }; /* instead of a colour 0xRRGGBB */

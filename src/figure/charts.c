@@ -253,7 +253,7 @@ static void corridor(const struct cr_axes *a, double share) {
     }
 }
 
-void cr_figure_scatter(struct cr_canvas *canvas, struct cr_box at, const struct cr_scatter *s,
+void cr_figure_scatter(struct cr_canvas *canvas, struct cr_box at, const struct cr_scatter_plot *s,
                        const struct cr_figure_words *words) {
     struct cr_type_face face = {.size = small_size, .ink = CR_INK_TEXT};
     double top = 0;

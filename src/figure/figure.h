@@ -85,7 +85,7 @@ void cr_figure_tornado(struct cr_canvas *canvas, struct cr_box at, const struct 
                        const struct cr_figure_words *words);
 
 /* Points with the line of equality and a corridor on both sides of it. */
-struct cr_scatter {
+struct cr_scatter_plot {
     const char *title, *x_name, *y_name;
     int n, kinds;
     const double *x, *y;
@@ -93,8 +93,8 @@ struct cr_scatter {
     const char *const *kind_name; /* [kinds] */
     double corridor;              /* share, 0.2 for 20 %; 0: none */
 };
-void cr_figure_scatter(struct cr_canvas *canvas, struct cr_box at, const struct cr_scatter *scatter,
-                       const struct cr_figure_words *words);
+void cr_figure_scatter(struct cr_canvas *canvas, struct cr_box at,
+                       const struct cr_scatter_plot *scatter, const struct cr_figure_words *words);
 
 /* ---- damage ---- */
 

@@ -3,6 +3,10 @@ libfigure_a_SOURCES = \
 	src/figure/axes.c \
 	src/figure/body.c \
 	src/figure/cairo.c \
+	src/figure/cast.c \
+	src/figure/channels.c \
+	src/figure/forms.h \
+	src/figure/solid.c \
 	src/figure/canvas.c src/figure/canvas.h src/figure/canvas_priv.h \
 	src/figure/charts.c \
 	src/figure/damage.c \

@@ -9,8 +9,11 @@
 #include "result/result.h"
 
 #include <locale.h>
+#include <stdatomic.h>
 
 struct crumple {
+    atomic_int
+        users; /* the caller until it closes, and each result, whose grids lie in the models */
     struct cr_model_lib *models;
     struct cr_irf_set *irf;
     struct cr_crush_rules rules; /* of measured deformations */
@@ -19,6 +22,7 @@ struct crumple {
 };
 
 struct crumple_result {
+    struct crumple *lib;
     struct cr_result *result;
     struct cr_arena arena; /* owns the names */
     struct cr_named *value;

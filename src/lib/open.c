@@ -70,6 +70,7 @@ int crumple_open(const char *data_folder, crumple **out, crumple_error *error) {
         cr_err_set(&err, CR_ERR_MEMORY, "no memory for the models");
         return cr_lib_error(err.code, &err, error);
     }
+    atomic_init(&lib->users, 1);
     lib->c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
     if (data_folder == NULL) {
         data_folder = getenv("CRUMPLE_DATA");
@@ -94,7 +95,7 @@ int crumple_open(const char *data_folder, crumple **out, crumple_error *error) {
 }
 
 void crumple_close(crumple *lib) {
-    if (lib == NULL) {
+    if (lib == NULL || atomic_fetch_sub(&lib->users, 1) > 1) {
         return;
     }
     cr_model_lib_free(lib->models);

@@ -4,14 +4,15 @@
 #include "base/pool.h"
 
 #include <cjson/cJSON.h>
-#include <limits.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* the result with the names of its values, which are made here once so that reading changes
  * nothing */
-static enum cr_err wrap(struct cr_result *result, crumple_result **out, struct cr_error *err) {
+static enum cr_err wrap(const crumple *lib, struct cr_result *result, crumple_result **out,
+                        struct cr_error *err) {
     const struct cr_result_opts opts = {0};
     cJSON *tree = NULL;
     struct crumple_result *r = calloc(1, sizeof *r);
@@ -30,6 +31,8 @@ static enum cr_err wrap(struct cr_result *result, crumple_result **out, struct c
         return code;
     }
     r->result = result;
+    r->lib = (struct crumple *)(uintptr_t)lib; /* its count alone is written */
+    atomic_fetch_add(&r->lib->users, 1);
     *out = r;
     return CR_ERR_OK;
 }
@@ -60,7 +63,7 @@ static enum cr_err solve(const crumple *lib, const char *text, size_t length,
         }
     }
     cr_scene_fini(&scene);
-    return code == CR_ERR_OK ? wrap(result, out, err) : code;
+    return code == CR_ERR_OK ? wrap(lib, result, out, err) : code;
 }
 
 int crumple_solve(const crumple *lib, const char *scene, size_t length,
@@ -78,6 +81,7 @@ void crumple_result_free(crumple_result *result) {
     if (result != NULL) {
         cr_result_free(result->result);
         cr_arena_free(&result->arena);
+        crumple_close(result->lib);
         free(result);
     }
 }

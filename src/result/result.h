@@ -105,6 +105,7 @@ struct cr_result {
     char warning[CR_WARNING_MAX][200];
     char warning_code[CR_WARNING_MAX][24]; /* "side-model": for programs */
     int passes;                            /* solves it took to settle the PDOF */
+    char irf_hash[CR_HASH_SIZE];           /* of the risk functions, "" without */
 };
 
 /* Shared, immutable data a run needs: models and injury risk functions. */

@@ -284,6 +284,9 @@ enum cr_err cr_result_run(const struct cr_scene *scene, const struct cr_context 
     rc = rc ? rc : need_vehicle(&r->resolved, err);
     rc = rc ? rc : settle(r, ctx, err);
     bool part = rc == CR_ERR_INTERRUPTED && r->solution != NULL;
+    if (ctx->irf != NULL) {
+        snprintf(r->irf_hash, sizeof r->irf_hash, "%s", cr_irf_hash(ctx->irf));
+    }
     enum cr_err measured = rc && !part ? rc : cr_result_measure(r, ctx->irf, part ? NULL : err);
     if (measured) {
         cr_result_free(r);

@@ -274,8 +274,8 @@ static void test_scatter(void **state) {
     static const double x[2] = {10, 40}, y[2] = {20, 40};
     static const int kind[2] = {1, 1};
     static const char *const kinds[2] = {"front", "pole"};
-    struct cr_scatter s = {"delta-v", "recorder, km/h", "computed, km/h", 2, 2, x, y, kind, kinds,
-                           0.2};
+    struct cr_scatter_plot s = {
+        "delta-v", "recorder, km/h", "computed, km/h", 2, 2, x, y, kind, kinds, 0.2};
     struct cr_canvas *c = cr_canvas_new(400, 300);
     cr_figure_scatter(c, (struct cr_box){0, 0, 400, 300}, &s, NULL);
     char *svg = svg_of(c);

@@ -1,0 +1,80 @@
+/* export: a crash in the forms of other programs, one or several files each. */
+#include "cmd/export.h"
+
+#include "base/file.h"
+#include "figure/forms.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+/* name and folder that the files of an export get: "a/b/crash.gp" -> "a/b", "crash" */
+struct place {
+    char dir[CR_PATH_MAX], name[200];
+};
+
+static void place_of(const char *path, struct place *out) {
+    const char *slash = strrchr(path, '/'), *base = slash != NULL ? slash + 1 : path;
+    const char *dot = strrchr(base, '.');
+    cr_file_dir(path, out->dir, sizeof out->dir);
+    snprintf(out->name, sizeof out->name, "%.*s",
+             (int)(dot != NULL ? dot - base : (long)strlen(base)), base);
+}
+
+static enum cr_err put_file(void *user, const char *name, const struct cr_str *text,
+                            struct cr_error *err) {
+    const struct place *place = user;
+    char path[2 * CR_PATH_MAX];
+    const char *slash = strchr(name, '/');
+    if (slash != NULL) {
+        snprintf(path, sizeof path, "%s/%.*s", place->dir, (int)(slash - name), name);
+        if (mkdir(path, 0777) != 0 && errno != EEXIST) {
+            return cr_err_set(err, CR_ERR_IO, "%.150s: cannot make the folder: %s", path,
+                              strerror(errno));
+        }
+    }
+    snprintf(path, sizeof path, "%s/%s", place->dir, name);
+    return cr_file_write(path, cr_str_get(text), text->len, err);
+}
+
+enum cr_err cr_export_channels(struct cr_export *x, struct cr_error *err) {
+    struct place place;
+    place_of(x->path, &place);
+    struct cr_form_sink sink = {put_file, &place};
+    x->written = true;
+    return x->form == CR_EXPORT_MME ? cr_form_mme(x->s->result, place.name, &sink, err)
+                                    : cr_form_gnuplot(x->s->result, place.name, &sink, err);
+}
+
+enum cr_err cr_export_film(struct cr_export *x, struct cr_error *err) {
+    return cr_form_cast(x->s->result, 100, 32, &x->text, err);
+}
+
+enum cr_err cr_export_body(struct cr_export *x, struct cr_error *err) {
+    const struct cr_scene *scene = &x->s->result->resolved;
+    const char *id = cr_cmd_text(x->call, "of", x->s->view.selected);
+    struct cr_body_voxels body;
+    int found = -1;
+    for (int i = 0; i < scene->n; i++) {
+        bool vehicle = scene->part[i].kind == CR_KIND_VEHICLE;
+        if (vehicle && (strcmp(scene->part[i].id, id) == 0 || (id[0] == '\0' && found < 0))) {
+            found = i;
+        }
+    }
+    if (found < 0) {
+        cr_err_set(err, CR_ERR_NAME, "there is no vehicle '%.60s'", id);
+        return CR_ERR_NAME;
+    }
+    enum cr_err code = cr_project_body(x->s->models, x->s->result, found, &body, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    if (x->form == CR_EXPORT_VTK) {
+        cr_form_vtk(&body, &x->text);
+    } else {
+        code = cr_form_obj(&body, &x->text, err);
+    }
+    cr_body_voxels_fini(&body);
+    return code;
+}

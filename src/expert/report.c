@@ -1,0 +1,313 @@
+/* `crumple report`: the expert's report of a scene or of a result, as HTML or PDF. */
+#include "config.h"
+
+#include "cli/cli.h"
+#include "cli/word.h"
+#include "expert/expert.h"
+#include "expert/recheck.h"
+#include "expert/validity.h"
+#include "report/report.h"
+
+#include "base/file.h"
+#include "base/hash.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <unistd.h>
+
+#define LANGS  "en|de"
+#define PAPERS "a4|letter"
+enum { DRAWS = 300, VARIANTS = 8 };
+
+struct options {
+    int lang, paper, draws, seed, jobs;
+    bool no_tests, quiet;
+    const char *out;
+    struct cr_report_source head; /* title, author ... as they were given */
+    struct cr_option_values set;
+};
+
+static const char about[] =
+    "Solves a scene, or the scene of a result once more, and writes a report on it that another\n"
+    "examiner can check and repeat: inputs with their origin, method, pictures, pulses, impacts,\n"
+    "balance, uncertainty, crash tests like it, limits. It is one file, FILE.html or FILE.pdf,\n"
+    "the same bytes on every run, without a date unless one is given.\n"
+    "Exit status as of crumple run.\n";
+
+/* everything that a report is made from */
+struct work {
+    const struct options *opt;
+    char *text; /* of the file */
+    size_t len;
+    bool is_result;
+    struct cr_scene scene;
+    struct cr_cli_shared shared;
+    struct cr_result *result;
+    struct cr_assumed assumed;
+    struct cr_mc *mc;
+    struct cr_validity validity;
+    struct cr_variant variant[VARIANTS];
+    struct cr_str verdict;
+    struct cr_report_source source;
+};
+
+static enum cr_err check_out(const struct options *opt, struct cr_error *err) {
+    size_t n = opt->out != NULL ? strlen(opt->out) : 0;
+    bool html = n > 5 && strcasecmp(opt->out + n - 5, ".html") == 0;
+    bool pdf = n > 4 && strcasecmp(opt->out + n - 4, ".pdf") == 0;
+    if (!html && !pdf) {
+        cr_err_set(err, CR_ERR_USAGE,
+                   opt->out == NULL ? "a report wants -o FILE.html or FILE.pdf"
+                                    : "the report is neither .html nor .pdf");
+        cr_err_hint(err, "for example: crumple report SCENE.json -o report.html");
+        return CR_ERR_USAGE;
+    }
+    return pdf && !cr_canvas_has_cairo() ? cr_canvas_pdf(NULL, 0, NULL, NULL, err) : CR_ERR_OK;
+}
+
+static enum cr_err read_input(struct work *w, const char *path, const char *name,
+                              struct cr_error *err) {
+    enum cr_err code = cr_file_read(path, &w->text, &w->len, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    w->is_result = cr_recheck_is_result(w->text, w->len);
+    if (w->is_result) {
+        code = cr_recheck_scene(w->text, w->len, name, &w->scene, err);
+        return code == CR_ERR_OK ? cr_recheck_assumed(w->text, w->len, &w->assumed, err) : code;
+    }
+    return strcmp(path, "-") == 0 ? cr_scene_parse(w->text, w->len, name, &w->scene, err)
+                                  : cr_scene_load(path, &w->scene, err);
+}
+
+static int tell(void *user, int done, int draws) {
+    const struct work *w = user;
+    if (!w->opt->quiet && isatty(STDERR_FILENO) && (done % 20 == 0 || done == draws)) {
+        fprintf(stderr, "\r%d of %d draws%s", done, draws, done == draws ? "\n" : "");
+    }
+    return cr_cli_cancelled(NULL);
+}
+
+/* The draws; a build that cannot make them, or a scene that does not want them, gives the reason
+ * instead. */
+static enum cr_err draw(struct work *w, struct cr_error *err) {
+    struct cr_scatter scatter;
+    struct cr_study study;
+    char dir[4096];
+    struct cr_mc_opts how = {.draws = w->opt->draws,
+                             .seed = (unsigned long)w->opt->seed,
+                             .jobs = w->opt->jobs,
+                             .progress = tell,
+                             .user = w};
+    if (w->opt->draws == 0) {
+        w->source.no_mc = cr_words(w->source.lang, "they were switched off (--draws=0)");
+        return CR_ERR_OK;
+    }
+    enum cr_err code = cr_scatter_read(cr_data_dir(dir, sizeof dir), &scatter, err);
+    if (code == CR_ERR_OK) {
+        code = cr_study_open(&w->scene, &scatter, &study, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_mc_run(&study, &how, &w->shared.ctx, &w->mc, err);
+    }
+    if (code == CR_ERR_USAGE) {
+        w->source.no_mc = cr_words(w->source.lang, "this build has no GSL");
+        return CR_ERR_OK;
+    }
+    return code;
+}
+
+/* what was found when the result of the file was computed again */
+static enum cr_err compare(struct work *w, const char *name, struct cr_error *err) {
+    struct cr_recheck check;
+    struct cr_str text = {0};
+    enum cr_err code =
+        cr_recheck(&(struct cr_recheck_file){w->text, w->len, name}, w->result, true, &check, err);
+    if (code == CR_ERR_OK && check.same) {
+        cr_str_add(&w->verdict, cr_words(w->source.lang,
+                                         "The result file was computed again: the same values."));
+    } else if (code == CR_ERR_OK) {
+        cr_recheck_text(&check, &text);
+        cr_str_addf(&w->verdict,
+                    cr_words(w->source.lang, "The result file was computed again and differs: %s"),
+                    cr_str_get(&text));
+    }
+    cr_str_fini(&text);
+    w->source.from_result = cr_str_get(&w->verdict);
+    return code;
+}
+
+static enum cr_err hash_result(struct work *w, struct cr_error *err) {
+    struct cr_str text = {0};
+    struct cr_result_opts opts = {.resolved = true, .pretty = true};
+    enum cr_err code = cr_result_json(w->result, &opts, &text, err);
+    if (code == CR_ERR_OK) {
+        cr_hash_hex(text.s, text.len, w->source.result_hash);
+        code = cr_result_scene_hash(&w->scene, w->source.scene_hash, err);
+    }
+    cr_str_fini(&text);
+    return code;
+}
+
+static enum cr_err gather(struct work *w, const char *name, struct cr_error *err) {
+    enum cr_err code = hash_result(w, err);
+    if (code == CR_ERR_OK && w->is_result) {
+        w->source.assumed = &w->assumed;
+        code = compare(w, name, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = draw(w, err);
+        w->source.mc = w->mc;
+    }
+    if (code == CR_ERR_OK) {
+        w->source.variants = cr_variants_of(&w->scene, &w->shared.ctx, w->variant, VARIANTS);
+        w->source.variant = w->variant;
+    }
+    if (code == CR_ERR_OK && !w->opt->no_tests) {
+        code = cr_validity_of(w->result, &w->shared.ctx, &w->validity, err);
+        w->source.validity = w->validity.tests > 0 ? &w->validity : NULL;
+    }
+    return code;
+}
+
+static enum cr_err write_report(const struct work *w, struct cr_error *err) {
+    struct cr_document doc;
+    struct cr_str text = {0};
+    size_t n = strlen(w->opt->out);
+    bool html = strcasecmp(w->opt->out + n - 5, ".html") == 0, letter = w->opt->paper == 1;
+    enum cr_err code = cr_report_make(&w->source, &doc, err);
+    if (code == CR_ERR_OK) {
+        code =
+            html ? cr_document_html(&doc, &text, err)
+                 : cr_document_pdf(&doc, letter ? 612 : 595.28, letter ? 792 : 841.89, &text, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_cli_emit(w->opt->out, &text, err);
+    }
+    cr_document_fini(&doc);
+    cr_str_fini(&text);
+    return code;
+}
+
+static void begin(struct work *w, const struct options *opt, const char *command) {
+    *w = (struct work){.opt = opt, .source = opt->head};
+    cr_scene_init(&w->scene);
+    w->source.lang = opt->lang == 1 ? CR_LANG_DE : CR_LANG_EN;
+    w->source.program = PACKAGE_STRING;
+    w->source.libraries = CR_LIBRARIES;
+    w->source.command = command;
+}
+
+static enum cr_err solve(struct work *w, const char *path, const char *name, struct cr_error *err) {
+    char title[160];
+    enum cr_err code = cr_cli_override(&w->scene, &w->opt->set, err);
+    if (code == CR_ERR_OK) {
+        code = cr_cli_open(&w->shared, CR_CLI_NEEDED, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_result_run(&w->scene, &w->shared.ctx, &w->result, err);
+        if (code != CR_ERR_OK && err->src[0] == '\0' && !w->is_result) {
+            cr_scene_locate_file(path, name, err);
+        }
+    }
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    w->source.result = w->result;
+    w->source.ctx = &w->shared.ctx;
+    w->source.scene_text = w->text;
+    snprintf(title, sizeof title, "%s%.100s", cr_words(w->source.lang, "Crash report: "),
+             w->result->resolved.name);
+    w->source.title = w->source.title != NULL ? w->source.title : title;
+    code = gather(w, name, err);
+    return code == CR_ERR_OK ? write_report(w, err) : code;
+}
+
+static enum cr_err report(const char *path, const struct options *opt, const char *command,
+                          struct cr_error *err) {
+    struct work w;
+    const char *name = strcmp(path, "-") == 0 ? "standard input" : path;
+    begin(&w, opt, command);
+    enum cr_err code = read_input(&w, path, name, err);
+    cr_cli_catch();
+    if (code == CR_ERR_OK) {
+        code = solve(&w, path, name, err);
+    }
+    cr_mc_free(w.mc);
+    cr_assumed_fini(&w.assumed);
+    cr_str_fini(&w.verdict);
+    cr_result_free(w.result);
+    cr_scene_fini(&w.scene);
+    cr_cli_close(&w.shared);
+    free(w.text);
+    return code;
+}
+
+/* the line as it was typed, with quotes where a shell needs them */
+static void join(int argc, char **argv, struct cr_str *out) {
+    cr_str_add(out, "crumple");
+    for (int i = 0; i < argc; i++) {
+        bool plain =
+            argv[i][0] != '\0' && strcspn(argv[i], " '\"\\$&|;<>()*?[]#~`!") == strlen(argv[i]);
+        cr_str_addf(out, plain ? " %s" : " '%s'", argv[i]);
+    }
+}
+
+#define TEXT(word, value, to, what)                                                                \
+    { .name = word, .arg = value, .text = to, .help = what }
+#define NUMBER(word, least, most, to, what)                                                        \
+    { .name = word, .arg = "N", .number = to, .lo = least, .hi = most, .help = what }
+
+static int run(struct options *opt, int argc, char **argv) {
+    const struct cr_option table[] = {
+        {.name = "output",
+         .letter = 'o',
+         .arg = "FILE",
+         .text = &opt->out,
+         .help = "FILE.html or FILE.pdf, whole or not at all"},
+        {.name = "lang", .arg = LANGS, .number = &opt->lang, .help = "language (en)"},
+        {.name = "paper", .arg = PAPERS, .number = &opt->paper, .help = "size of a PDF (a4)"},
+        TEXT("title", "TEXT", &opt->head.title, "heading"),
+        TEXT("case", "TEXT", &opt->head.case_no, "case number"),
+        TEXT("order", "TEXT", &opt->head.order, "order number"),
+        TEXT("author", "TEXT", &opt->head.author, "who answers for it"),
+        TEXT("date", "DATE", &opt->head.date, "date to be printed; none otherwise"),
+        TEXT("question", "TEXT", &opt->head.question, "what the report is to answer"),
+        NUMBER("draws", 0, 100000, &opt->draws, "draws for the intervals (300); 0: none"),
+        NUMBER("seed", 0, 1000000000, &opt->seed, "of the draws (1)"),
+        NUMBER("jobs", 0, 256, &opt->jobs, "threads for the draws (0: one per processor)"),
+        {.name = "no-tests", .flag = &opt->no_tests, .help = "without crash tests for comparison"},
+        {.name = "quiet", .letter = 'q', .flag = &opt->quiet, .help = "do not tell how far it is"},
+        {.name = "set",
+         .letter = 's',
+         .arg = "KEY=VALUE",
+         .values = &opt->set,
+         .help = "override a setting or value"},
+    };
+    const struct cr_usage usage = {.word = "report",
+                                   .operands = "SCENE.json|RESULT.json",
+                                   .about = about,
+                                   .option = table,
+                                   .options = sizeof table / sizeof *table,
+                                   .least = 1,
+                                   .most = 1};
+    struct cr_error err = {0};
+    struct cr_str command = {0};
+    int operands;
+    join(argc, argv, &command);
+    int status = cr_cli_options(&usage, argc, argv, &operands);
+    if (status < 0) {
+        enum cr_err code = check_out(opt, &err);
+        code = code == CR_ERR_OK ? report(argv[1], opt, cr_str_get(&command), &err) : code;
+        status = code == CR_ERR_OK ? 0 : cr_cli_fail(&err);
+    }
+    cr_str_fini(&command);
+    return status;
+}
+
+int cr_expert_report(int argc, char **argv) {
+    struct options opt = {.draws = DRAWS, .seed = 1};
+    return run(&opt, argc, argv);
+}

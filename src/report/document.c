@@ -1,0 +1,153 @@
+/* A paper as a list of blocks. */
+#include "report/document.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+void cr_document_fini(struct cr_document *doc) {
+    for (int i = 0; i < doc->blocks; i++) {
+        cr_canvas_free(doc->block[i].figure);
+        free(doc->block[i].row);
+    }
+    free(doc->block);
+    cr_arena_free(&doc->arena);
+    *doc = (struct cr_document){0};
+}
+
+static bool digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+/* 1.5 -> 1,5; not in 0.1.0, which has more than one point */
+static void set_comma(char *s) {
+    for (char *p = s; *p != '\0'; p++) {
+        if (*p != '.' || p == s || !digit(p[-1]) || !digit(p[1])) {
+            continue;
+        }
+        const char *before = p - 1, *after = p + 1;
+        while (before > s && digit(before[-1])) {
+            before--;
+        }
+        while (digit(*after)) {
+            after++;
+        }
+        bool chain = (*after == '.' && digit(after[1])) ||
+                     (before > s + 1 && before[-1] == '.' && digit(before[-2]));
+        if (!chain) {
+            *p = ',';
+        }
+    }
+}
+
+static const char *vtext(struct cr_document *doc, const char *fmt, va_list args, bool comma) {
+    va_list again;
+    va_copy(again, args);
+    int n = vsnprintf(NULL, 0, fmt, again);
+    va_end(again);
+    char *s = n < 0 ? NULL : cr_arena_take(&doc->arena, (size_t)n + 1, 1);
+    if (s == NULL) {
+        doc->failed = true;
+        return "";
+    }
+    vsnprintf(s, (size_t)n + 1, fmt, args);
+    if (comma) {
+        set_comma(s);
+    }
+    return s;
+}
+
+const char *cr_doc_text(struct cr_document *doc, const char *fmt, ...) {
+    va_list args;
+    va_start(args, fmt);
+    const char *s = vtext(doc, fmt, args, doc->comma);
+    va_end(args);
+    return s;
+}
+
+static struct cr_block *add(struct cr_document *doc, enum cr_block_kind kind) {
+    if (doc->blocks == doc->block_size) {
+        int size = doc->block_size > 0 ? 2 * doc->block_size : 32;
+        struct cr_block *bigger = realloc(doc->block, (size_t)size * sizeof *bigger);
+        if (bigger == NULL) {
+            doc->failed = true;
+            return NULL;
+        }
+        doc->block = bigger;
+        doc->block_size = size;
+    }
+    struct cr_block *b = &doc->block[doc->blocks++];
+    *b = (struct cr_block){.kind = kind, .text = ""};
+    return b;
+}
+
+static const char *keep(struct cr_document *doc, const char *text) {
+    size_t n = strlen(text) + 1;
+    char *s = cr_arena_take(&doc->arena, n, 1);
+    if (s == NULL) {
+        doc->failed = true;
+        return "";
+    }
+    memcpy(s, text, n);
+    return s;
+}
+
+void cr_doc_add(struct cr_document *doc, enum cr_block_kind kind, const char *text) {
+    struct cr_block *b = add(doc, kind);
+    if (b != NULL) {
+        b->text = keep(doc, text);
+    }
+}
+
+void cr_doc_addf(struct cr_document *doc, enum cr_block_kind kind, const char *fmt, ...) {
+    struct cr_block *b = add(doc, kind);
+    va_list args;
+    va_start(args, fmt);
+    const char *s = vtext(doc, fmt, args, doc->comma);
+    va_end(args);
+    if (b != NULL) {
+        b->text = s;
+    }
+}
+
+void cr_doc_table(struct cr_document *doc, int columns) {
+    struct cr_block *b = add(doc, CR_BLOCK_TABLE);
+    if (b != NULL) {
+        b->columns = columns < CR_COLUMNS ? columns : CR_COLUMNS;
+    }
+}
+
+struct cr_doc_row *cr_doc_row(struct cr_document *doc, const char *const *cell) {
+    static struct cr_doc_row *const none = NULL;
+    struct cr_block *b = doc->blocks > 0 ? &doc->block[doc->blocks - 1] : NULL;
+    if (b == NULL || b->kind != CR_BLOCK_TABLE || doc->failed) {
+        return none;
+    }
+    if (b->rows == b->row_size) {
+        int size = b->row_size > 0 ? 2 * b->row_size : 16;
+        struct cr_doc_row *bigger = realloc(b->row, (size_t)size * sizeof *bigger);
+        if (bigger == NULL) {
+            doc->failed = true;
+            return none;
+        }
+        b->row = bigger;
+        b->row_size = size;
+    }
+    struct cr_doc_row *row = &b->row[b->rows++];
+    *row = (struct cr_doc_row){.head = false};
+    for (int i = 0; i < b->columns; i++) {
+        row->cell[i] = cell[i] != NULL ? keep(doc, cell[i]) : "";
+    }
+    return row;
+}
+
+void cr_doc_figure(struct cr_document *doc, struct cr_canvas *figure, const char *caption) {
+    struct cr_block *b = figure != NULL ? add(doc, CR_BLOCK_FIGURE) : NULL;
+    if (b == NULL) {
+        cr_canvas_free(figure);
+        return;
+    }
+    b->figure = figure;
+    b->text = keep(doc, caption);
+}

@@ -1,0 +1,16 @@
+noinst_LIBRARIES += libreport.a
+libreport_a_SOURCES = \
+	src/report/document.c src/report/document.h \
+	src/report/german.h \
+	src/report/html.c \
+	src/report/pages.c \
+	src/report/report.c src/report/report.h \
+	src/report/section_annex.c \
+	src/report/section_checks.c \
+	src/report/section_head.c \
+	src/report/section_inputs.c \
+	src/report/section_pictures.c \
+	src/report/sections.h \
+	src/report/validity.h \
+	src/report/words.c
+libreport_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)

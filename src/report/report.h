@@ -1,0 +1,44 @@
+/* The expert's report: everything that another examiner needs to check and repeat a computation,
+ * in English or German. */
+#ifndef CR_REPORT_REPORT_H
+#define CR_REPORT_REPORT_H
+
+#include "report/document.h"
+#include "report/validity.h"
+#include "result/result.h"
+#include "study/study.h"
+
+enum cr_lang { CR_LANG_EN, CR_LANG_DE };
+/* The words of a language for an English text; the text itself where there are none. */
+#if defined(__GNUC__)
+__attribute__((format_arg(2)))
+#endif
+const char *
+cr_words(enum cr_lang lang, const char *english);
+
+struct cr_report_source {
+    const struct cr_result *result;
+    const struct cr_context *ctx;
+    enum cr_lang lang;
+    /* of the head; NULL: left out */
+    const char *title, *author, *case_no, *order, *date, *question;
+    const char *program;              /* name and version */
+    const char *libraries;            /* it was built with */
+    const char *command;              /* that makes this report again */
+    const char *scene_text;           /* the scene as it was given */
+    const char *from_result;          /* what was found when a result file was computed again */
+    const struct cr_assumed *assumed; /* of that result; NULL: those of the result here */
+    char scene_hash[CR_HASH_SIZE], result_hash[CR_HASH_SIZE];
+    const struct cr_mc *mc; /* NULL: no draws were made, and why: */
+    const char *no_mc;
+    const struct cr_validity *validity; /* NULL: not compared */
+    int variants;
+    const struct cr_variant *variant;
+};
+
+/* The whole report. The caller frees it with cr_document_fini, also after an error. Errors: MEMORY,
+ * those of the pictures. */
+CR_MUST_CHECK enum cr_err cr_report_make(const struct cr_report_source *source,
+                                         struct cr_document *out, struct cr_error *err);
+
+#endif

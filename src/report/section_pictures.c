@@ -1,0 +1,174 @@
+/* Sections 5 to 7: the scene, the pulses, the deformation and every impact. */
+#include "report/sections.h"
+
+#include "base/vec.h"
+#include "figure/pictures.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const char *german(const char *english) {
+    return cr_words(CR_LANG_DE, english);
+}
+
+static struct cr_picture_source source_of(const struct cr_paper *p) {
+    return (struct cr_picture_source){.result = p->r,
+                                      .models = p->s->ctx->models,
+                                      .irf = p->s->ctx->irf,
+                                      .view = {.field = CR_FIELD_EES,
+                                               .time = NAN,
+                                               .centre = {NAN, NAN},
+                                               .vectors = true,
+                                               .selected = -1},
+                                      .body = -1,
+                                      .quantity = CR_QUANTITIES,
+                                      .words = {p->s->lang == CR_LANG_DE ? german : NULL}};
+}
+
+static enum cr_err draw(struct cr_paper *p, enum cr_picture picture,
+                        const struct cr_picture_source *source, const char *caption,
+                        struct cr_error *err) {
+    struct cr_canvas *canvas;
+    enum cr_err code = cr_picture_draw(picture, source, &canvas, err);
+    if (code == CR_ERR_OK) {
+        cr_doc_figure(p->doc, canvas, caption);
+    }
+    return code;
+}
+
+enum cr_err cr_section_pictures(struct cr_paper *p, struct cr_error *err) {
+    static const struct {
+        enum cr_picture picture;
+        const char *caption;
+    } all[] = {
+        {CR_PICTURE_BEFORE, "The scene before the crash, with the speeds given."},
+        {CR_PICTURE_CONTACT, "First contact."},
+        {CR_PICTURE_ENGAGED, "Greatest engagement: end of the plastic compression of the contact "
+                             "with the greatest impulse. Dashed: outlines before the crash."},
+        {CR_PICTURE_AFTER, "After the last contact. Dotted: ways of the centres of gravity."},
+    };
+    struct cr_picture_source source = source_of(p);
+    enum cr_err code = CR_ERR_OK;
+    cr_doc_add(p->doc, CR_BLOCK_HEADING, W(p, "5 The crash in pictures"));
+    cr_doc_add(p->doc, CR_BLOCK_TEXT,
+               W(p, "Seen from above, to scale; x to the east, y to the north, in m. Colours show "
+                    "the EES of a face that is crushed down to that voxel."));
+    for (size_t i = 0; i < sizeof all / sizeof all[0] && code == CR_ERR_OK; i++) {
+        code = draw(p, all[i].picture, &source, W(p, all[i].caption), err);
+    }
+    return code;
+}
+
+/* ---- 6 ---- */
+
+enum cr_err cr_section_pulses(struct cr_paper *p, struct cr_error *err) {
+    static const struct {
+        const char *word, *measure, *definition;
+    } rows[] = {
+        {"Greatest acceleration", "acceleration_max", "of the CG, filtered with CFC 60 (SAE J211)"},
+        {"Mean acceleration", "acceleration_mean", "delta-v over the length of the pulse"},
+        {"Length of the pulse", "pulse", "from 5 % of the greatest acceleration on"},
+        {"OLC", "olc", "occupant load criterion: 65 mm free flight, 235 mm ride down"},
+        {"ASI", "asi", "acceleration severity index (EN 1317)"},
+        {"THIV", "thiv", "theoretical head impact velocity (EN 1317)"},
+    };
+    struct cr_picture_source source = source_of(p);
+    cr_doc_add(p->doc, CR_BLOCK_HEADING, W(p, "6 Pulses"));
+    enum cr_err code = draw(p, CR_PICTURE_PULSE, &source,
+                            W(p, "Acceleration of the centres of gravity, CFC 60, over the time "
+                                 "after first contact."),
+                            err);
+    source.quantity = CR_QUANTITY_YAW_RATE;
+    code = code != CR_ERR_OK
+               ? code
+               : draw(p, CR_PICTURE_PULSE, &source, W(p, "Yaw rates, unfiltered."), err);
+    cr_doc_table(p->doc, 4);
+    HEAD(p, W(p, "Measure"), W(p, "Vehicle"), W(p, "Value"), W(p, "Definition"));
+    for (size_t k = 0; k < sizeof rows / sizeof rows[0]; k++) {
+        const struct cr_measure *m = cr_measure_find(rows[k].measure);
+        for (int i = 0; m != NULL && i < p->r->resolved.n; i++) {
+            if (cr_paper_is_vehicle(p, i)) {
+                ROW(p, W(p, rows[k].word), p->r->resolved.part[i].id, cr_paper_interval(p, i, m),
+                    W(p, rows[k].definition));
+            }
+        }
+    }
+    return code;
+}
+
+/* ---- 7 ---- */
+
+static void profile(struct cr_paper *p, int body) {
+    const struct cr_severity *of = &p->r->of[body];
+    const char *cell[CR_COLUMNS] = {p->r->resolved.part[body].id};
+    for (int i = 0; i < CR_PROFILE; i++) {
+        cell[i + 1] = cr_doc_text(p->doc, "%.0f", 100 * of->profile[i]);
+    }
+    cell[7] = cr_doc_text(p->doc, "%.2f", of->profile_width);
+    cell[8] = cr_doc_text(p->doc, "%.2f", of->face_depth);
+    cell[9] = of->cdc;
+    cr_doc_row(p->doc, cell);
+}
+
+enum cr_err cr_section_damage(struct cr_paper *p, struct cr_error *err) {
+    struct cr_picture_source source = source_of(p);
+    enum cr_err code = CR_ERR_OK;
+    cr_doc_add(p->doc, CR_BLOCK_HEADING, W(p, "7 Deformation and impacts"));
+    for (int i = 0; i < p->r->resolved.n && code == CR_ERR_OK; i++) {
+        if (!cr_paper_is_vehicle(p, i)) {
+            continue;
+        }
+        source.body = i;
+        code = draw(p, CR_PICTURE_DAMAGE, &source,
+                    cr_doc_text(p->doc, W(p, "Struck face of %s from above, residual."),
+                                p->r->resolved.part[i].id),
+                    err);
+        code = code != CR_ERR_OK ? code
+                                 : draw(p, CR_PICTURE_SIDE, &source,
+                                        W(p, "The same on the 3D model of its type."), err);
+    }
+    cr_doc_table(p->doc, 10);
+    HEAD(p, "", "C1, cm", "C2", "C3", "C4", "C5", "C6", W(p, "Width, m"), W(p, "Depth, m"), "CDC");
+    for (int i = 0; i < p->r->resolved.n; i++) {
+        if (cr_paper_is_vehicle(p, i)) {
+            profile(p, i);
+        }
+    }
+    cr_doc_add(p->doc, CR_BLOCK_TEXT,
+               W(p,
+                 "C1 to C6 stand at equal spaces over the width; they are measured square to the "
+                 "face from a straight line along the foremost point of the undeformed face, "
+                 "left to right on the ends and rear to front on the sides."));
+    cr_section_impacts(p);
+    return code;
+}
+
+static void one_impact(struct cr_paper *p, const struct cr_impact *k, int side) {
+    const struct cr_severity *of = &k->of[side];
+    int body = k->body[side];
+    if (!cr_paper_is_vehicle(p, body)) {
+        return;
+    }
+    ROW(p, cr_doc_text(p->doc, "%.1f", 1e3 * (k->t_begin - p->r->solution->t_contact)),
+        p->r->resolved.part[body].id, p->r->resolved.part[k->body[!side]].id,
+        cr_doc_text(p->doc, "%.1f", cr_kmh(of->delta_v)),
+        cr_doc_text(p->doc, "%.1f", cr_kmh(of->ees)), cr_doc_text(p->doc, "%.0f", cr_deg(of->pdof)),
+        of->cdc, cr_doc_text(p->doc, "%.1f", of->acceleration_max / CR_G),
+        cr_doc_text(p->doc, "%.0f", 1e3 * of->pulse),
+        cr_doc_text(p->doc, "%s, e %.2f", cr_stop_word(k->stop), k->restitution));
+}
+
+void cr_section_impacts(struct cr_paper *p) {
+    cr_doc_add(p->doc, CR_BLOCK_MINOR, W(p, "Every impact by itself"));
+    cr_doc_table(p->doc, 10);
+    HEAD(p, "t, ms", W(p, "Vehicle"), W(p, "Partner"), "delta-v, km/h", "EES, km/h", "PDOF, deg",
+         "CDC", W(p, "Peak, g"), W(p, "Pulse, ms"), W(p, "End"));
+    for (int i = 0; i < p->r->impacts; i++) {
+        one_impact(p, &p->r->impact[i], 0);
+        one_impact(p, &p->r->impact[i], 1);
+    }
+    cr_doc_add(p->doc, CR_BLOCK_TEXT,
+               W(p, "The totals of section 2 add the sizes of the velocity changes of separate "
+                    "impacts; they are never netted."));
+}

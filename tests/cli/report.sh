@@ -1,0 +1,125 @@
+#!/bin/sh
+# crumple report and crumple audit: the expert's report, and a result computed again.
+. "$SRC/tests/cli/cli.sh"
+wall_scene >"$tmp/wall.json"
+quick="--draws=20 --quiet"
+
+# quick is words
+# shellcheck disable=SC2086
+run report "$tmp/wall.json" $quick -o "$tmp/r.html" --author="A. Expert" --case="12 O 34/26"
+same "a report is written" "$status$out$errs" 0
+html=$(cat "$tmp/r.html")
+n=1
+for section in Subject Question Inputs Method 'The crash' Pulses Deformation Balance Uncertainty \
+    Validity Limits 'How to repeat' Annex; do
+    has "section $n" "$html" "<h2>$n $section"
+    n=$((n + 1))
+done
+has "author and case" "$html" '12 O 34/26'
+has "an interval stands with the EES" "$html" '<td>EES</td><td>[0-9.]+ km/h \([0-9.]+ to [0-9.]+\)'
+has "what was given" "$html" '<td>speed_kmh</td><td>50</td><td>km/h</td><td></td><td>given</td>'
+has "what was assumed, marked" "$html" '<tr class="assumed"><td>track_m</td>'
+has "the command line" "$html" 'crumple report .*wall.json --draws=20'
+has "crash tests like it" "$html" 'full-width rigid wall.* tests'
+has "the scene as it was given" "$html" '&quot;crumple&quot;: 1, &quot;name&quot;: &quot;small'
+same "nothing from outside" "$(grep -cE '(src|href)=|<script|@import|url\(' "$tmp/r.html")" 0
+dates=$(grep -ciE '<td>Date</td>|20[0-9]{2}-[0-9]{2}-[0-9]{2}' "$tmp/r.html")
+same "no date unless asked for" "$dates" 0
+hash=$("$crumple" run "$tmp/wall.json" | sha256sum | cut -d' ' -f1)
+has "the result's hash is that of crumple run" "$html" "Result, SHA-256</td><td>$hash"
+if python3 -c '' 2>/dev/null; then
+    python3 - "$tmp/r.html" <<'END' >"$tmp/errs" 2>&1
+import sys
+from html.parser import HTMLParser
+class P(HTMLParser):
+    open_tags = []
+    def handle_starttag(self, tag, attrs):
+        if tag != "meta":
+            self.open_tags.append(tag)
+    def handle_startendtag(self, tag, attrs):
+        pass
+    def handle_endtag(self, tag):
+        assert self.open_tags.pop() == tag, tag
+p = P()
+p.feed(open(sys.argv[1], encoding="utf-8").read())
+assert p.open_tags == [], p.open_tags
+END
+    same "every element is closed" "$?$(cat "$tmp/errs")" 0
+fi
+# shellcheck disable=SC2086
+"$crumple" report "$tmp/wall.json" $quick -o "$tmp/r.html" --author="A. Expert" --case="12 O 34/26"
+same "the same bytes on every run" "$(cksum <"$tmp/r.html")" "$(printf '%s\n' "$html" | cksum)"
+
+# shellcheck disable=SC2086
+run report "$tmp/wall.json" $quick -o "$tmp/de.html" --lang=de --date=2026-11-28
+has "in German" "$(cat "$tmp/de.html")" '<h2>3 Eingaben und ihre Herkunft'
+has "with a decimal comma" "$(cat "$tmp/de.html")" 'EES</td><td>[0-9]+,[0-9] km/h \([0-9,]+ bis'
+has "with its date" "$(cat "$tmp/de.html")" 'Datum</td><td>2026-11-28'
+left=$(sed -n 's/.*W(p, "\([A-Z][^"\\]*\)").*/\1/p' "$SRC"/src/report/section_*.c | sort -u |
+    while read -r text; do
+        grep -qF "{\"$text" "$SRC/src/report/german.h" || echo "$text"
+    done)
+empty "every text is in the table of German" "$left"
+
+if "$crumple" --version | grep -q 'cairo'; then
+    # shellcheck disable=SC2086
+    run report "$tmp/wall.json" $quick -o "$tmp/r.pdf"
+    same "a PDF is written" "$status$errs$(head -c 5 "$tmp/r.pdf")" "0%PDF-"
+    first=$(cksum <"$tmp/r.pdf")
+    # shellcheck disable=SC2086
+    run report "$tmp/wall.json" $quick -o "$tmp/r.pdf"
+    same "the same PDF every time" "$(cksum <"$tmp/r.pdf")" "$first"
+    # shellcheck disable=SC2086
+    run report "$tmp/wall.json" $quick --paper=letter -o "$tmp/l.pdf"
+    has "on Letter" "$(grep -a MediaBox "$tmp/l.pdf")" '612 792'
+else
+    skip "PDF" "a build without cairo"
+fi
+
+refused "no file" 2 'wants -o FILE.html or FILE.pdf' report "$tmp/wall.json"
+refused "an unknown form" 2 'neither .html nor .pdf' report "$tmp/wall.json" -o "$tmp/r.doc"
+refused "no scene" 2 'no/such.json' report no/such.json -o "$tmp/r.html"
+refused "an unknown language" 2 'lang' report "$tmp/wall.json" -o "$tmp/r.html" --lang=fr
+scene bad.json '{ "crumple": 1, "participants": 3 }'
+refused "an invalid scene" 3 'participants' report "$tmp/bad.json" -o "$tmp/r.html"
+
+# audit
+"$crumple" run "$tmp/wall.json" -o "$tmp/result.json"
+"$crumple" run "$tmp/wall.json" --trace -o "$tmp/trace.json"
+run audit "$tmp/result.json" "$tmp/wall.json"
+same "audit finds the same bytes" "$status $out" "0 same bytes"
+run audit "$tmp/trace.json" "$tmp/wall.json"
+same "with its time series too" "$status $out" "0 same bytes"
+run audit "$tmp/result.json"
+same "audit of a result alone" "$status$(printf '%s' "$out" | cut -c 1-11)" "0same values"
+sed 's/"delta_v_kmh":\([[:space:]]*\)[0-9]/"delta_v_kmh":\19/' "$tmp/result.json" \
+    >"$tmp/changed.json"
+run audit "$tmp/changed.json" "$tmp/wall.json"
+same "a changed number is found" "$status" 1
+has "by its place" "$out" 'differs first at /.*delta_v_kmh'
+has "and nothing else is blamed" "$out" 'the file was changed'
+run audit "$tmp/result.json" "$tmp/wall.json" --set A.speed_kmh=51
+has "another input is named" "$out" 'the scene differs'
+sed 's/"version":\([[:space:]]*\)"[^"]*"/"version":\1"0.0.9"/' "$tmp/result.json" >"$tmp/old.json"
+run audit "$tmp/old.json" "$tmp/wall.json"
+has "another version is named" "$out" 'the file is of 0.0.9'
+sed 's/\(compact[^"]* sha256 \)[0-9a-f]\{8\}/\100000000/' "$tmp/result.json" >"$tmp/model.json"
+run audit "$tmp/model.json" "$tmp/wall.json"
+has "other models are named" "$out" 'the models differ'
+sed 's/\("irf_sha256":[[:space:]]*"\)[0-9a-f]\{8\}/\100000000/' "$tmp/result.json" >"$tmp/irf.json"
+run audit "$tmp/irf.json" "$tmp/wall.json"
+has "other risk functions are named" "$out" 'the risk functions differ'
+refused "a scene is no result" 3 'no result of crumple run' audit "$tmp/wall.json"
+scene torn.json '{ "crumple_result": 2,'
+refused "a torn result" 3 'torn.json:' audit "$tmp/torn.json"
+
+# shellcheck disable=SC2086
+run report "$tmp/result.json" $quick -o "$tmp/again.html"
+has "the report of a result computes it again" "$(cat "$tmp/again.html")" \
+    'computed again: the same values'
+has "and knows what had been assumed" "$(cat "$tmp/again.html")" \
+    '<tr class="assumed"><td>track_m</td>'
+# shellcheck disable=SC2086
+run report "$tmp/changed.json" $quick -o "$tmp/again.html"
+has "or says that it differs" "$(cat "$tmp/again.html")" 'computed again and differs'
+finish
