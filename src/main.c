@@ -29,6 +29,7 @@ static const char help[] =
     "       crumple damage FILE.json         EES and delta-v out of a measured deformation\n"
     "       crumple fit SCENE.json ... to ... search inputs that explain what was measured\n"
     "       crumple mc SCENE.json            solve many draws of its uncertain inputs\n"
+    "       crumple catalogue [WORD ...]     list the cars that scenes can name\n"
     "       crumple report SCENE|RESULT      expert's report as HTML or PDF\n"
     "       crumple audit RESULT [SCENE]     compute a result again and compare\n"
     "       crumple models [NAME]            list, show or export the models\n"
@@ -54,6 +55,7 @@ struct word {
 };
 static const struct word words[] = {
     {"run", cr_cli_run},
+    {"catalogue", cr_cli_catalogue},
     {"stack", cr_cli_stack},
     {"merge", cr_cli_merge},
     {"mc", cr_cli_mc},

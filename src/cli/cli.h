@@ -13,6 +13,7 @@ int cr_cli_stack(int argc, char **argv);
 int cr_cli_merge(int argc, char **argv);
 int cr_cli_schema(int argc, char **argv);
 int cr_cli_models(int argc, char **argv);
+int cr_cli_catalogue(int argc, char **argv);
 int cr_cli_mc(int argc, char **argv);
 int cr_cli_fit(int argc, char **argv);
 int cr_cli_damage(int argc, char **argv);

@@ -1,5 +1,6 @@
 noinst_LIBRARIES += libcli.a
 libcli_a_SOURCES = \
+	src/cli/catalogue.c \
 	src/cli/cli.h \
 	src/cli/complete.c \
 	src/cli/damage.c \

@@ -1,0 +1,145 @@
+/* `crumple catalogue` lists the cars that scenes and commands can name. */
+#include "cli/cli.h"
+#include "cli/word.h"
+
+#include "base/json.h"
+#include "catalogue/catalogue.h"
+
+#include <cjson/cJSON.h>
+#include <math.h>
+#include <stdlib.h>
+
+#define FORMATS "text|json|csv"
+enum { TEXT, JSON, CSV };
+
+static const char about[] =
+    "Lists the cars of the catalogue that all words fit: parts of make, model and body, a year,\n"
+    "a length (4.25m); no word lists all. A scene takes one with \"car\": \"golf 2015\", a "
+    "command\n"
+    "with vehicle A car=\"golf 2015\". Exit status: 0 there are some; 1 there is none; 2 usage\n"
+    "or file system; 3 a table is invalid.\n";
+
+static void number(struct cr_str *out, const char *before, double x, int decimals) {
+    cr_str_add(out, before);
+    if (isfinite(x)) {
+        cr_str_addf(out, "%.*f", decimals, x);
+    }
+}
+
+static void add_text(const struct cr_car *car, struct cr_str *out) {
+    struct cr_str name = {0};
+    cr_car_name(car, &name);
+    cr_str_addf(out, "%-44.44s %-13s %5.0f kg  %.3f x %.3f m  %s\n", cr_str_get(&name), car->type,
+                car->curb, car->length, car->width, car->source);
+    cr_str_fini(&name);
+}
+
+static void add_csv(const struct cr_car *car, struct cr_str *out) {
+    cr_str_addf(out, "\"%s\",\"%s\",%d,%d,%s,%s", car->make, car->model, car->from, car->to,
+                car->body, car->type);
+    number(out, ",", car->curb, 0);
+    const double size[] = {car->length,    car->width, car->height,
+                           car->wheelbase, car->track, car->cg_behind_front_axle,
+                           car->cg_height};
+    for (size_t i = 0; i < sizeof size / sizeof size[0]; i++) {
+        number(out, ",", size[i], 3);
+    }
+    cr_str_addf(out, ",\"%s\"\n", car->source);
+}
+
+static void put(cJSON *to, const char *key, double x) {
+    cJSON_AddItemToObject(to, key, isfinite(x) ? cJSON_CreateNumber(x) : cJSON_CreateNull());
+}
+
+static cJSON *to_json(const struct cr_car *car) {
+    cJSON *json = cJSON_CreateObject();
+    cJSON_AddStringToObject(json, "make", car->make);
+    cJSON_AddStringToObject(json, "model", car->model);
+    put(json, "from", car->from);
+    put(json, "to", car->to);
+    cJSON_AddStringToObject(json, "body", car->body);
+    cJSON_AddStringToObject(json, "type", car->type);
+    put(json, "kerb_mass_kg", car->curb);
+    put(json, "length_m", car->length);
+    put(json, "width_m", car->width);
+    put(json, "height_m", car->height);
+    put(json, "wheelbase_m", car->wheelbase);
+    put(json, "track_m", car->track);
+    put(json, "cg_behind_front_axle_m", car->cg_behind_front_axle);
+    put(json, "cg_height_m", car->cg_height);
+    cJSON_AddStringToObject(json, "source", car->source);
+    return json;
+}
+
+static enum cr_err write_cars(const struct cr_catalogue *c, const int *found, int n, int format,
+                              struct cr_str *out, struct cr_error *err) {
+    cJSON *list = format == JSON ? cJSON_CreateArray() : NULL;
+    cr_str_add(out, format == CSV ? "make,model,from,to,body,type,curb_kg,length_m,width_m,"
+                                    "height_m,wheelbase_m,track_m,cg_behind_front_axle_m,"
+                                    "cg_height_m,source\n"
+                                  : "");
+    for (int i = 0; i < n; i++) {
+        const struct cr_car *car = cr_catalogue_car(c, found[i]);
+        if (format == JSON) {
+            cJSON_AddItemToArray(list, to_json(car));
+        } else {
+            (format == CSV ? add_csv : add_text)(car, out);
+        }
+    }
+    bool done = format != JSON || cr_json_add(list, true, out);
+    cr_str_add(out, format == JSON ? "\n" : "");
+    return done && !out->failed ? CR_ERR_OK
+                                : cr_err_set(err, CR_ERR_MEMORY, "no memory for the list");
+}
+
+static enum cr_err list(const char *words, int format, const char *path, struct cr_error *err) {
+    struct cr_cli_shared shared = {0};
+    struct cr_str text = {0};
+    const struct cr_catalogue *c = NULL;
+    int *found = NULL, n = 0;
+    enum cr_err code = cr_cli_open(&shared, CR_CLI_NEEDED, err);
+    code = code == CR_ERR_OK ? cr_model_catalogue(shared.models, &c, err) : code;
+    if (code == CR_ERR_OK) {
+        found = calloc((size_t)cr_catalogue_cars(c) + 1, sizeof *found);
+        n = found != NULL ? cr_catalogue_search(c, words, found) : 0;
+        code = found == NULL ? cr_err_set(err, CR_ERR_MEMORY, "no memory for the list")
+               : n == 0      ? cr_err_set(err, CR_ERR_MISSED, "no car fits '%.80s'", words)
+                             : write_cars(c, found, n, format, &text, err);
+    }
+    code = code == CR_ERR_OK ? cr_cli_emit(path, &text, err) : code;
+    cr_str_fini(&text);
+    free(found);
+    cr_cli_close(&shared);
+    return code;
+}
+
+int cr_cli_catalogue(int argc, char **argv) {
+    int format = TEXT, operands;
+    const char *path = NULL;
+    const struct cr_option table[] = {
+        {.name = "format", .letter = 'f', .arg = FORMATS, .number = &format, .help = "form (text)"},
+        {.name = "output",
+         .letter = 'o',
+         .arg = "FILE",
+         .text = &path,
+         .help = "write to FILE, whole or not at all"},
+    };
+    const struct cr_usage usage = {.word = "catalogue",
+                                   .operands = "[WORD ...]",
+                                   .about = about,
+                                   .option = table,
+                                   .options = sizeof table / sizeof *table,
+                                   .most = -1};
+    struct cr_error err = {0};
+    struct cr_str words = {0};
+    int status = cr_cli_options(&usage, argc, argv, &operands);
+    if (status >= 0) {
+        return status;
+    }
+    for (int i = 1; i <= operands; i++) {
+        cr_str_addf(&words, "%s%s", i > 1 ? " " : "", argv[i]);
+    }
+    status = list(cr_str_get(&words), format, path, &err) == CR_ERR_OK ? 0 : cr_cli_fail(&err);
+    cr_str_fini(&words);
+    return status;
+}
