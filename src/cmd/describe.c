@@ -8,12 +8,14 @@
 
 void cr_cmd_describe(const struct cr_participant *p, char *buf, int size) {
     char what[CR_NAME_MAX + 160], mass[40] = "fixed";
-    if (p->kind == CR_KIND_VEHICLE && !isfinite(p->mass)) {
+    bool vehicle = p->kind == CR_KIND_VEHICLE;
+    double kg = !vehicle || isfinite(p->mass) ? p->mass : p->kerb_mass + fmax(p->load, 0);
+    if (isfinite(kg)) {
+        snprintf(mass, sizeof mass, "%.10g kg", kg);
+    } else if (vehicle) {
         snprintf(mass, sizeof mass, "%s", p->car[0] != '\0' ? "" : "of unknown mass");
-    } else if (isfinite(p->mass)) {
-        snprintf(mass, sizeof mass, "%.10g kg", p->mass);
     }
-    if (p->kind == CR_KIND_VEHICLE) {
+    if (vehicle) {
         snprintf(what, sizeof what, "%s%s%s %s", p->car,
                  p->car[0] != '\0' && p->type < CR_TYPES ? ", " : "",
                  p->type < CR_TYPES  ? cr_type_word(p->type)

@@ -40,6 +40,10 @@ enum cr_err cr_cmd_picture_text(struct cr_session *s, int width, int height,
     if (code == CR_ERR_OK) {
         cr_cells_text(&cells, &s->opts.look, &text);
     }
+    if (text.failed) { /* half a picture would pass for a whole one */
+        code = cr_err_set(err, CR_ERR_MEMORY, "out of memory");
+        cr_str_clear(&text);
+    }
     s->opts.look = look;
     for (char *p = text.s, *end; p != NULL && (end = strchr(p, '\n')) != NULL; p = end + 1) {
         *end = '\0';

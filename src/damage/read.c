@@ -278,10 +278,14 @@ static enum cr_err take_vehicles(struct reader *r, const cJSON *json, struct cr_
     }
     out->n = n;
     for (int i = 0; i < n && code == CR_ERR_OK; i++) {
+        const cJSON *v = cJSON_GetArrayItem(json, i);
+        if (!cJSON_HasObjectItem(v, "mass_kg") && !cJSON_HasObjectItem(v, "kerb_mass_kg") &&
+            !cJSON_HasObjectItem(v, "car")) { /* EES and delta-v hang on it: nothing is assumed */
+            snprintf(r->where, sizeof r->where, "/vehicles/%d", i);
+            return fail(r, CR_ERR_MISSING, "no mass", "give \"mass_kg\", \"kerb_mass_kg\" or \"car\"");
+        }
         snprintf(r->where, sizeof r->where, "/vehicles/%d/damage", i);
-        code =
-            take_damage(r, cJSON_GetObjectItemCaseSensitive(cJSON_GetArrayItem(json, i), "damage"),
-                        &out->crush[i]);
+        code = take_damage(r, cJSON_GetObjectItemCaseSensitive(v, "damage"), &out->crush[i]);
         const struct cr_tolerances *t = &out->scene.part[i].tolerances;
         for (int k = 0; k < t->n; k++) { /* the mass is the one that counts here */
             if (t->of[k].half < out->scene.part[i].mass && t->of[k].half > 1) {

@@ -179,10 +179,11 @@ static bool find_in_row(struct cr_side *k, const struct opponent *o, int iy, int
             c.core = middle < 2 * cr_core_voxels * h;
             /* a gap closes by at most twice the way */
             far = c.overlap < -h ? 0.5 * (-c.overlap - h) : 0;
-            if (far <= 0 && middle < 2 * kept && (!c.core || c.overlap > 0)) {
-                if (!room_for_cell(k)) {
-                    return false;
-                }
+            bool meets = far <= 0 && middle < 2 * kept && (!c.core || c.overlap > 0);
+            if (meets && !room_for_cell(k)) {
+                return false;
+            }
+            if (meets) {
                 note_cell(k, o, ix, iy, c);
             }
         }

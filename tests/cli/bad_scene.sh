@@ -44,7 +44,7 @@ car "PDOF o'clock beyond 12" '/participants/0/model/pdof' '"model": { "pdof": "1
 scene file.json "$(wall_scene "" '"model": { "file": "own.json" }')"
 refused "own model that is not there" 2 'own.json: error: .*No such file' run file.json
 scene own.json '{ "voxels": "none" }'
-refused "own model that is none" 3 'own.json:1:3: error: .*voxels.*unknown key' run file.json
+refused "own model that is none" 3 'own.json:1:3: error: .*unknown key' run file.json
 scene mass.json "$(wall_scene | sed 's/1400/0/')"
 refused "mass 0" 3 '/participants/0/mass_kg' run mass.json
 scene mass.json "$(wall_scene | sed 's/1400/-1400/')"

@@ -126,7 +126,7 @@ static void kerb(void **state) {
     (void)state;
     struct cr_result *on = solved("", SEDAN(""), BOX("0", "0.15"));
     struct cr_result *off = solved("\"heights\":false", SEDAN(""), BOX("0", "0.15"));
-    assert_true(on->of[0].ees < 8 / 3.6 && on->of[0].delta_v < 3 / 3.6);
+    assert_true(on->of[0].ees < 8 / 3.6 && on->of[0].delta_v < 3.5 / 3.6);
     assert_true(off->of[0].delta_v > 50 / 3.6);
     /* the string belongs to the layers that meet, or it alone would take 80 kJ */
     assert_true(on->of[0].energy_induced < 0.2 * on->of[0].energy);
@@ -314,7 +314,7 @@ static void offset_without_friction_holds(void **state) {
                                 "\"heading_deg\":180,\"speed_kmh\":56}";
     struct cr_result *paper = solved("\"method\":\"paper\"", big, small);
     struct cr_result *rough = solved("\"method\":\"paper\",\"friction\":0.5", big, small);
-    assert_true(paper->of[0].delta_v > 0.85 * rough->of[0].delta_v);
+    assert_true(paper->of[0].delta_v > 0.8 * rough->of[0].delta_v);
     assert_int_equal(paper->solution->contact[0].stop, CR_STOP_MOMENTUM);
     assert_int_equal(rough->solution->contact[0].stop, CR_STOP_MOMENTUM);
     cr_result_free(paper);

@@ -290,15 +290,17 @@ static double greatest_force(double q, double h, double b, double slope, double 
 }
 
 /* A stamp's rows do not all meet the front in the same slice, so its force ripples about strength
- * times width (a voxel more where an edge lies in it): first order in the voxel, at most 1.3 times
+ * times width (a voxel more where an edge lies in it): at most 1.3 times where two grids of 25 mm
+ * lie exactly upon each other, 1.1 times on finer ones,
  * while the two still approach, what is dragged along counted with the whole width. */
 static void no_force_above_strength_times_width(void **state) {
     (void)state;
     static const double voxel[] = {0.025, 0.02, 0.0125}, part[] = {1.8, 0.7}, dt[] = {1e-3, 0.4e-3};
     for (int i = 0; i < 3 * 2 * 2; i++) {
         double h = voxel[i % 3], b = part[i / 3 % 2];
-        assert_true(greatest_force(150e3, h, b, 0, 2, dt[i / 6]) < 1.3 * (b + h) / b);
-        assert_true(greatest_force(150e3, h, b, 1, 2, dt[i / 6]) < 1.3 * 1.8 / b);
+        double most = h < 0.025 ? 1.11 : 1.31;
+        assert_true(greatest_force(150e3, h, b, 0, 2, dt[i / 6]) < most * (b + h) / b);
+        assert_true(greatest_force(150e3, h, b, 1, 2, dt[i / 6]) < most * 1.8 / b);
     }
 }
 
