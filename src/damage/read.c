@@ -282,7 +282,8 @@ static enum cr_err take_vehicles(struct reader *r, const cJSON *json, struct cr_
         if (!cJSON_HasObjectItem(v, "mass_kg") && !cJSON_HasObjectItem(v, "kerb_mass_kg") &&
             !cJSON_HasObjectItem(v, "car")) { /* EES and delta-v hang on it: nothing is assumed */
             snprintf(r->where, sizeof r->where, "/vehicles/%d", i);
-            return fail(r, CR_ERR_MISSING, "no mass", "give \"mass_kg\", \"kerb_mass_kg\" or \"car\"");
+            return fail(r, CR_ERR_MISSING, "no mass",
+                        "give \"mass_kg\", \"kerb_mass_kg\" or \"car\"");
         }
         snprintf(r->where, sizeof r->where, "/vehicles/%d/damage", i);
         code = take_damage(r, cJSON_GetObjectItemCaseSensitive(v, "damage"), &out->crush[i]);
