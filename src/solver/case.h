@@ -83,7 +83,7 @@ struct cr_opts {
                               that is pressed instead (stiffness.md 6) */
     double elastic_s;      /* length of the elastic compression, and of the restitution, s; 0: from
                               the force at the end of the plastic phase, which goes on smoothly */
-    bool induced;          /* plastic string on the struck face (method.md 5) */
+    bool induced;          /* what lies beside the contact is dragged along (method.md) */
     enum cr_end end;
     double max_time;  /* s before the first contact after which there is none */
     double rest_time; /* s after the first contact after which motion to rest is cut */

@@ -5,7 +5,7 @@
 static const double rolling = 0.010;     /* rolling resistance, share of load (literature.md 7.2) */
 static const double slip_full_deg = 8.0; /* slip angle of full lateral force; passenger tyres on dry
                                             road saturate at 6-10 deg (our choice) */
-static const double speed_soft = 0.1;    /* m/s below which friction fades (literature.md 7.5) */
+static const double speed_soft = 0.1;    /* m/s below which friction fades (method.md) */
 static const double slip_speed = 0.5;    /* m/s, least rolling speed in the slip angle */
 
 /* a slope beyond the full slip angle, whose tangent is 0.1405: the angle need not be known */
