@@ -32,8 +32,8 @@ bomb "the same in a stack" 9 600 1 '"code":"too-expensive".*dt_ms' \
     stack "$cases/dtrest.json" --max-seconds 2
 bomb "the same in a command file" 9 600 4 'error: too expensive.*2 s' \
     --max-seconds=2 -e "load $cases/dtrest.json" -e solve
-bomb "and in its memory" 20 300 4 'too expensive: it takes more than 25 MB' \
-    run "$cases/dtrest.json" --max-memory 25
+bomb "and in its memory" 20 300 4 'too expensive: it takes more than 5 MB' \
+    run "$cases/dtrest.json" --max-memory 5
 bomb "a trajectory from far before" 9 300 4 'too expensive.*trajectories last 1e\+04 s' \
     run "$cases/traj2.json" --max-seconds 2
 # a flat array of five million numbers in an x_ key
