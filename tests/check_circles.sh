@@ -4,7 +4,6 @@
 . "$SRC/tests/tap.sh"
 cd "$BUILD" || exit 99
 NM=${NM:-nm}
-exempt= # folders of src that may still have circles
 
 if ! command -v "$NM" >/dev/null 2>&1; then
     echo "1..0 # SKIP no nm here"
@@ -51,12 +50,6 @@ circle() {
 
 for dir in "$SRC"/src/*/; do
     name=$(basename "$dir")
-    case " $exempt " in
-    *" $name "*)
-        skip "no circle in $name" "exempt"
-        continue
-        ;;
-    esac
     empty "no file of $name calls one that calls it back" "$(calls "$name" | circle | head -n 20)"
     empty "no header of $name includes one that includes it" "$(includes "$name" | circle)"
 done

@@ -81,6 +81,27 @@ void cr_str_csv(struct cr_str *str, const char *text) {
     cr_str_add(str, quote);
 }
 
+void cr_str_xml(struct cr_str *str, const char *text, size_t n) {
+    for (size_t i = 0; i < n; i++) {
+        switch (text[i]) {
+        case '&':
+            cr_str_add(str, "&amp;");
+            break;
+        case '<':
+            cr_str_add(str, "&lt;");
+            break;
+        case '>':
+            cr_str_add(str, "&gt;");
+            break;
+        case '"':
+            cr_str_add(str, "&quot;");
+            break;
+        default:
+            cr_str_addn(str, text + i, 1);
+        }
+    }
+}
+
 void cr_str_clear(struct cr_str *str) {
     str->len = 0;
     if (str->s != NULL) {

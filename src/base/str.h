@@ -23,6 +23,8 @@ void cr_str_fill(struct cr_str *str, char c, int n); /* n times c */
 /* A field of a CSV: quoted where its text needs it; what a spreadsheet would take for a formula
  * (text that begins with = + - @, tab or CR) gets a ' before it. Not for numbers. */
 void cr_str_csv(struct cr_str *str, const char *text);
+/* Text for HTML, SVG and XML: & < > " as entities. */
+void cr_str_xml(struct cr_str *str, const char *text, size_t n);
 void cr_str_clear(struct cr_str *str); /* keeps the memory */
 void cr_str_fini(struct cr_str *str);
 /* The text, "" while empty; valid until the next change. */

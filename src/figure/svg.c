@@ -5,27 +5,6 @@
 #include <stdio.h>
 #include <string.h>
 
-static void escape(struct cr_str *out, const char *s, size_t n) {
-    for (size_t i = 0; i < n; i++) {
-        switch (s[i]) {
-        case '&':
-            cr_str_add(out, "&amp;");
-            break;
-        case '<':
-            cr_str_add(out, "&lt;");
-            break;
-        case '>':
-            cr_str_add(out, "&gt;");
-            break;
-        case '"':
-            cr_str_add(out, "&quot;");
-            break;
-        default:
-            cr_str_addn(out, s + i, 1);
-        }
-    }
-}
-
 /* to a hundredth of a point, without zeros at the end and without "-0" */
 static void number(struct cr_str *out, double x) {
     char text[40];
@@ -120,7 +99,7 @@ static void text(const struct cr_canvas *c, const struct cr_item *item, struct c
         cr_str_add(out, ")\"");
     }
     cr_str_add(out, " xml:space=\"preserve\">");
-    escape(out, c->words.s + item->from, (size_t)item->n);
+    cr_str_xml(out, c->words.s + item->from, (size_t)item->n);
     cr_str_add(out, "</text>\n");
 }
 
@@ -151,7 +130,7 @@ enum cr_err cr_canvas_svg(const struct cr_canvas *c, const char *title, bool alo
     point(out, c->w, c->h);
     cr_str_add(out, "\" font-family=\"Helvetica, Arial, Liberation Sans, sans-serif\""
                     " role=\"img\">\n<title>");
-    escape(out, title, strlen(title));
+    cr_str_xml(out, title, strlen(title));
     cr_str_add(out, "</title>\n<path d=\"M0 0H");
     number(out, c->w);
     cr_str_add(out, "V");

@@ -26,26 +26,11 @@ static const char style[] =
     "overflow-wrap:anywhere;background:#f6f6f6;padding:2mm}"
     "@media print{body{margin:0;max-width:none;padding:0}}";
 
+/* control characters have no place in a page: blanks stand for them */
 static void escape(struct cr_str *out, const char *s) {
     for (; *s != '\0'; s++) {
-        switch (*s) {
-        case '&':
-            cr_str_add(out, "&amp;");
-            break;
-        case '<':
-            cr_str_add(out, "&lt;");
-            break;
-        case '>':
-            cr_str_add(out, "&gt;");
-            break;
-        case '"':
-            cr_str_add(out, "&quot;");
-            break;
-        default: {
-            bool control = (unsigned char)*s < 32 && *s != '\n' && *s != '\t';
-            cr_str_addn(out, control ? " " : s, 1);
-        }
-        }
+        bool control = (unsigned char)*s < 32 && *s != '\n' && *s != '\t';
+        cr_str_xml(out, control ? " " : s, 1);
     }
 }
 
