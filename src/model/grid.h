@@ -16,6 +16,8 @@ struct cr_grid {
         *energy; /* [iy * nx + ix] energy that crushes all its material, J (whole vehicle) */
     double drag_slope[CR_FACES]; /* by which the depth falls beside a contact at most, per face
                                     (0: nothing is dragged along) */
+    double block[CR_FACES];      /* depth behind which the lines of a face come along as one, m; 0:
+                                    nowhere */
     double springback[CR_FACES]; /* dynamic minus residual depth of a deep crush per face, m */
 };
 

@@ -71,6 +71,7 @@ struct cr_model_face {
     double springback;         /* dynamic minus residual depth, m */
     double spread;             /* of the residual curve: it takes here what springs back, m */
     double drag_slope;         /* by which the depth falls beside a contact at most */
+    double block;              /* depth of the engine, which comes along as one, m; 0: none */
 };
 
 struct cr_model_lib;
@@ -186,9 +187,9 @@ struct cr_voxels {
     double mass_kg;    /* of the vehicle whose energies these are */
     double pdof;       /* rad, as in the query */
     struct cr_dims dims;
-    double drag_slope[CR_FACES], springback[CR_FACES]; /* as in struct cr_grid */
-    const double *fill;                                /* 0..1 */
-    const double *energy;                              /* J */
+    double drag_slope[CR_FACES], block[CR_FACES], springback[CR_FACES]; /* as in struct cr_grid */
+    const double *fill;                                                 /* 0..1 */
+    const double *energy;                                               /* J */
 };
 enum { CR_VOXELS_MAX = 50000000 };
 

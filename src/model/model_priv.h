@@ -148,7 +148,7 @@ struct cr_voxels_field {
     bool optional;
     double *at[4];
 };
-enum { CR_VOXELS_FIELDS = 16 };
+enum { CR_VOXELS_FIELDS = 17 };
 int cr_voxels_fields(struct cr_voxels *v, double count[3], struct cr_voxels_field *out);
 /* Put counts and height into place after the fields were read. */
 bool cr_voxels_counts(struct cr_voxels *v, const double count[3], struct cr_voxels_fault *fault);

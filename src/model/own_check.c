@@ -8,7 +8,7 @@
 
 int cr_voxels_fields(struct cr_voxels *v, double count[3], struct cr_voxels_field *out) {
     struct cr_dims *d = &v->dims;
-    double *slope = v->drag_slope, *s = v->springback;
+    double *slope = v->drag_slope, *b = v->block, *s = v->springback;
     const struct cr_voxels_field row[] = {
         {"edge_m", 1, 1, false, false, {&v->edge}},
         {"count", 3, 2, false, false, {&count[0], &count[1], &count[2]}},
@@ -16,6 +16,7 @@ int cr_voxels_fields(struct cr_voxels *v, double count[3], struct cr_voxels_fiel
         {"mass_kg", 1, 1, false, false, {&v->mass_kg}},
         {"pdof_deg", 1, 1, false, true, {&v->pdof}},
         {"drag_slope", 4, 4, false, true, {slope, slope + 1, slope + 2, slope + 3}},
+        {"block_m", 4, 4, false, true, {b, b + 1, b + 2, b + 3}},
         {"springback_m", 4, 4, false, true, {s, s + 1, s + 2, s + 3}},
         {"length_m", 1, 1, true, false, {&d->length}},
         {"width_m", 1, 1, true, false, {&d->width}},
@@ -113,6 +114,9 @@ bool cr_voxels_check_header(const struct cr_voxels *v, struct cr_voxels_fault *f
     for (int i = 0; i < CR_FACES; i++) {
         if (!(v->drag_slope[i] >= 0 && v->drag_slope[i] <= 100)) {
             return fail(f, CR_ERR_RANGE, "drag_slope", "slopes must be 0 to 100");
+        }
+        if (!(v->block[i] >= 0 && v->block[i] <= 10)) {
+            return fail(f, CR_ERR_RANGE, "block_m", "depths of a block must be 0 to 10 m");
         }
         if (!(v->springback[i] >= 0 && v->springback[i] <= 1)) {
             return fail(f, CR_ERR_RANGE, "springback_m", "springbacks must be 0 to 1 m");

@@ -102,6 +102,10 @@ static void read_face(struct cr_model_json *j, const cJSON *faces, const char *k
     f->springback = cr_model_json_number(j, o, "springback_m", 0, 0.6);
     f->spread = cr_model_json_number(j, o, "residual_spread_m", 0.01, 0.6);
     f->drag_slope = cr_model_json_number(j, o, "drag_slope", 0, 100);
+    f->block = 0;
+    if (cJSON_HasObjectItem(o, "block_m")) {
+        f->block = cr_model_json_number(j, o, "block_m", 0, 10);
+    }
     cr_model_json_leave(j);
 }
 

@@ -19,11 +19,20 @@ struct face {
     int lo, hi;      /* lines that the contact presses on */
 };
 
-/* slope of the structure between the lines i and i + 1 */
-static double slope_at(const struct face *f, int i) {
-    double k = f->k->m->surface.grid->drag_slope[f->face];
-    double out = fabs(2.0 * (i + 1) / f->lines.n - 1);
-    return cr_face_is_end(f->face) && out > cr_rails_share ? fmax(k, cr_beyond_rails) : k;
+/* Slope of the structure beside a line at a depth, between the lines i and i + 1. An engine is
+ * pushed along as one, and takes the wheel houses with it; they do not take it with them. */
+static double slope_at(const struct face *f, int i, bool up, double depth) {
+    const struct cr_grid *g = f->k->m->surface.grid;
+    double k = g->drag_slope[f->face], out = 2.0 * (i + 1) / f->lines.n - 1;
+    double block = g->block[f->face], beyond = fmax(k, cr_beyond_rails);
+    double in_block = block > 0 ? cr_clamp((depth - block) / cr_block_rise, 0, 1) : 0;
+    if (!cr_face_is_end(f->face)) {
+        return k;
+    }
+    if (fabs(out) <= cr_rails_share) {
+        return k * (1 - in_block);
+    }
+    return (out > 0) == up ? beyond + in_block * (k - beyond) : beyond;
 }
 
 /* How deep a place lies below the undeformed outline of the body, m. */
@@ -62,8 +71,9 @@ static void hold(struct face *f, struct cr_vec2 place, struct cr_hold *hold) {
     }
     double hidden = fmax(deep - (open + 2.5) * h, 0);
     for (int i = from; i <= to; i++) {
-        double slope =
-            i > at ? f->up + slope_at(f, i - 1) / here.in : f->down + slope_at(f, i) / here.in;
+        bool up = i > at;
+        double slope = up ? f->up : f->down;
+        slope += slope_at(f, up ? i - 1 : i, up, deep) / here.in;
         here.depth = deep - 2 * hidden - slope * fabs(i - at) * h;
         here.dragged = fabs(i - at) > 0.499; /* the contact itself is not on that line */
         hold[i] = here.depth > hold[i].depth ? here : hold[i];
@@ -107,13 +117,13 @@ static void limit_slopes(const struct face *f, struct cr_hold *l) {
     const double *o = f->k->m->surface.outline[f->face];
     double h = f->k->m->surface.grid->h;
     for (int i = f->lo; i + 1 < f->lines.n; i++) {
-        double fall = fmax(o[i] - o[i + 1], 0) + (f->up + slope_at(f, i) / l[i].in) * h;
+        double fall = fmax(o[i] - o[i + 1], 0) + (f->up + slope_at(f, i, true, l[i].depth) / l[i].in) * h;
         if (l[i].depth - fall > l[i + 1].depth) {
             l[i + 1] = (struct cr_hold){l[i].depth - fall, l[i].in, true};
         }
     }
     for (int i = f->hi; i > 0; i--) {
-        double fall = fmax(o[i] - o[i - 1], 0) + (f->down + slope_at(f, i - 1) / l[i].in) * h;
+        double fall = fmax(o[i] - o[i - 1], 0) + (f->down + slope_at(f, i - 1, false, l[i].depth) / l[i].in) * h;
         if (l[i].depth - fall > l[i - 1].depth) {
             l[i - 1] = (struct cr_hold){l[i].depth - fall, l[i].in, true};
         }
@@ -192,7 +202,7 @@ static bool drag_face(struct cr_duo *d, int side, enum cr_face face) {
         /* it comes along with the contact, and hardly faster */
         double stands = fmax(s->limit[face][i], s->first[face][i] * s->grid->h);
         double depth = fmin(line[i].depth, stands + cr_pass_most * k->advance / in);
-        if (!crush_line(&f, i, depth, slope_at(&f, i))) {
+        if (!crush_line(&f, i, depth, slope_at(&f, i, true, depth))) {
             return false;
         }
         pull_line(d, side, &f, i, line[i].depth, depth);

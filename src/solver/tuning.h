@@ -26,6 +26,8 @@ static const double cr_pass_most = 1.1;
 /* fitted: the beam of an end and what stands on it hangs together between its rails, up to this
  * share of the half width; beyond, wing and wheel house are dragged along less, by this slope. */
 static const double cr_rails_share = 0.43, cr_beyond_rails = 3;
+/* guard: depth over which an engine is met whose front is not even, m. */
+static const double cr_block_rise = 0.1;
 /* fitted: sheet metal and bars that crush each other interlock (0.55 in SMAC, up to 0.8 in staged
  * crashes): 1.0 is what leads the delta-v of the car-to-car tests; on a smooth rigid surface sheet
  * metal slides: 0.1 is what leads the fleet past the edge of a rigid barrier as in 398 tests with

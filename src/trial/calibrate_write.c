@@ -39,8 +39,12 @@ static void add_face(const struct cr_model_face *f, const char *name, struct cr_
     }
     cr_str_addf(out,
                 "      \"springback_m\": %.3g,\n      \"residual_spread_m\": %.3g,\n"
-                "      \"drag_slope\": %.3g\n    }",
+                "      \"drag_slope\": %.3g",
                 f->springback, f->spread, f->drag_slope);
+    if (f->block > 0) {
+        cr_str_addf(out, ",\n      \"block_m\": %.3g", f->block);
+    }
+    cr_str_add(out, "\n    }");
 }
 
 static void add_number(struct cr_str *out, const char *key, double x) {
