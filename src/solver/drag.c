@@ -76,6 +76,9 @@ static void hold(struct face *f, struct cr_vec2 place, struct cr_hold *hold) {
         slope += slope_at(f, up ? i - 1 : i, up, deep) / here.in;
         here.depth = deep - 2 * hidden - slope * fabs(i - at) * h;
         here.dragged = fabs(i - at) > 0.499; /* the contact itself is not on that line */
+        here.pressed = hold[i].pressed;
+        here.other = here.dragged ? fmax(here.depth, hold[i].other) : hold[i].other;
+        hold[i].other = here.other;
         hold[i] = here.depth > hold[i].depth ? here : hold[i];
     }
     f->lo = from < f->lo ? from : f->lo;
@@ -103,6 +106,11 @@ static void hold_all(const struct cr_duo *d, int side, struct face *f, struct cr
     for (int i = 0; i < k->cells; i++) {
         const struct cr_cell *c = &k->cell[i];
         double phi = s->phi[c->at];
+        if (c->met > 0) {
+            double at = cr_vec2_dot(cr_vec2_sub(c->place, f->lines.corner), f->lines.along);
+            int line = (int)cr_clamp(floor(at / s->grid->h), 0, f->lines.n - 1);
+            lines[line].pressed += c->met * fmax(1 - fabs(c->other) / s->grid->h, 0);
+        }
         if (c->met > 0 && fabs(phi) < s->grid->h) {
             struct cr_vec2 place = cr_vec2_axpy(c->place, phi, c->normal);
             hold(f, place, lines);
@@ -118,14 +126,16 @@ static void limit_slopes(const struct face *f, struct cr_hold *l) {
     double h = f->k->m->surface.grid->h;
     for (int i = f->lo; i + 1 < f->lines.n; i++) {
         double fall = fmax(o[i] - o[i + 1], 0) + (f->up + slope_at(f, i, true, l[i].depth) / l[i].in) * h;
+        l[i + 1].other = fmax(l[i + 1].other, l[i].depth - fall);
         if (l[i].depth - fall > l[i + 1].depth) {
-            l[i + 1] = (struct cr_hold){l[i].depth - fall, l[i].in, true};
+            l[i + 1] = (struct cr_hold){l[i].depth - fall, l[i].in, true, l[i + 1].pressed, l[i + 1].other};
         }
     }
     for (int i = f->hi; i > 0; i--) {
         double fall = fmax(o[i] - o[i - 1], 0) + (f->down + slope_at(f, i - 1, false, l[i].depth) / l[i].in) * h;
+        l[i - 1].other = fmax(l[i - 1].other, l[i].depth - fall);
         if (l[i].depth - fall > l[i - 1].depth) {
-            l[i - 1] = (struct cr_hold){l[i].depth - fall, l[i].in, true};
+            l[i - 1] = (struct cr_hold){l[i].depth - fall, l[i].in, true, l[i - 1].pressed, l[i - 1].other};
         }
     }
 }
@@ -164,12 +174,12 @@ static double strength_of(const struct face *f, int line, double depth) {
 
 /* Lines that are dragged to their limit pull on the contact: what of a line is taut, and how
  * far. */
-static void pull_line(struct cr_duo *d, int side, struct face *f, int line, double held,
+static void pull_line(struct cr_duo *d, int side, struct face *f, int line, const struct cr_hold *l,
                       double depth) {
     struct cr_surface *s = &f->k->m->surface;
     double *limit = &s->limit[f->face][line], h = s->grid->h;
-    *limit = fmax(*limit, depth);
-    double taut = cr_clamp(1 - (*limit - held) / h, 0, 1);
+    if (l->dragged) *limit = fmax(*limit, depth);
+    double taut = cr_clamp(1 - (*limit - l->other) / h, 0, 1) * fmax(1 - l->pressed, 0);
     d->touch->taut[side] += taut * strength_of(f, line, depth);
 }
 
@@ -188,7 +198,7 @@ static bool drag_face(struct cr_duo *d, int side, enum cr_face face) {
     f.down = fmax(-aside, 0) / in;
     f.lo = f.lines.n;
     for (int i = 0; i < f.lines.n; i++) {
-        line[i] = (struct cr_hold){.depth = -INFINITY, .in = 1};
+        line[i] = (struct cr_hold){.depth = -INFINITY, .other = -INFINITY, .in = 1};
     }
     hold_all(d, side, &f, line);
     if (f.hi < 0) {
@@ -196,7 +206,11 @@ static bool drag_face(struct cr_duo *d, int side, enum cr_face face) {
     }
     limit_slopes(&f, line);
     for (int i = 0; i < f.lines.n; i++) {
-        if (!line[i].dragged || !(line[i].depth > s->outline[face][i])) {
+        if (!(line[i].depth > s->outline[face][i])) {
+            continue;
+        }
+        if (!line[i].dragged) {
+            if (line[i].other > s->outline[face][i]) pull_line(d, side, &f, i, &line[i], line[i].other);
             continue;
         }
         /* it comes along with the contact, and hardly faster */
@@ -205,7 +219,7 @@ static bool drag_face(struct cr_duo *d, int side, enum cr_face face) {
         if (!crush_line(&f, i, depth, slope_at(&f, i, true, depth))) {
             return false;
         }
-        pull_line(d, side, &f, i, line[i].depth, depth);
+        pull_line(d, side, &f, i, &line[i], depth);
     }
     return true;
 }

@@ -92,6 +92,8 @@ struct cr_hold {
     double depth; /* m */
     double in;    /* how far what holds it looks at the face, 0..1 */
     bool dragged; /* by another line, not by the contact itself */
+    double pressed; /* share of the line's width that the contact presses on */
+    double other; /* depth to which other lines hold it, m */
 };
 
 /* A contact being worked: the record that is reported and what only the solver needs. */
