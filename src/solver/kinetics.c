@@ -63,9 +63,7 @@ bool cr_kinetics_slice(struct cr_duo *d, const struct cr_force *f) {
     struct cr_contact *c = &s->contact[t->record];
     struct cr_vec2 rel = cr_relative_velocity(d, f->coe);
     double vn = cr_vec2_dot(rel, f->normal), vf = cr_vec2_dot(rel, f->direction);
-    if (s->cs->opts.restitution_auto) {
-        c->restitution = t->restitution * cr_restitution_share(d, f);
-    }
+    cr_restitution_update(d, f);
     double mass = 1 / cr_vec2_dot(cr_impulse_compliance(d, f->coe, f->direction), f->direction);
     double work = f->energy * work_per_energy(d, f, vn, vf), most = 0.5 * mass * vf * vf;
     double whole = work < most ? mass * (vf - sqrt(vf * vf - 2 * work / mass)) : mass * vf;

@@ -16,10 +16,9 @@ void cr_touch_end(struct cr_solver *s, struct cr_touch *t);
  * one */
 double cr_touch_weight(const struct cr_duo *d, const struct cr_force *f);
 
-/* restitution.c: factor on the restitution of whole ends, 0..1, where only part of an end is
- * pressed: the energy that comes back is stored in the width that is pressed, and goes with the
- * square of the speed. */
-double cr_restitution_share(const struct cr_duo *d, const struct cr_force *f);
+/* restitution.c: closing speed along the mean normal so far, which the first slice at a corner does
+ * not know, and the coefficient of restitution by it */
+void cr_restitution_update(struct cr_duo *d, const struct cr_force *f);
 
 /* elastic.c: from plastic to elastic, or to the end where nothing comes back */
 void cr_elastic_begin(struct cr_duo *d);

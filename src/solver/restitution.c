@@ -39,7 +39,9 @@ static double width_share(const struct cr_side *k, struct cr_vec2 inward) {
     return end > 0 ? end * end_share(k, n.x < 0 ? CR_FACE_FRONT : CR_FACE_REAR) + 1 - end : 1;
 }
 
-double cr_restitution_share(const struct cr_duo *d, const struct cr_force *f) {
+/* Factor on the restitution of whole ends, 0..1, where only part of an end is pressed: the energy
+ * that comes back is stored in the width that is pressed, and goes with the square of the speed. */
+static double share_of_ends(const struct cr_duo *d, const struct cr_force *f) {
     const struct cr_contact *c = &d->s->contact[d->touch->record];
     double energy = 0, pressed = 0;
     for (int side = 0; side < 2; side++) {
@@ -49,4 +51,15 @@ double cr_restitution_share(const struct cr_duo *d, const struct cr_force *f) {
         pressed += e * width_share(k, cr_vec2_scale(f->normal, side == 0 ? -1 : 1));
     }
     return energy > 0 ? sqrt(pressed / energy) : 1;
+}
+
+void cr_restitution_update(struct cr_duo *d, const struct cr_force *f) {
+    struct cr_touch *t = d->touch;
+    struct cr_contact *c = &d->s->contact[t->record];
+    struct cr_vec2 n = cr_vec2_unit(cr_vec2_axpy(t->normal_sum, f->energy, f->normal), f->normal);
+    c->closing = fmax(cr_vec2_dot(t->met_at, n), 0);
+    if (d->s->cs->opts.restitution_auto) {
+        bool rigid = !d->ma->soft || !d->mb->soft;
+        c->restitution = cr_restitution_auto(c->closing, rigid) * share_of_ends(d, f);
+    }
 }

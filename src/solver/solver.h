@@ -65,7 +65,7 @@ struct cr_contact {
     double t_begin, t_plastic_end, t_elastic_end, t_end; /* s */
     enum cr_stop stop;
     enum cr_phase phase;    /* APART once it is over */
-    double closing;         /* approach along the normal at first touch, m/s */
+    double closing;         /* approach along the mean normal at first touch, m/s */
     double restitution;     /* used for this contact */
     double mu;              /* Coulomb friction used */
     double plastic_impulse; /* along the normal, N s */

@@ -106,7 +106,7 @@ struct cr_touch {
     bool sliding;              /* force on the edge of the friction cone */
     double taut[2];            /* force of what the contact drags along, a and b, N */
     double spent;              /* crush energy of the pair's contacts that are over, J */
-    double restitution;        /* by closing speed and kind of partner */
+    struct cr_vec2 met_at;     /* velocity of a against b at the COE when they met, m/s */
     bool rubbing;              /* this touch is too slight to count as part of the crash */
     double force;              /* along direction at the end of the plastic phase, N */
     double plastic_before;     /* plastic impulse of earlier touches of the same contact, N s */

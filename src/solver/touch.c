@@ -17,8 +17,7 @@ static bool is_rubbing(const struct cr_duo *d, const struct cr_force *f) {
 }
 
 /* A pair that has parted can touch slice after slice: that is one contact. */
-static void reopen(struct cr_solver *s, struct cr_touch *t, const struct cr_touch *old,
-                   double restitution) {
+static void reopen(struct cr_solver *s, struct cr_touch *t, const struct cr_touch *old) {
     struct cr_contact *c = &s->contact[old->last];
     t->record = t->last = old->last;
     t->moment_coe = old->moment_coe;
@@ -26,7 +25,6 @@ static void reopen(struct cr_solver *s, struct cr_touch *t, const struct cr_touc
     t->normal_sum = old->normal_sum;
     t->spent -= c->energy[0] + c->energy[1]; /* counted again at its end */
     t->plastic_before = c->plastic_impulse;
-    c->restitution = restitution;
     c->phase = CR_PHASE_PLASTIC;
     c->stop = CR_STOP_NONE;
     c->t_plastic_end = c->t_elastic_end = c->t_end = NAN;
@@ -48,9 +46,6 @@ bool cr_touch_begin(struct cr_duo *d, const struct cr_force *f) {
     }
     struct cr_touch *t = d->touch, old = *t;
     double closing = cr_force_approach(d, f);
-    const struct cr_opts *o = &s->cs->opts;
-    double e = o->restitution_auto ? cr_restitution_auto(closing, !d->ma->soft || !d->mb->soft)
-                                   : o->restitution;
     bool rubbing = is_rubbing(d, f);
     *t = (struct cr_touch){.record = s->contacts,
                            .last = s->contacts,
@@ -59,18 +54,18 @@ bool cr_touch_begin(struct cr_duo *d, const struct cr_force *f) {
                            .direction = f->direction,
                            .taut = {old.taut[0], old.taut[1]},
                            .spent = old.spent,
-                           .restitution = e,
+                           .met_at = cr_relative_velocity(d, f->coe),
                            .rubbing = rubbing};
     wake(d);
     if (t->rubbing && old.rubbing) {
-        reopen(s, t, &old, e);
+        reopen(s, t, &old);
         return true;
     }
     s->contact[s->contacts++] = (struct cr_contact){.a = d->a,
                                                     .b = d->b,
                                                     .t_begin = s->t - s->dt,
                                                     .closing = closing,
-                                                    .restitution = e,
+                                                    .restitution = s->cs->opts.restitution,
                                                     .mu = cr_force_friction(d),
                                                     .phase = CR_PHASE_PLASTIC,
                                                     .coe = f->coe,
