@@ -47,6 +47,18 @@ static double rest_depth(const struct cr_surface *s, struct cr_vec2 place) {
     return least;
 }
 
+/* a line is held at a depth by what looks at the face so far */
+static void hold_line(struct cr_hold *l, double depth, double in, bool dragged) {
+    if (dragged) {
+        l->tow = fmax(l->tow, depth);
+    }
+    if (depth > l->depth) {
+        l->depth = depth;
+        l->in = in;
+        l->dragged = dragged;
+    }
+}
+
 /* What holds the lines about a place of the contact's surface with the normal n there. A place
  * of the surface belongs to the face that it looks at, unless it is much closer to another: the
  * side of a dent in an end is no dent of the flank. One behind material that still stands in its
@@ -61,7 +73,6 @@ static void hold(struct face *f, struct cr_vec2 place, struct cr_hold *hold) {
     }
     struct cr_vec2 r = cr_vec2_sub(place, f->lines.corner);
     double at = cr_vec2_dot(r, f->lines.along) / h - 0.5, deep = cr_vec2_dot(r, f->lines.in);
-    struct cr_hold here = {.in = faces};
     int near = (int)cr_clamp(floor(at + 0.5), 0, f->lines.n - 1);
     int from = near > 0 ? near - 1 : 0, to = near + 1 < f->lines.n ? near + 1 : near;
     /* a line that the opponent covers in part is never emptied, but one beside it is */
@@ -73,13 +84,9 @@ static void hold(struct face *f, struct cr_vec2 place, struct cr_hold *hold) {
     for (int i = from; i <= to; i++) {
         bool up = i > at;
         double slope = up ? f->up : f->down;
-        slope += slope_at(f, up ? i - 1 : i, up, deep) / here.in;
-        here.depth = deep - 2 * hidden - slope * fabs(i - at) * h;
-        here.dragged = fabs(i - at) > 0.499; /* the contact itself is not on that line */
-        here.pressed = hold[i].pressed;
-        here.other = here.dragged ? fmax(here.depth, hold[i].other) : hold[i].other;
-        hold[i].other = here.other;
-        hold[i] = here.depth > hold[i].depth ? here : hold[i];
+        slope += slope_at(f, up ? i - 1 : i, up, deep) / faces;
+        bool beside = fabs(i - at) > 0.499; /* the contact itself is not on that line */
+        hold_line(&hold[i], deep - 2 * hidden - slope * fabs(i - at) * h, faces, beside);
     }
     f->lo = from < f->lo ? from : f->lo;
     f->hi = to > f->hi ? to : f->hi;
@@ -105,13 +112,14 @@ static void hold_all(const struct cr_duo *d, int side, struct face *f, struct cr
     const struct cr_surface *s = &k->m->surface;
     for (int i = 0; i < k->cells; i++) {
         const struct cr_cell *c = &k->cell[i];
-        double phi = s->phi[c->at];
-        if (c->met > 0) {
-            double at = cr_vec2_dot(cr_vec2_sub(c->place, f->lines.corner), f->lines.along);
-            int line = (int)cr_clamp(floor(at / s->grid->h), 0, f->lines.n - 1);
-            lines[line].pressed += c->met * fmax(1 - fabs(c->other) / s->grid->h, 0);
+        double phi = s->phi[c->at], h = s->grid->h;
+        if (!(c->met > 0)) {
+            continue;
         }
-        if (c->met > 0 && fabs(phi) < s->grid->h) {
+        double at = cr_vec2_dot(cr_vec2_sub(c->place, f->lines.corner), f->lines.along);
+        int line = (int)cr_clamp(floor(at / h), 0, f->lines.n - 1);
+        lines[line].pressed += c->met * fmax(1 - fabs(c->other) / h, 0);
+        if (fabs(phi) < h) {
             struct cr_vec2 place = cr_vec2_axpy(c->place, phi, c->normal);
             hold(f, place, lines);
             hold(f, edge_near(d, side, place, c->normal), lines);
@@ -125,18 +133,14 @@ static void limit_slopes(const struct face *f, struct cr_hold *l) {
     const double *o = f->k->m->surface.outline[f->face];
     double h = f->k->m->surface.grid->h;
     for (int i = f->lo; i + 1 < f->lines.n; i++) {
-        double fall = fmax(o[i] - o[i + 1], 0) + (f->up + slope_at(f, i, true, l[i].depth) / l[i].in) * h;
-        l[i + 1].other = fmax(l[i + 1].other, l[i].depth - fall);
-        if (l[i].depth - fall > l[i + 1].depth) {
-            l[i + 1] = (struct cr_hold){l[i].depth - fall, l[i].in, true, l[i + 1].pressed, l[i + 1].other};
-        }
+        double slope = f->up + slope_at(f, i, true, l[i].depth) / l[i].in;
+        double fall = fmax(o[i] - o[i + 1], 0) + slope * h;
+        hold_line(&l[i + 1], l[i].depth - fall, l[i].in, true);
     }
     for (int i = f->hi; i > 0; i--) {
-        double fall = fmax(o[i] - o[i - 1], 0) + (f->down + slope_at(f, i - 1, false, l[i].depth) / l[i].in) * h;
-        l[i - 1].other = fmax(l[i - 1].other, l[i].depth - fall);
-        if (l[i].depth - fall > l[i - 1].depth) {
-            l[i - 1] = (struct cr_hold){l[i].depth - fall, l[i].in, true, l[i - 1].pressed, l[i - 1].other};
-        }
+        double slope = f->down + slope_at(f, i - 1, false, l[i].depth) / l[i].in;
+        double fall = fmax(o[i] - o[i - 1], 0) + slope * h;
+        hold_line(&l[i - 1], l[i].depth - fall, l[i].in, true);
     }
 }
 
@@ -172,15 +176,13 @@ static double strength_of(const struct face *f, int line, double depth) {
     return (here + u * (there - here)) / s->grid->h;
 }
 
-/* Lines that are dragged to their limit pull on the contact: what of a line is taut, and how
- * far. */
-static void pull_line(struct cr_duo *d, int side, struct face *f, int line, const struct cr_hold *l,
-                      double depth) {
-    struct cr_surface *s = &f->k->m->surface;
-    double *limit = &s->limit[f->face][line], h = s->grid->h;
-    if (l->dragged) *limit = fmax(*limit, depth);
-    double taut = cr_clamp(1 - (*limit - l->other) / h, 0, 1) * fmax(1 - l->pressed, 0);
-    d->touch->taut[side] += taut * strength_of(f, line, depth);
+/* Lines that are dragged to their limit pull on the contact, as far as it does not press on them
+ * itself: what of a line is taut, and how far. */
+static void pull_line(struct cr_duo *d, int side, struct face *f, int line, struct cr_hold l) {
+    const struct cr_surface *s = &f->k->m->surface;
+    double slack = (s->limit[f->face][line] - l.tow) / s->grid->h;
+    double taut = cr_clamp(1 - slack, 0, 1) * fmax(1 - l.pressed, 0);
+    d->touch->taut[side] += taut * strength_of(f, line, l.tow);
 }
 
 static bool drag_face(struct cr_duo *d, int side, enum cr_face face) {
@@ -198,7 +200,7 @@ static bool drag_face(struct cr_duo *d, int side, enum cr_face face) {
     f.down = fmax(-aside, 0) / in;
     f.lo = f.lines.n;
     for (int i = 0; i < f.lines.n; i++) {
-        line[i] = (struct cr_hold){.depth = -INFINITY, .other = -INFINITY, .in = 1};
+        line[i] = (struct cr_hold){.depth = -INFINITY, .tow = -INFINITY, .in = 1};
     }
     hold_all(d, side, &f, line);
     if (f.hi < 0) {
@@ -206,20 +208,19 @@ static bool drag_face(struct cr_duo *d, int side, enum cr_face face) {
     }
     limit_slopes(&f, line);
     for (int i = 0; i < f.lines.n; i++) {
-        if (!(line[i].depth > s->outline[face][i])) {
+        double *limit = &s->limit[face][i];
+        if (!(line[i].tow > s->outline[face][i])) {
             continue;
         }
-        if (!line[i].dragged) {
-            if (line[i].other > s->outline[face][i]) pull_line(d, side, &f, i, &line[i], line[i].other);
-            continue;
+        if (line[i].dragged) { /* it comes along with the contact, and hardly faster */
+            double stands = fmax(*limit, s->first[face][i] * s->grid->h);
+            line[i].tow = fmin(line[i].tow, stands + cr_pass_most * k->advance / in);
+            *limit = fmax(*limit, line[i].tow);
+            if (!crush_line(&f, i, line[i].tow, slope_at(&f, i, true, line[i].tow))) {
+                return false;
+            }
         }
-        /* it comes along with the contact, and hardly faster */
-        double stands = fmax(s->limit[face][i], s->first[face][i] * s->grid->h);
-        double depth = fmin(line[i].depth, stands + cr_pass_most * k->advance / in);
-        if (!crush_line(&f, i, depth, slope_at(&f, i, true, depth))) {
-            return false;
-        }
-        pull_line(d, side, &f, i, &line[i], depth);
+        pull_line(d, side, &f, i, line[i]);
     }
     return true;
 }

@@ -4,8 +4,6 @@
 #include "solver/phases.h"
 #include "solver/record.h"
 #include "solver/tuning.h"
-#include <stdio.h>
-#include <stdlib.h>
 
 /* Largest impulse along f before what is left of the compression falls to e/(1-e) of the plastic
  * impulse so far: the plastic phase ends there (step 5), not up to a slice later. */
@@ -74,7 +72,6 @@ bool cr_kinetics_slice(struct cr_duo *d, const struct cr_force *f) {
     /* the last slice of the phase, cut short, says nothing about the force */
     t->force = lambda >= 1 || t->force <= 0 ? whole / s->dt : t->force;
     const struct cr_side *a = &s->side[0], *b = &s->side[1];
-    if (getenv("DBG")) fprintf(stderr, "%.4f c%d share %.4f Fa %.0f/%.0f taut %.0f Fb %.0f/%.0f taut %.0f Ea %.1f ind %.1f Eb %.1f ind %.1f coe %.3f %.3f n %.3f %.3f d %.3f %.3f vn %.3f F %.0f lam %.3f cells %d %d\n", s->t, t->record, a->share, a->begin, a->end, t->taut[0], b->begin, b->end, t->taut[1], a->energy, a->induced, b->energy, b->induced, f->coe.x, f->coe.y, f->normal.x, f->normal.y, f->direction.x, f->direction.y, vn, j / s->dt, lambda, a->cells, b->cells);
     return book(d, f,
                 &(struct cr_slice){.sample = s->samples,
                                    .contact = t->record,

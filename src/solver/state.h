@@ -89,11 +89,11 @@ struct cr_side {
 /* To what depth a line of a face is held by the contact, behind the edge of the grid, and how the
  * surface that holds it recedes to either side. */
 struct cr_hold {
-    double depth; /* m */
-    double in;    /* how far what holds it looks at the face, 0..1 */
-    bool dragged; /* by another line, not by the contact itself */
+    double depth;   /* m */
+    double in;      /* how far what holds it looks at the face, 0..1 */
+    bool dragged;   /* by another line, not by the contact itself */
+    double tow;     /* to what depth other lines hold it, m */
     double pressed; /* share of the line's width that the contact presses on */
-    double other; /* depth to which other lines hold it, m */
 };
 
 /* A contact being worked: the record that is reported and what only the solver needs. */

@@ -58,10 +58,10 @@ static const double cr_patch_reach = 0.75;
 static const double cr_free_stretch = 4;
 /* source: limits of the elastic phases where the force decides, s; the paper takes 5 ms. */
 static const double cr_elastic_least = 5e-3, cr_elastic_most = 0.03;
-/* source: the other end of a car that was struck off its CG slaps 50 to 250 ms later: how long
- * after a contact another touch belongs to the same crash, s, and the step in which it is looked
- * for. */
-static const double cr_horizon = 0.3, cr_probe_step = 0.01;
+/* source: definition. What touches again after this long a free flight, s, is an impact of its own:
+ * where the bodies turn, whether they do at all hangs on the last digit of the first. And the step
+ * in which it is looked for. */
+static const double cr_horizon = 0.1, cr_probe_step = 0.01;
 /* source: definition. A touch foreseen is waited for if its energy of approach is this share of the
  * crash so far, and this far from the last one, m. */
 static const double cr_strike_share = 0.003, cr_elsewhere = 0.75;
