@@ -166,8 +166,9 @@ void cr_say(struct cr_session *s, const char *fmt, ...) {
 }
 
 void cr_say_str(struct cr_session *s, const struct cr_str *line) {
+    const char *text = cr_str_get(line);
     s->lost = s->lost || line->failed;
-    cr_say(s, "%s", cr_str_get(line));
+    cr_say(s, "%s", text);
 }
 
 void cr_warn(struct cr_session *s, const char *fmt, ...) {

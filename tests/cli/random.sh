@@ -1,6 +1,6 @@
 #!/bin/sh
-# Random crashes: balances close, numbers are finite, stack with one thread, with two, and run agree.
-# tests/bench/random.py tries as many as one has time for.
+# Random crashes: balances close, numbers are finite, and a stack with one thread, with two and run
+# agree. tests/bench/random.py tries as many as one has time for.
 . "$SRC/tests/cli/cli.sh"
 python3 -c '' 2>/dev/null || {
     echo "1..0 # SKIP no python3"
