@@ -60,6 +60,10 @@ keys F5
 shows "F5 solves" "SOLVED"
 keys C-c "undo 2" Enter
 shows "undo of two" "undone: vehicle B speed=60km/h"
+shows "and the way back to what was solved" "redo 2: back to the result"
+keys F5
+shows "this scene anew" "SOLVED"
+keys C-c
 
 set -- $(find "2 Pulse")
 click "$1" "$2"
