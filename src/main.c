@@ -13,6 +13,7 @@
 
 #include <fcntl.h>
 #include <locale.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -54,7 +55,9 @@ struct word {
     const char *name;
     int (*run)(int argc, char **argv);
 };
+static int tell_help(int argc, char **argv);
 static const struct word words[] = {
+    {"help", tell_help},
     {"run", cr_cli_run},
     {"catalogue", cr_cli_catalogue},
     {"stack", cr_cli_stack},
@@ -78,6 +81,30 @@ static int print(const char *text) {
         return 2;
     }
     return 0;
+}
+
+/* "crumple help": this; "crumple help run": its options; "crumple help sweep": the command */
+static int tell_help(int argc, char **argv) {
+    static char option[] = "--help", e[] = "-e";
+    char line[300], data[4096];
+    if (argc < 2) {
+        return print(help);
+    }
+    bool completes = strcmp(argv[1], "--complete") == 0;
+    for (int i = 0; i < WORDS; i++) {
+        if (completes && strncmp(words[i].name, argv[argc - 1], strlen(argv[argc - 1])) == 0) {
+            puts(words[i].name);
+        } else if (strcmp(argv[1], words[i].name) == 0 && words[i].run != tell_help) {
+            char *asked[] = {argv[1], option, NULL};
+            return words[i].run(2, asked);
+        }
+    }
+    if (completes) {
+        return 0;
+    }
+    snprintf(line, sizeof line, "help %.200s", argv[1][0] != '-' ? argv[1] : "help");
+    char *commands[] = {argv[0], e, line, NULL};
+    return cr_repl_main(3, commands, cr_data_dir(data, sizeof data));
 }
 
 static int unknown(const char *what, const char *given) {

@@ -191,6 +191,9 @@ static enum cr_err run_statement(struct cr_session *s, const struct source *src,
                    ? cr_command_among(s->command, s->commands, name, &many)
                    : NULL;
     const struct cr_token *first = &tokens->tok[0];
+    if (call.cmd == NULL && strcmp(name, "?") == 0) { /* as telnet and gdb have taught people */
+        call.cmd = cr_command_among(s->command, s->commands, "help", NULL);
+    }
     if (first->kind == CR_TOKEN_PAIR) {
         code = cr_err_set(&err, CR_ERR_KEY, "a line begins with a command");
         if (!cr_cmd_guess_key(s, first->key, first->text, &err)) {

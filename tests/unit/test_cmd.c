@@ -538,7 +538,7 @@ static void test_sweep_is_the_same_for_any_number_of_threads(void **state) {
 /* what is hinted at is a command, and what is not is none */
 static void names_of_elsewhere(void **state) {
     (void)state;
-    static const char *const words[] = {"?", "run", "exit", "ls", "plot", "wall", "write", "clear"};
+    static const char *const words[] = {"run", "exit", "ls", "plot", "wall", "write", "clear"};
     for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
         bool many = false;
         assert_null(cr_command_find(words[i], &many));
