@@ -1,0 +1,120 @@
+/* What the readers of the formats have in common: they fill in cases, all values SI, and the
+ * framework makes scenes of them.
+ *
+ * A format is added in four steps:
+ * 1. A file src/import/NAME.c with two functions:
+ *    bool cr_import_NAME_is(const struct cr_import_head *head): whether a file is of the format, by
+ *    its first bytes (or what lies in a folder), never by its suffix alone;
+ *    enum cr_err cr_import_NAME_read(struct cr_import *im, struct cr_error *err): reads im->path.
+ * 2. A row X(NAME) in CR_FORMAT_LIST below, ahead of those that would take it too (csv is last).
+ * 3. Its file in src/import/local.mk; a library it needs behind a switch of configure.ac. Without
+ *    the library the reader still recognises the format and says what was left out of the build.
+ * 4. A sample in tests/data/import/ with the lines that come out of it (tests/cli/import.sh), a
+ *    fuzz corpus tests/fuzz/corpus/import/NAME*, a paragraph in man/crumple-import.1.
+ *
+ * A reader goes through the cases of its file like this:
+ *
+ *     if (cr_import_wants(im, id)) {
+ *         code = cr_import_begin(im, id, "pcm-17", err);     (fatal errors only: return them)
+ *         fault_code = read_case(im, &fault);                (what is wrong with this case)
+ *         code = cr_import_end(im, fault_code != CR_ERR_OK ? &fault : NULL, err);
+ *     }
+ *
+ * Within a case: cr_import_add for every participant, whose fields it fills in as far as the file
+ * knows them (NaN, CR_TYPES and "" are "not known"; never guess: the scene's own rules do that and
+ * say so); then cr_import_row for every row of its motion, in the order of time. Rows of several
+ * participants may alternate, and should where the file is long: only the last seconds before the
+ * first contact are held. A participant without rows stands or moves as its pos, heading, course
+ * and speed say. A map's "vehicles" wins over what the reader fills in.
+ *
+ * Errors name the place in the file: cr_err_place with the line, and the element, table, row or
+ * channel in the text; the hint is the way out. */
+#ifndef CR_IMPORT_READER_H
+#define CR_IMPORT_READER_H
+
+#include "import/import.h"
+#include "base/hash.h"
+#include "scene/scene.h"
+
+#include <stddef.h>
+
+struct cJSON;
+
+/* X(name): the word of --format and part of the names of its functions */
+#define CR_FORMAT_LIST(X) X(csv)
+
+/* Begin of a file, for recognition. */
+struct cr_import_head {
+    const char *path, *name; /* the whole path; its last part */
+    bool folder;
+    const char *text; /* first bytes, terminated, "" of a folder; may hold zeros */
+    size_t len;
+};
+enum { CR_IMPORT_HEAD = 65536, CR_IMPORT_PARTS_MAX = 10000 };
+
+struct cr_import {
+    const struct cr_import_opts *opts;
+    const char *path;          /* what to open */
+    const char *shown;         /* what to call it in errors */
+    const struct cJSON *map;   /* the user's map, NULL without one */
+    struct cr_import_case *at; /* the case that has begun, NULL between cases */
+    /* the rest is the framework's */
+    struct cr_import_count *count;
+    char format[CR_SOURCE_MAX];
+    char sha256[CR_HASH_SIZE]; /* of the one file, or of the lines in `files` */
+    struct cr_str files;       /* "SHA-256  name" of each */
+    int hashed;
+};
+
+/* Name of the format in `source`, "PCM v5"; set before the first case. */
+void cr_import_format(struct cr_import *im, const char *fmt, ...) CR_PRINTF(2, 3);
+
+/* A further file that belongs to the import (ERG beside its .info): its SHA-256 goes into the
+ * source. Before the first case. Errors: IO. */
+CR_MUST_CHECK enum cr_err cr_import_also(struct cr_import *im, const char *path,
+                                         struct cr_error *err);
+
+/* Whether --case asks for the case of that id, or for all. */
+bool cr_import_wants(const struct cr_import *im, const char *id);
+
+/* Begin a case: its id in the source ("" if there is only one), the name of its scene. Errors:
+ * MEMORY, INTERRUPTED. */
+CR_MUST_CHECK enum cr_err cr_import_begin(struct cr_import *im, const char *id, const char *name,
+                                          struct cr_error *err);
+/* End it: a scene is written, or an error object where fault is given or something is missing.
+ * Errors: of the output, MEMORY. */
+CR_MUST_CHECK enum cr_err cr_import_end(struct cr_import *im, const struct cr_error *fault,
+                                        struct cr_error *err);
+
+/* Add a participant to the case; valid until the case ends. id as in the source: what is not fit
+ * for an id of a scene (letters, digits, _ and -) is replaced. Errors: DUPLICATE, RANGE, MEMORY. */
+CR_MUST_CHECK enum cr_err cr_import_add(struct cr_import *im, const char *id, enum cr_kind kind,
+                                        struct cr_participant **out, struct cr_error *err);
+/* The one that was added under that id of the source, NULL if there is none. */
+struct cr_participant *cr_import_find(const struct cr_import *im, const char *id);
+
+/* A row of a participant's motion: pos is the place of the case's reference point. Its sizes count
+ * from its first row on. Rows from the first contact of outlines on are left out. Errors: RANGE
+ * (time does not rise, not finite, too many rows), MEMORY. */
+CR_MUST_CHECK enum cr_err cr_import_row(struct cr_import *im, struct cr_participant *p,
+                                        const struct cr_waypoint *row, struct cr_error *err);
+/* Whether outlines have met, so that what follows in the file is of no use. */
+bool cr_import_met(const struct cr_import *im);
+
+/* What pos and the rows of this case are places of, unless --reference says otherwise (CG). */
+void cr_import_point(struct cr_import *im, enum cr_point point);
+/* Something the user should know of how the case was read: goes into source.note. */
+void cr_import_note(struct cr_import *im, const char *fmt, ...) CR_PRINTF(2, 3);
+/* Friction of the road, if the file knows it. */
+void cr_import_road_friction(struct cr_import *im, double mu);
+/* x_ keys of the scene (x_expect ...), taken over; NULL is none. Those of a participant go as JSON
+ * text into its `extra`. */
+void cr_import_extra(struct cr_import *im, struct cJSON *object);
+
+#define X(name)                                                                                    \
+    bool cr_import_##name##_is(const struct cr_import_head *head);                                 \
+    enum cr_err cr_import_##name##_read(struct cr_import *im, struct cr_error *err);
+CR_FORMAT_LIST(X)
+#undef X
+
+#endif
