@@ -16,7 +16,7 @@ struct face {
     struct cr_lines lines;
     double up, down; /* slope of the contact where it recedes towards the next and the last line */
     double faces;    /* how far the force is on this face, 0..1 */
-    int lo, hi;      /* lines that the contact presses on */
+    bool held;       /* the contact holds any line */
 };
 
 /* Slope of the structure beside a line at a depth, between the lines i and i + 1. An engine is
@@ -47,15 +47,9 @@ static double rest_depth(const struct cr_surface *s, struct cr_vec2 place) {
     return least;
 }
 
-/* a line is held at a depth by what looks at the face so far */
-static void hold_line(struct cr_hold *l, double depth, double in, bool dragged) {
-    if (dragged) {
-        l->tow = fmax(l->tow, depth);
-    }
+static void deepen(struct cr_hold *l, double depth, double in) {
     if (depth > l->depth) {
-        l->depth = depth;
-        l->in = in;
-        l->dragged = dragged;
+        *l = (struct cr_hold){depth, in};
     }
 }
 
@@ -63,7 +57,7 @@ static void hold_line(struct cr_hold *l, double depth, double in, bool dragged) 
  * of the surface belongs to the face that it looks at, unless it is much closer to another: the
  * side of a dent in an end is no dent of the flank. One behind material that still stands in its
  * line holds nothing. */
-static void hold(struct face *f, struct cr_vec2 place, struct cr_hold *hold) {
+static void hold(struct face *f, struct cr_vec2 place, struct cr_line *line) {
     const struct cr_surface *s = &f->k->m->surface;
     double h = s->grid->h, faces = f->faces;
     double deepness = cr_vec2_dot(cr_vec2_sub(place, f->lines.corner), f->lines.in);
@@ -86,10 +80,10 @@ static void hold(struct face *f, struct cr_vec2 place, struct cr_hold *hold) {
         double slope = up ? f->up : f->down;
         slope += slope_at(f, up ? i - 1 : i, up, deep) / faces;
         bool beside = fabs(i - at) > 0.499; /* the contact itself is not on that line */
-        hold_line(&hold[i], deep - 2 * hidden - slope * fabs(i - at) * h, faces, beside);
+        struct cr_hold *held = beside ? &line[i].tow[up] : &line[i].own;
+        deepen(held, deep - 2 * hidden - slope * fabs(i - at) * h, faces);
     }
-    f->lo = from < f->lo ? from : f->lo;
-    f->hi = to > f->hi ? to : f->hi;
+    f->held = true;
 }
 
 /* The edge of the opponent's surface if one lies within a voxel of a place on it: a voxel's depth
@@ -107,7 +101,7 @@ static struct cr_vec2 edge_near(const struct cr_duo *d, int side, struct cr_vec2
 }
 
 /* the places on the surface of the contact, and its edges */
-static void hold_all(const struct cr_duo *d, int side, struct face *f, struct cr_hold *lines) {
+static void hold_all(const struct cr_duo *d, int side, struct face *f, struct cr_line *lines) {
     const struct cr_side *k = f->k;
     const struct cr_surface *s = &k->m->surface;
     for (int i = 0; i < k->cells; i++) {
@@ -127,20 +121,18 @@ static void hold_all(const struct cr_duo *d, int side, struct face *f, struct cr
     }
 }
 
-/* No slope is too steep: a pass up and a pass down the lines. What drags a line hands on to the
- * next how its own surface recedes. */
-static void limit_slopes(const struct face *f, struct cr_hold *l) {
+/* No slope is too steep: a pass up or down the lines. What tows a line hands on to the next how its
+ * own surface recedes, and nothing tows itself. */
+static void limit_slopes(const struct face *f, struct cr_line *line, bool up) {
     const double *o = f->k->m->surface.outline[f->face];
     double h = f->k->m->surface.grid->h;
-    for (int i = f->lo; i + 1 < f->lines.n; i++) {
-        double slope = f->up + slope_at(f, i, true, l[i].depth) / l[i].in;
-        double fall = fmax(o[i] - o[i + 1], 0) + slope * h;
-        hold_line(&l[i + 1], l[i].depth - fall, l[i].in, true);
-    }
-    for (int i = f->hi; i > 0; i--) {
-        double slope = f->down + slope_at(f, i - 1, false, l[i].depth) / l[i].in;
-        double fall = fmax(o[i] - o[i - 1], 0) + slope * h;
-        hold_line(&l[i - 1], l[i].depth - fall, l[i].in, true);
+    for (int n = 0; n + 1 < f->lines.n; n++) {
+        int i = up ? n : f->lines.n - 1 - n, next = up ? i + 1 : i - 1;
+        struct cr_hold from = line[i].own;
+        deepen(&from, line[i].tow[up].depth, line[i].tow[up].in);
+        double slope = up ? f->up : f->down;
+        slope += slope_at(f, up ? i : next, up, from.depth) / from.in;
+        deepen(&line[next].tow[up], from.depth - fmax(o[i] - o[next], 0) - slope * h, from.in);
     }
 }
 
@@ -178,18 +170,19 @@ static double strength_of(const struct face *f, int line, double depth) {
 
 /* Lines that are dragged to their limit pull on the contact, as far as it does not press on them
  * itself: what of a line is taut, and how far. */
-static void pull_line(struct cr_duo *d, int side, struct face *f, int line, struct cr_hold l) {
+static void pull_line(struct cr_duo *d, int side, struct face *f, int line, double tow,
+                      double pressed) {
     const struct cr_surface *s = &f->k->m->surface;
-    double slack = (s->limit[f->face][line] - l.tow) / s->grid->h;
-    double taut = cr_clamp(1 - slack, 0, 1) * fmax(1 - l.pressed, 0);
-    d->touch->taut[side] += taut * strength_of(f, line, l.tow);
+    double slack = (s->limit[f->face][line] - tow) / s->grid->h;
+    double taut = cr_clamp(1 - slack, 0, 1) * fmax(1 - pressed, 0);
+    d->touch->taut[side] += taut * strength_of(f, line, tow);
 }
 
 static bool drag_face(struct cr_duo *d, int side, enum cr_face face) {
     struct cr_side *k = &d->s->side[side];
     const struct cr_surface *s = &k->m->surface;
-    struct face f = {.k = k, .face = face, .lines = cr_surface_lines(s->grid, face), .hi = -1};
-    struct cr_hold *line = d->s->hold;
+    struct face f = {.k = k, .face = face, .lines = cr_surface_lines(s->grid, face)};
+    struct cr_line *line = d->s->line;
     struct cr_vec2 n = cr_vec2_unit(k->pressure, cr_vec2(0, 0));
     double in = cr_vec2_dot(n, f.lines.in), aside = cr_vec2_dot(n, f.lines.along);
     f.faces = cr_clamp((in - 0.5) / 0.25, 0, 1);
@@ -198,29 +191,30 @@ static bool drag_face(struct cr_duo *d, int side, enum cr_face face) {
     }
     f.up = fmax(aside, 0) / in;
     f.down = fmax(-aside, 0) / in;
-    f.lo = f.lines.n;
     for (int i = 0; i < f.lines.n; i++) {
-        line[i] = (struct cr_hold){.depth = -INFINITY, .tow = -INFINITY, .in = 1};
+        const struct cr_hold none = {-INFINITY, 1};
+        line[i] = (struct cr_line){.own = none, .tow = {none, none}};
     }
     hold_all(d, side, &f, line);
-    if (f.hi < 0) {
+    if (!f.held) {
         return true;
     }
-    limit_slopes(&f, line);
+    limit_slopes(&f, line, true);
+    limit_slopes(&f, line, false);
     for (int i = 0; i < f.lines.n; i++) {
-        double *limit = &s->limit[face][i];
-        if (!(line[i].tow > s->outline[face][i])) {
+        double *limit = &s->limit[face][i], tow = fmax(line[i].tow[0].depth, line[i].tow[1].depth);
+        if (!(tow > s->outline[face][i])) {
             continue;
         }
-        if (line[i].dragged) { /* it comes along with the contact, and hardly faster */
+        if (tow > line[i].own.depth) { /* it comes along with the contact, and hardly faster */
             double stands = fmax(*limit, s->first[face][i] * s->grid->h);
-            line[i].tow = fmin(line[i].tow, stands + cr_pass_most * k->advance / in);
-            *limit = fmax(*limit, line[i].tow);
-            if (!crush_line(&f, i, line[i].tow, slope_at(&f, i, true, line[i].tow))) {
+            tow = fmin(tow, stands + cr_pass_most * k->advance / in);
+            *limit = fmax(*limit, tow);
+            if (!crush_line(&f, i, tow, slope_at(&f, i, true, tow))) {
                 return false;
             }
         }
-        pull_line(d, side, &f, i, line[i]);
+        pull_line(d, side, &f, i, tow, line[i].pressed);
     }
     return true;
 }

@@ -79,19 +79,27 @@ static bool strikes(struct cr_duo *d) {
     return cr_touch_weight(d, &f) > (here ? cr_rubbing_here : cr_strike_share);
 }
 
-/* Time until any two bodies strike again if they fly on freely, infinite beyond the cr_horizon. */
+/* how long after the last contact a pair is waited for, s */
+static double patience(const struct cr_duo *d) {
+    bool fixed = d->ma->inv_mass == 0 && d->mb->inv_mass == 0;
+    return fixed ? 0 : d->touch->spent > 0 ? cr_again : cr_horizon;
+}
+
+/* Time until any two bodies strike if they fly on freely, infinite where that is too late to belong
+ * to this crash. */
 static double touch_ahead(struct cr_solver *s) {
     struct cr_snapshot now;
     remember(s, &now);
     long visits = s->visits;
     double ahead = INFINITY;
-    for (int k = 1; k * cr_probe_step <= cr_horizon && isinf(ahead); k++) {
+    double since = s->t - s->t_struck;
+    for (int k = 1; since + k * cr_probe_step <= cr_horizon && isinf(ahead); k++) {
         fly(s, cr_probe_step);
         for (int a = 0; a < s->cs->n; a++) {
             for (int b = a + 1; b < s->cs->n; b++) {
                 struct cr_duo d = cr_duo(s, a, b);
-                bool fixed = d.ma->inv_mass == 0 && d.mb->inv_mass == 0;
-                ahead = !fixed && strikes(&d) ? fmin(ahead, k * cr_probe_step) : ahead;
+                bool in_time = since + k * cr_probe_step <= patience(&d);
+                ahead = in_time && strikes(&d) ? fmin(ahead, k * cr_probe_step) : ahead;
             }
         }
     }
@@ -121,7 +129,7 @@ static void look_ahead(struct cr_solver *s) {
         remember(s, s->freed);
     }
     if (s->t >= s->t_look) {
-        double ahead = s->t - s->t_struck < cr_horizon ? touch_ahead(s) : (double)INFINITY;
+        double ahead = touch_ahead(s);
         s->t_look = s->t + ahead + cr_probe_step;
         s->done = isinf(ahead);
     }

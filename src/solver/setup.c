@@ -98,9 +98,9 @@ static bool new_scratch(struct cr_solver *s) {
         longest = g->nx > longest ? g->nx : longest;
         longest = g->ny > longest ? g->ny : longest;
     }
-    s->hold = cr_arena_take(&s->arena, (size_t)longest, sizeof *s->hold);
+    s->line = cr_arena_take(&s->arena, (size_t)longest, sizeof *s->line);
     s->freed = cr_arena_take(&s->arena, 1, sizeof *s->freed);
-    return s->hold != NULL && s->freed != NULL;
+    return s->line != NULL && s->freed != NULL;
 }
 
 /* the bodies of a checked case in their places; NULL when memory is out */

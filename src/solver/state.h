@@ -86,13 +86,15 @@ struct cr_side {
     double weight;         /* sum of strength, N */
 };
 
-/* To what depth a line of a face is held by the contact, behind the edge of the grid, and how the
- * surface that holds it recedes to either side. */
+/* To what depth a line of a face is held, behind the edge of the grid, m, and how far what holds it
+ * looks at the face, 0..1. */
 struct cr_hold {
-    double depth;   /* m */
-    double in;      /* how far what holds it looks at the face, 0..1 */
-    bool dragged;   /* by another line, not by the contact itself */
-    double tow;     /* to what depth other lines hold it, m */
+    double depth, in;
+};
+
+/* What holds a line: the contact itself, the line before and the line behind it. */
+struct cr_line {
+    struct cr_hold own, tow[2];
     double pressed; /* share of the line's width that the contact presses on */
 };
 
@@ -139,7 +141,7 @@ struct cr_solver {
     struct cr_arena arena;
     struct cr_moving m[CR_BODY_MAX];
     struct cr_side side[2]; /* of the pair being worked */
-    struct cr_hold *hold;   /* scratch of drag.c, one entry a line of the longest face */
+    struct cr_line *line;   /* scratch of drag.c, one entry a line of the longest face */
     struct cr_touch touch[CR_PAIR_MAX];
     double t, dt, dt_contact;
     bool touched;    /* some contact has begun */

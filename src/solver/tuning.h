@@ -58,10 +58,10 @@ static const double cr_patch_reach = 0.75;
 static const double cr_free_stretch = 4;
 /* source: limits of the elastic phases where the force decides, s; the paper takes 5 ms. */
 static const double cr_elastic_least = 5e-3, cr_elastic_most = 0.03;
-/* source: definition. What touches again after this long a free flight, s, is an impact of its own:
- * where the bodies turn, whether they do at all hangs on the last digit of the first. And the step
- * in which it is looked for. */
-static const double cr_horizon = 0.1, cr_probe_step = 0.01;
+/* source: definition. How long after the last contact bodies that have not met yet are waited for,
+ * s: a pile-up is one crash. Those that have parted are waited for less: where they turn, whether
+ * they slap at all later than that hangs on the last digit. And the step in which it is looked. */
+static const double cr_horizon = 0.3, cr_again = 0.1, cr_probe_step = 0.01;
 /* source: definition. A touch foreseen is waited for if its energy of approach is this share of the
  * crash so far, and this far from the last one, m. */
 static const double cr_strike_share = 0.003, cr_elsewhere = 0.75;
