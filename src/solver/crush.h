@@ -30,7 +30,7 @@ bool cr_crush_voxel(struct cr_side *k, int voxel, int at, double phi, struct cr_
 void cr_crush_settle(struct cr_duo *d, double lambda);
 
 /* drag.c: what lies beside the contact is dragged along (induced deformation); added to the losses
- * of crush[side]. False when memory is out. */
-bool cr_drag_along(struct cr_duo *d, int side);
+ * of both sides. False when memory is out. */
+bool cr_drag_along(struct cr_duo *d);
 
 #endif

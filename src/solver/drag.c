@@ -16,7 +16,9 @@ struct face {
     struct cr_lines lines;
     double up, down; /* slope of the contact where it recedes towards the next and the last line */
     double faces;    /* how far the force is on this face, 0..1 */
+    double in;       /* cosine of the force with the way inward */
     bool held;       /* the contact holds any line */
+    struct cr_line *line;
 };
 
 /* Slope of the structure beside a line at a depth, between the lines i and i + 1. An engine is
@@ -57,7 +59,7 @@ static void deepen(struct cr_hold *l, double depth, double in) {
  * of the surface belongs to the face that it looks at, unless it is much closer to another: the
  * side of a dent in an end is no dent of the flank. One behind material that still stands in its
  * line holds nothing. */
-static void hold(struct face *f, struct cr_vec2 place, struct cr_line *line) {
+static void hold(struct face *f, struct cr_vec2 place) {
     const struct cr_surface *s = &f->k->m->surface;
     double h = s->grid->h, faces = f->faces;
     double deepness = cr_vec2_dot(cr_vec2_sub(place, f->lines.corner), f->lines.in);
@@ -80,7 +82,7 @@ static void hold(struct face *f, struct cr_vec2 place, struct cr_line *line) {
         double slope = up ? f->up : f->down;
         slope += slope_at(f, up ? i - 1 : i, up, deep) / faces;
         bool beside = fabs(i - at) > 0.499; /* the contact itself is not on that line */
-        struct cr_hold *held = beside ? &line[i].tow[up] : &line[i].own;
+        struct cr_hold *held = beside ? &f->line[i].tow[up] : &f->line[i].own;
         deepen(held, deep - 2 * hidden - slope * fabs(i - at) * h, faces);
     }
     f->held = true;
@@ -101,7 +103,7 @@ static struct cr_vec2 edge_near(const struct cr_duo *d, int side, struct cr_vec2
 }
 
 /* the places on the surface of the contact, and its edges */
-static void hold_all(const struct cr_duo *d, int side, struct face *f, struct cr_line *lines) {
+static void hold_all(const struct cr_duo *d, int side, struct face *f) {
     const struct cr_side *k = f->k;
     const struct cr_surface *s = &k->m->surface;
     for (int i = 0; i < k->cells; i++) {
@@ -112,18 +114,19 @@ static void hold_all(const struct cr_duo *d, int side, struct face *f, struct cr
         }
         double at = cr_vec2_dot(cr_vec2_sub(c->place, f->lines.corner), f->lines.along);
         int line = (int)cr_clamp(floor(at / h), 0, f->lines.n - 1);
-        lines[line].pressed += c->met * fmax(1 - fabs(c->other) / h, 0);
+        f->line[line].pressed += c->met * fmax(1 - fabs(c->other) / h, 0);
         if (fabs(phi) < h) {
             struct cr_vec2 place = cr_vec2_axpy(c->place, phi, c->normal);
-            hold(f, place, lines);
-            hold(f, edge_near(d, side, place, c->normal), lines);
+            hold(f, place);
+            hold(f, edge_near(d, side, place, c->normal));
         }
     }
 }
 
 /* No slope is too steep: a pass up or down the lines. What tows a line hands on to the next how its
  * own surface recedes, and nothing tows itself. */
-static void limit_slopes(const struct face *f, struct cr_line *line, bool up) {
+static void limit_slopes(const struct face *f, bool up) {
+    struct cr_line *line = f->line;
     const double *o = f->k->m->surface.outline[f->face];
     double h = f->k->m->surface.grid->h;
     for (int n = 0; n + 1 < f->lines.n; n++) {
@@ -178,56 +181,74 @@ static void pull_line(struct cr_duo *d, int side, struct face *f, int line, doub
     d->touch->taut[side] += taut * strength_of(f, line, tow);
 }
 
-static bool drag_face(struct cr_duo *d, int side, enum cr_face face) {
+/* What the contact holds of a face, and what tows each of its lines; nothing is crushed yet. */
+static struct face find_tow(struct cr_duo *d, int side, enum cr_face face, struct cr_line *line) {
     struct cr_side *k = &d->s->side[side];
     const struct cr_surface *s = &k->m->surface;
-    struct face f = {.k = k, .face = face, .lines = cr_surface_lines(s->grid, face)};
-    struct cr_line *line = d->s->line;
+    struct face f = {.k = k, .face = face, .lines = cr_surface_lines(s->grid, face), .line = line};
     struct cr_vec2 n = cr_vec2_unit(k->pressure, cr_vec2(0, 0));
-    double in = cr_vec2_dot(n, f.lines.in), aside = cr_vec2_dot(n, f.lines.along);
-    f.faces = cr_clamp((in - 0.5) / 0.25, 0, 1);
+    double aside = cr_vec2_dot(n, f.lines.along);
+    f.in = cr_vec2_dot(n, f.lines.in);
+    f.faces = cr_clamp((f.in - 0.5) / 0.25, 0, 1);
     if (!(s->grid->drag_slope[face] > 0) || !(f.faces > 0) || f.lines.n < 2) {
-        return true;
+        return f;
     }
-    f.up = fmax(aside, 0) / in;
-    f.down = fmax(-aside, 0) / in;
+    f.up = fmax(aside, 0) / f.in;
+    f.down = fmax(-aside, 0) / f.in;
     for (int i = 0; i < f.lines.n; i++) {
         const struct cr_hold none = {-INFINITY, 1};
         line[i] = (struct cr_line){.own = none, .tow = {none, none}};
     }
-    hold_all(d, side, &f, line);
-    if (!f.held) {
-        return true;
+    hold_all(d, side, &f);
+    if (f.held) {
+        limit_slopes(&f, true);
+        limit_slopes(&f, false);
     }
-    limit_slopes(&f, line, true);
-    limit_slopes(&f, line, false);
-    for (int i = 0; i < f.lines.n; i++) {
-        double *limit = &s->limit[face][i], tow = fmax(line[i].tow[0].depth, line[i].tow[1].depth);
-        if (!(tow > s->outline[face][i])) {
+    return f;
+}
+
+static bool tow_face(struct cr_duo *d, int side, struct face *f) {
+    struct cr_side *k = f->k;
+    const struct cr_surface *s = &k->m->surface;
+    for (int i = 0; i < f->lines.n; i++) {
+        const struct cr_line *l = &f->line[i];
+        double *limit = &s->limit[f->face][i], tow = fmax(l->tow[0].depth, l->tow[1].depth);
+        if (!(tow > s->outline[f->face][i])) {
             continue;
         }
-        if (tow > line[i].own.depth) { /* it comes along with the contact, and hardly faster */
-            double stands = fmax(*limit, s->first[face][i] * s->grid->h);
-            tow = fmin(tow, stands + cr_pass_most * k->advance / in);
+        if (tow > l->own.depth) { /* it comes along with the contact, and hardly faster */
+            double stands = fmax(*limit, s->first[f->face][i] * s->grid->h);
+            tow = fmin(tow, stands + cr_pass_most * k->advance / f->in);
             *limit = fmax(*limit, tow);
-            if (!crush_line(&f, i, tow, slope_at(&f, i, true, tow))) {
+            if (!crush_line(f, i, tow, slope_at(f, i, true, tow))) {
                 return false;
             }
         }
-        pull_line(d, side, &f, i, tow, line[i].pressed);
+        pull_line(d, side, f, i, tow, l->pressed);
     }
     return true;
 }
 
-bool cr_drag_along(struct cr_duo *d, int side) {
-    struct cr_side *k = &d->s->side[side];
-    double before = k->energy;
-    d->touch->taut[side] = 0;
-    for (int f = 0; f < CR_FACES && k->m->soft && k->cells > 0; f++) {
-        if (!drag_face(d, side, f)) {
-            return false;
-        }
+bool cr_drag_along(struct cr_duo *d) {
+    struct face face[2][CR_FACES];
+    /* all are looked at before any is crushed: the order of bodies and faces does not matter */
+    for (int n = 0; n < 2 * CR_FACES; n++) {
+        int side = n / CR_FACES, f = n % CR_FACES;
+        const struct cr_side *k = &d->s->side[side];
+        face[side][f] = k->m->soft && k->cells > 0
+                            ? find_tow(d, side, f, d->s->line + n * d->s->longest)
+                            : (struct face){.held = false};
     }
-    k->induced += k->energy - before;
+    for (int side = 0; side < 2; side++) {
+        struct cr_side *k = &d->s->side[side];
+        double before = k->energy;
+        d->touch->taut[side] = 0;
+        for (int f = 0; f < CR_FACES; f++) {
+            if (face[side][f].held && !tow_face(d, side, &face[side][f])) {
+                return false;
+            }
+        }
+        k->induced += k->energy - before;
+    }
     return true;
 }

@@ -98,7 +98,8 @@ static bool new_scratch(struct cr_solver *s) {
         longest = g->nx > longest ? g->nx : longest;
         longest = g->ny > longest ? g->ny : longest;
     }
-    s->line = cr_arena_take(&s->arena, (size_t)longest, sizeof *s->line);
+    s->longest = longest;
+    s->line = cr_arena_take(&s->arena, 2 * CR_FACES * (size_t)longest, sizeof *s->line);
     s->freed = cr_arena_take(&s->arena, 1, sizeof *s->freed);
     return s->line != NULL && s->freed != NULL;
 }

@@ -75,7 +75,7 @@ static bool crush_pair(struct cr_duo *d, bool *deformed) {
     }
     bool ok = begun || begin_contact(d, &f);
     if (ok && d->s->cs->opts.induced) {
-        ok = cr_drag_along(d, 0) && cr_drag_along(d, 1);
+        ok = cr_drag_along(d);
         f.energy = d->s->side[0].energy + d->s->side[1].energy;
     }
     if (!ok) {

@@ -141,7 +141,8 @@ struct cr_solver {
     struct cr_arena arena;
     struct cr_moving m[CR_BODY_MAX];
     struct cr_side side[2]; /* of the pair being worked */
-    struct cr_line *line;   /* scratch of drag.c, one entry a line of the longest face */
+    struct cr_line *line;   /* scratch of drag.c: [2][CR_FACES][longest] */
+    int longest;            /* lines of the longest face */
     struct cr_touch touch[CR_PAIR_MAX];
     double t, dt, dt_contact;
     bool touched;    /* some contact has begun */
