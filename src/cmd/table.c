@@ -169,6 +169,14 @@ static const struct cr_arg set_args[] = {
 
 static const struct cr_arg no_args[] = {END};
 
+static const struct cr_arg check_args[] = {
+    OPTION("WHAT", CR_VALUE_WORD, .words = "robust",
+           .help = "solve the solved scene again with grid, time slice, place (1 mm) and mass "
+                   "(0.5 %) nudged, and tell how far each number moves"),
+    KEY("solves", CR_VALUE_COUNT, .lo = 3, .hi = 100, .def = "8", .help = "how often"),
+    END,
+};
+
 static const struct cr_arg solve_args[] = {
     KEY("until", CR_VALUE_TIME, .dim = CR_DIM_TIME, .unit = "ms", .lo = 0, .hi = 60000,
         .words = "compression|end", .def = "end",
@@ -446,8 +454,10 @@ static const struct cr_command commands[] = {
     {ROW(new, SCENE, new_args, "begin an empty scene (undo brings the old one back)"),
      .example = {"new", "new offset"}, .see = "load undo"},
 
-    {ROW(check, SOLVE, no_args, "tell what is missing or doubtful, with the command that mends it"),
-     .example = {"check", "check"}, .setup = PAIR_SETUP, .see = "solve"},
+    {ROW(check, SOLVE, check_args,
+         "tell what is missing or doubtful, with the command that mends it; robust: what hangs on "
+         "chance"),
+     .example = {"check", "check robust solves=3"}, .setup = SOLVED, .see = "solve mc"},
     {ROW(solve, SOLVE, solve_args, "compute the crash"), .example = {"solve", "solve --step"},
      .setup = PAIR_SETUP, .see = "show table explain"},
     {ROW(explain, SOLVE, explain_args,

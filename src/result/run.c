@@ -304,6 +304,7 @@ void cr_result_free(struct cr_result *result) {
         free(result->of[i].outline);
     }
     free(result->impact);
+    free(result->robust);
     if (result->solver) {
         cr_solver_free(result->solver);
         cr_compiled_fini(&result->compiled);

@@ -32,6 +32,14 @@ has "a mass in lb is doubted" "$out" '"implausible"'
 has "with the guess" "$out" 'mass 3300 is far from .*if it is in lb it is 1497'
 run run "$demo"
 same "plausible masses are not" "$(printf '%s' "$out" | grep -c '"implausible"')" 0
+run run --check 3 "$tmp/wall.json"
+has "--check tells the spread of each number" "$out" '"spread_percent"'
+has "and how often it solved" "$out" '"solves":[[:space:]]*3'
+run run --check 3 -f text "$tmp/wall.json"
+has "in text too" "$out" 'Robustness'
+run run --check 1 "$tmp/wall.json"
+same "one solve more tells nothing" "$status" 2
+has "and says so" "$errs" 'check.*3..100'
 cat >"$tmp/objects.json" <<'JSON'
 { "crumple": 1, "participants": [
   { "id": "W", "kind": "object", "shape": "wall", "position_m": [0, 0] },
