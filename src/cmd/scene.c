@@ -49,6 +49,7 @@ static enum cr_err say_keys(struct cr_call *call, const char *id, struct cr_erro
             }
             const char *text = cr_str_get(assumes && known ? &value : &given);
             double x = strtod(text, NULL);
+            s->lost = s->lost || given.failed || value.failed;
             if (key->type == CR_KEY_NUMBER && strcmp(text, "auto") != 0 && !cr_tolerance_is(text)) {
                 cr_say(s, "%-10s %.5g %s%s", arg->name, x, key->unit, assumes ? "  (assumed)" : "");
             } else {
@@ -153,7 +154,7 @@ static enum cr_err say_car(struct cr_call *call, const struct cr_participant *p,
     cr_car_name(car, &line);
     cr_str_addf(&line, ": %.0f kg kerb + %.0f driver, %.3f x %.3f m (%s)", car->curb, CR_CAR_DRIVER,
                 car->length, car->width, car->source);
-    cr_say(call->s, "%s", cr_str_get(&line));
+    cr_say_str(call->s, &line);
     cr_str_fini(&line);
     return CR_ERR_OK;
 }

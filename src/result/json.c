@@ -76,7 +76,7 @@ static bool put_input(const struct cr_result *r, const struct cr_result_opts *op
         cr_str_fini(&s);
     }
     if (r->irf_hash[0] != '\0' && opts->version != 1) {
-        cJSON_AddStringToObject(input, "irf_sha256", r->irf_hash);
+        cr_tree_text(input, "irf_sha256", r->irf_hash);
     }
     if (!put_origin(r, input)) {
         return false;
