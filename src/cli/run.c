@@ -23,6 +23,13 @@ struct run_options {
     struct cr_cli_budget budget;
 };
 
+#define CHECK_OPTION(n)                                                                            \
+    {                                                                                              \
+        .name = "check", .arg = "N", .number = (n), .lo = CR_ROBUST_LEAST, .hi = CR_ROBUST_MOST,   \
+        .help = "solve N times more with grid, time slice, place and mass nudged, and tell how "   \
+                "far each number moves"                                                            \
+    }
+
 static const char about[] =
     "Solves one scene (- reads it from standard input) and writes the result to standard\n"
     "output. Exit status: 0 solved; 2 usage or file system; 3 the scene is invalid; 4 the\n"
@@ -140,13 +147,7 @@ int cr_cli_run(int argc, char **argv) {
          .arg = PER,
          .number = &opt.per,
          .help = "rows of the CSV: one per participant (default), or per impact and participant"},
-        {.name = "check",
-         .arg = "N",
-         .number = &opt.check,
-         .lo = CR_ROBUST_LEAST,
-         .hi = CR_ROBUST_MOST,
-         .help = "solve N times more with grid, time slice, place and mass nudged, and tell how "
-                 "far each number moves"},
+        CHECK_OPTION(&opt.check),
         CR_CLI_VERSION_OPTION(&opt.version),
         {.name = "output",
          .letter = 'o',
