@@ -112,7 +112,9 @@ static double next(uint64_t *state) {
     return (double)(z >> 11) / 4503599627370496.0 - 1;
 }
 
+/* a place of its own, else it would be put back */
 static void move(struct cr_participant *p, struct cr_vec2 by) {
+    cr_scene_unplace(p);
     p->pos = cr_vec2_add(p->pos, by);
     for (int i = 0; i < p->waypoints; i++) {
         p->waypoint[i].pos = cr_vec2_add(p->waypoint[i].pos, by);

@@ -43,6 +43,10 @@ static const char *const method_words[] = {"extended", "paper"};
 static const char *const end_words[] = {"separation", "rest"};
 static const char *const kind_words[] = {"vehicle", "object"};
 static const char *const shape_words[] = {"wall", "pole", "box", "polygon"};
+static const char *const how_words[] = {"facing", "behind", "beside", "hitting"};
+static const char *const side_words[] = {"left", "right", "centre", "front", "rear", "auto"};
+static const char *const at_words[] = {"front-axle", "A-pillar", "B-pillar", "rear-axle",
+                                       "cg",         "middle",   "auto"};
 static const char *const type_words[] = {
 #define X(name, word) word,
     CR_TYPE_LIST(X)
@@ -99,6 +103,12 @@ static const struct cr_key settings_keys[] = {
            model.face[i].a, "CRASH3 A of the " word),                                              \
         NUMBER("model.stiffness." word ".B_N_per_m2", V, 0, "N/m2", STIFFNESS_B, 1000, 1e8, 0,     \
                model.face[i].b, "CRASH3 B of the " word)
+
+#define PLACE_WORD(n, f, list, text)                                                               \
+    {                                                                                              \
+        ROW("place." n, CR_KEY_WORD, ANY, 0, IN(cr_participant, place.f), text),                   \
+            .words = list, .aux = COUNT(list)                                                      \
+    }
 
 /* Ranges are wide enough for a quadricycle and a loaded lorry; they catch slips of unit and of the
  * decimal point. Objects may be anything from a post to a building. */
@@ -177,6 +187,23 @@ static const struct cr_key participant_keys[] = {
            "counter-clockwise"),
     OTHER("trajectory", TRAJECTORY, ANY, 0, "", NUMBER, 0, 0, waypoint,
           "rows that are followed until the first contact, instead of position and speed"),
+    {ROW("place.against", CR_KEY_TEXT, ANY, 0, IN(cr_participant, place.against),
+         "participant that it stands against; position and heading then follow from that"),
+     .aux = CR_NAME_MAX},
+    PLACE_WORD("how", how, how_words,
+               "front to front, front at the rear, flank to flank, front at "
+               "the side (or side at a pole)"),
+    PLACE_WORD("side", side, side_words, "half of the other that is met, or side that is struck"),
+    NUMBER("place.overlap_percent", ANY, 0, "%", NUMBER, 1, 100, 100, place.overlap,
+           "lateral overlap, of the narrower width"),
+    PLACE_WORD("at", at, at_words, "named place along the struck side"),
+    NUMBER("place.at_m", ANY, 0, "m", LENGTH, 0, 30, NAN, place.at_m,
+           "place along the struck side, behind the front end, instead of a named one"),
+    NUMBER("place.angle_deg", ANY, 0, "deg", ANGLE, -360, 360, NAN, place.angle,
+           "turned counter-clockwise about the first touch; a flank at a pole: from the heading to "
+           "the direction of travel"),
+    NUMBER("place.gap_m", ANY, 0, "m", LENGTH, 0, 500, 0, place.gap,
+           "free distance before the first touch"),
 };
 
 #define WAY(n, u, d, l, h, f, text)                                                                \
@@ -260,7 +287,8 @@ const struct cr_key *cr_scene_key_find(enum cr_key_table table, const char *name
 
 /* the key of an inner object that the rest of a name begins with, as a text of its own */
 static const char *group_word(const char *rest, size_t len) {
-    static const char *const groups[] = {"cg", "model", "stiffness", "front", "side", "rear"};
+    static const char *const groups[] = {"cg",   "model", "stiffness", "front",
+                                         "side", "rear",  "place"};
     for (size_t g = 0; g < COUNT(groups); g++) {
         if (strlen(groups[g]) == len && strncmp(groups[g], rest, len) == 0) {
             return groups[g];

@@ -215,9 +215,6 @@ static enum cr_err resolve_part(struct cr_reader *r, struct cr_participant *p,
                      p->car[0] != '\0' ? "/car" : "");
         }
     }
-    if (isnan(p->course) && p->waypoints == 0) {
-        p->course = p->heading;
-    }
     return code == CR_ERR_OK ? cr_scene_part_check(r, p) : code;
 }
 
@@ -258,6 +255,15 @@ enum cr_err cr_scene_resolve(struct cr_scene *scene, const struct cr_model_lib *
             assumed->mass_spread[i] = a.mass_spread;
         }
         cr_scene_leave(&r, up);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_scene_stand(scene, lib, err);
+    }
+    for (int i = 0; i < scene->n; i++) { /* it drives where it looks */
+        struct cr_participant *p = &scene->part[i];
+        if (isnan(p->course) && p->waypoints == 0) {
+            p->course = p->heading;
+        }
     }
     return code;
 }

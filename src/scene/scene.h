@@ -82,6 +82,37 @@ struct cr_settings {
     struct cr_tolerances tolerances;
 };
 
+/* How a participant stands against another. The relation is kept; position and heading beside it
+ * are what followed from it last (cr_scene_settle). */
+enum cr_place_rel { CR_PLACE_FACING, CR_PLACE_BEHIND, CR_PLACE_BESIDE, CR_PLACE_HITTING };
+enum cr_place_side {
+    CR_SIDE_LEFT,
+    CR_SIDE_RIGHT,
+    CR_SIDE_CENTRE,
+    CR_SIDE_FRONT,
+    CR_SIDE_REAR,
+    CR_SIDE_AUTO /* by the relation */
+};
+enum cr_place_at {
+    CR_AT_FRONT_AXLE,
+    CR_AT_A_PILLAR,
+    CR_AT_B_PILLAR,
+    CR_AT_REAR_AXLE,
+    CR_AT_CG,
+    CR_AT_MIDDLE,
+    CR_AT_AUTO /* by the relation */
+};
+struct cr_stand {
+    char against[CR_NAME_MAX]; /* id of the other one; "": it stands by its own position */
+    enum cr_place_rel how;
+    enum cr_place_side side; /* which half of the other is met, or which of its sides */
+    double overlap;          /* 0..1 of the narrower width */
+    enum cr_place_at at;     /* where along the struck flank; at_m counts where it is given */
+    double at_m;             /* m behind the front end, NaN: not given */
+    double angle;            /* rad counter-clockwise about the first touch, NaN: the relation's */
+    double gap;              /* m */
+};
+
 enum cr_kind { CR_KIND_VEHICLE, CR_KIND_OBJECT };
 enum cr_object { CR_OBJECT_WALL, CR_OBJECT_POLE, CR_OBJECT_BOX, CR_OBJECT_POLYGON };
 enum cr_model_kind { CR_MODEL_TYPE, CR_MODEL_FILE, CR_MODEL_STIFFNESS };
@@ -109,6 +140,7 @@ struct cr_participant {
     struct cr_vec2 pos;           /* CG of a vehicle, reference point of an object, m */
     double heading, course;       /* rad; course NaN: the heading */
     double speed, yaw_rate;       /* m/s, rad/s */
+    struct cr_stand place;        /* against another: pos and heading follow from it */
     int waypoints;                /* > 0: instead of pos, heading, speed */
     struct cr_waypoint *waypoint; /* owned */
     /* vehicle */
@@ -285,7 +317,6 @@ int cr_scene_outline(const struct cr_participant *part, struct cr_vec2 *out, int
  * overlap_side. Flanks: `along` says where. `angle` turns it about the point of first touch,
  * counter-clockwise, before it is brought together. A trajectory of `part` is dropped; its speed
  * and course are kept. Errors: NAME, RANGE, MISSING (dimensions). */
-enum cr_place_rel { CR_PLACE_FACING, CR_PLACE_BEHIND, CR_PLACE_BESIDE, CR_PLACE_HITTING };
 struct cr_place {
     enum cr_place_rel rel;
     enum cr_face side; /* of the other participant (facing: front, behind: rear) */
@@ -298,5 +329,12 @@ struct cr_place {
 };
 CR_MUST_CHECK enum cr_err cr_scene_place(struct cr_scene *scene, const char *id, const char *other,
                                          const struct cr_place *how, struct cr_error *err);
+bool cr_scene_is_placed(const struct cr_participant *p); /* against another */
+void cr_scene_unplace(struct cr_participant *p);         /* it stays where it is, by itself */
+/* Put all that stand against another where they belong by now, in a scene that is not resolved;
+ * cr_scene_resolve does the same in its own. Errors: those of cr_scene_resolve; NAME for a circle
+ * or nobody, RANGE. */
+CR_MUST_CHECK enum cr_err cr_scene_settle(struct cr_scene *scene, const struct cr_model_lib *lib,
+                                          struct cr_error *err);
 
 #endif

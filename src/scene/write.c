@@ -98,6 +98,9 @@ static bool differs(const struct cr_key *key, const struct cr_participant *part,
 static bool wanted(const struct cr_participant *part, const struct cr_participant *blank,
                    const struct cr_key *key, bool given, bool all) {
     bool follows = part->waypoints > 0;
+    if (strncmp(key->name, "place.", 6) == 0 && !cr_scene_is_placed(part)) {
+        return false;
+    }
     if (key->type == CR_KEY_PAIR && follows) {
         return false;
     }
