@@ -179,8 +179,7 @@ int cr_cli_run(int argc, char **argv) {
     if (status >= 0) {
         return status;
     }
-    if (cr_cli_check_pictures(&opt.pictures, &err) != CR_ERR_OK) {
-        return cr_cli_fail(&err);
-    }
-    return run(argv[1], &opt, &err) == CR_ERR_OK ? 0 : cr_cli_fail(&err);
+    enum cr_err code = cr_cli_check_pictures(&opt.pictures, &err);
+    code = code == CR_ERR_OK ? run(argv[1], &opt, &err) : code;
+    return code == CR_ERR_OK ? 0 : cr_cli_fail(&err);
 }
