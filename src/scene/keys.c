@@ -42,15 +42,11 @@
 static const char *const method_words[] = {"extended", "paper"};
 static const char *const end_words[] = {"separation", "rest"};
 static const char *const kind_words[] = {"vehicle", "object"};
-<<<<<<< HEAD
-static const char *const shape_words[] = {"wall", "pole", "box", "polygon"};
+static const char *const shape_words[] = {"wall", "pole", "box", "polygon", "barrier"};
 static const char *const how_words[] = {"facing", "behind", "beside", "hitting"};
 static const char *const side_words[] = {"left", "right", "centre", "front", "rear", "auto"};
 static const char *const at_words[] = {"front-axle", "A-pillar", "B-pillar", "rear-axle",
                                        "cg",         "middle",   "auto"};
-=======
-static const char *const shape_words[] = {"wall", "pole", "box", "polygon", "barrier"};
->>>>>>> main
 static const char *const type_words[] = {
 #define X(name, word) word,
     CR_TYPE_LIST(X)

@@ -239,30 +239,19 @@ static void table_schema(struct build *b, cJSON *properties, enum cr_key_table t
 }
 
 /* position and motion, or a trajectory; what has no mass does not move */
-<<<<<<< HEAD
-static void motion_rules(struct build *b, cJSON *to, bool vehicle) {
+static void motion_rules(struct build *b, cJSON *to, bool has_mass) {
     static const char *const rivals[] = {"position_m", "heading_deg",    "course_deg",
                                          "speed_kmh",  "yaw_rate_deg_s", "place"};
-=======
-static void motion_rules(struct build *b, cJSON *to, bool has_mass) {
-    static const char *const rivals[] = {"position_m", "heading_deg", "course_deg", "speed_kmh",
-                                         "yaw_rate_deg_s"};
->>>>>>> main
     cJSON *all = array(b, to, "allOf"), *one = object(b, all, NULL);
     text(b, array(b, object(b, one, "if"), "required"), NULL, "trajectory");
     cJSON *then = object(b, object(b, one, "then"), "properties");
     for (size_t i = 0; i < sizeof rivals / sizeof rivals[0]; i++) {
         add(b, then, rivals[i], cJSON_CreateBool(0));
     }
-<<<<<<< HEAD
     cJSON *either = array(b, object(b, one, "else"), "anyOf");
     text(b, array(b, object(b, either, NULL), "required"), NULL, "position_m");
     text(b, array(b, object(b, either, NULL), "required"), NULL, "place");
-    if (vehicle) {
-=======
-    text(b, array(b, object(b, one, "else"), "required"), NULL, "position_m");
     if (has_mass) {
->>>>>>> main
         return;
     }
     cJSON *two = object(b, all, NULL);
