@@ -237,6 +237,19 @@ enum cr_err cr_cmd_picture_text(struct cr_session *s, int width, int height,
 /* The selected vehicle's 3D model from `view` (enum cr_project). */
 enum cr_err cr_cmd_project(struct cr_session *s, int view, struct cr_error *err);
 
+/* ---- help (help_text.c, glossary.c) ---- */
+
+/* Adds text that begins at column `first` (further lines at `indent`), folded at 78 columns, and a
+ * newline; whether a text (NULL: none) has a word in it, in any case. */
+void cr_help_fold(struct cr_str *out, const char *text, int first, int indent);
+bool cr_help_contains(const char *text, const char *word);
+/* Tell what a term of the field means, "units" or "glossary"; false for what is none. */
+bool cr_glossary_say(struct cr_session *s, const char *word);
+/* Tell all terms whose text has the word in it; how many. */
+int cr_glossary_search(struct cr_session *s, const char *word);
+/* Name i and its title, NULL after the last (for completion). */
+const char *cr_glossary_name(int i, const char **title);
+
 /* ---- handlers ---- */
 
 #define CR_CMD_LIST(X)                                                                             \

@@ -60,6 +60,8 @@ static const struct cr_arg vehicle_args[] = {
     KEY_OF("brake", "brake", V),
     KEY_OF("steer", "steer_deg", V),
     KEY_OF("locked", "locked", V),
+    KEY_OF("brakeafter", "brake_after.deceleration_mps2", V),
+    KEY_OF("reaction", "brake_after.reaction_s", V),
     KEY_OF("friction", "friction", V),
     FLAG("remove", .help = "take it out of the scene"),
     END,
@@ -154,6 +156,11 @@ static const struct cr_arg set_args[] = {
     KEY_OF("road", "road_friction", 0),
     KEY_OF("elastic", "elastic_ms", 0),
     KEY_OF("end", "end", 0),
+    KEY_OF("slope", "slope_percent", 0),
+    KEY_OF("downhill", "downhill_deg", 0),
+    KEY_OF("rolling", "rolling_resistance", 0),
+    KEY_OF("surface", "surface.vertices_m", 0),
+    KEY_OF("road2", "surface.friction", 0),
     KEY_OF("induced", "induced", 0),
     KEY_OF("heights", "heights", 0),
     KEY_OF("dive", "dive", 0),
@@ -414,7 +421,9 @@ static const struct cr_arg copy_args[] = {
 };
 
 static const struct cr_arg help_args[] = {
-    OPTION("COMMAND", CR_VALUE_COMMAND, .help = "a command; without one all are listed"),
+    OPTION("COMMAND", CR_VALUE_COMMAND,
+           .help = "a command, a term (pdof, olc, cdc), units or glossary; without one all "
+                   "commands are listed"),
     END,
 };
 
@@ -535,9 +544,9 @@ static const struct cr_command commands[] = {
      .setup = PAIR_SETUP "undo 2\n", .see = "undo"},
     {ROW(history, SELF, history_args, "list the lines typed so far"),
      .example = {"history", "history 10"}, .see = "undo"},
-    {ROW(help, SELF, help_args, "list the commands, or explain one"),
-     .example = {"help", "help place"}, .see = "apropos"},
-    {ROW(apropos, SELF, apropos_args, "find commands by a word of their help"),
+    {ROW(help, SELF, help_args, "list the commands, or explain one, or a term of the field"),
+     .example = {"help pdof", "help place"}, .see = "apropos"},
+    {ROW(apropos, SELF, apropos_args, "find commands and terms by a word of their help"),
      .example = {"apropos speed", "apropos overlap"}, .see = "help"},
     {ROW(quit, SELF, no_args, "end the session; ! without asking"), .example = {"quit", "quit!"},
      .flags = CR_CMD_FORCE, .see = "save"},

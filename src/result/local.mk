@@ -25,6 +25,7 @@ libresult_a_SOURCES = \
 	src/result/run.c \
 	src/result/signal.c src/result/signal.h \
 	src/result/trace.c \
+	src/result/trajectory.c \
 	src/result/warn.c
 libresult_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)
 irfdir = $(pkgdatadir)/irf

@@ -91,6 +91,18 @@ static const struct cr_key settings_keys[] = {
          "length of the elastic compression, and of the restitution, or auto from the force"),
      RANGED("ms", TIME, 0.1, 100), .def = {NAN, 5}, .aux = IN(cr_settings, elastic_auto)},
     WORD("end", 0, cr_settings, end, end_words, "where the solve ends"),
+    SETTING("slope_percent", "%", NUMBER, 0, 50, 0, 0, slope, "fall of the road, m per 100 m"),
+    SETTING("downhill_deg", "deg", ANGLE, -360, 360, 0, 0, downhill,
+            "where the road falls to, counter-clockwise from x"),
+    {ROW("rolling_resistance", CR_KEY_NUMBER, 0, 0, IN(cr_settings, rolling),
+         "share of the load that rolling takes, or auto: 0.01, and 0.05 from 1 s after a contact "
+         "on "
+         "(an engine in gear)"),
+     RANGED("", NUMBER, 0, 0.5), .def = {NAN, NAN}, .aux = IN(cr_settings, rolling_auto)},
+    SETTING("surface.friction", "", NUMBER, 0, 2, NAN, NAN, patch_friction,
+            "friction of the tyres on a second surface, a polygon on the road"),
+    {ROW("surface.vertices_m", CR_KEY_VERTICES, 0, 0, IN(cr_settings, patch), "its corners"),
+     RANGED("m", LENGTH, -1e5, 1e5), .aux = IN(cr_settings, patch_vertices)},
     SWITCH("induced", 1, 0, induced, "induced deformation beside the contact"),
     SWITCH("heights", 1, 0, heights, "only the heights in which both partners have material meet"),
     SWITCH("dive", 1, 0, dive, "braking lowers the bumper, which shifts the heights that meet"),
@@ -174,8 +186,9 @@ static const struct cr_key participant_keys[] = {
     NUMBER("radius_m", CR_FOR_POLE, CR_FOR_POLE, "m", LENGTH, 0.01, 50, NAN, radius, "of the pole"),
     NUMBER("edge_radius_m", CR_FOR_BOX, 0, "m", LENGTH, 0, 50, 0, edge_radius,
            "of its upright edges"),
-    OTHER("vertices_m", VERTICES, CR_FOR_POLYGON, CR_FOR_POLYGON, "m", LENGTH, -1000, 1000, vertex,
-          "corners about its position"),
+    {ROW("vertices_m", CR_KEY_VERTICES, CR_FOR_POLYGON, CR_FOR_POLYGON, IN(cr_participant, vertex),
+         "corners about its position"),
+     RANGED("m", LENGTH, -1000, 1000), .aux = IN(cr_participant, vertices)},
     NUMBER("friction", ANY, 0, "", NUMBER, 0, 2, NAN, friction,
            "of its surface instead of the setting"),
     OTHER("position_m", PAIR, ANY, ANY, "m", LENGTH, -1e5, 1e5, pos,
@@ -193,6 +206,10 @@ static const struct cr_key participant_keys[] = {
     {ROW("place.against", CR_KEY_TEXT, ANY, 0, IN(cr_participant, place.against),
          "participant that it stands against; position and heading then follow from that"),
      .aux = CR_NAME_MAX},
+    NUMBER("brake_after.deceleration_mps2", V, 0, "m/s2", ACCELERATION, 0, 12, 0, brake_after,
+           "braking after the contact, as far as the road gives it"),
+    NUMBER("brake_after.reaction_s", V, 0, "s", TIME, 0, 30, 1, reaction,
+           "from so long after its first contact on: the driver's reaction"),
     PLACE_WORD("how", how, how_words,
                "front to front, front at the rear, flank to flank, front at "
                "the side (or side at a pole)"),
@@ -291,8 +308,8 @@ const struct cr_key *cr_scene_key_find(enum cr_key_table table, const char *name
 
 /* the key of an inner object that the rest of a name begins with, as a text of its own */
 static const char *group_word(const char *rest, size_t len) {
-    static const char *const groups[] = {"cg",   "model", "stiffness", "front",
-                                         "side", "rear",  "place"};
+    static const char *const groups[] = {"cg",   "model", "stiffness", "front",      "side",
+                                         "rear", "place", "surface",   "brake_after"};
     for (size_t g = 0; g < COUNT(groups); g++) {
         if (strlen(groups[g]) == len && strncmp(groups[g], rest, len) == 0) {
             return groups[g];

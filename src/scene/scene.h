@@ -75,6 +75,12 @@ struct cr_settings {
     double elastic;       /* s */
     bool elastic_auto;    /* as long as the force at the end of the plastic phase asks for */
     enum cr_end end;
+    double slope, downhill; /* fall of the road as tangent, and where to, rad */
+    double rolling;         /* resistance, share of the load */
+    bool rolling_auto;      /* that of free wheels, and later of an engine in gear */
+    double patch_friction;  /* NaN: no second surface */
+    int patch_vertices;
+    struct cr_vec2 patch[CR_VERTEX_MAX];
     /* what the profiles switch, each settable alone; -1: as the method says */
     int induced, heights, dive, residual_curve;
     /* which of the above were given in the file, so that saving gives back the same file */
@@ -157,6 +163,7 @@ struct cr_participant {
     struct cr_model_choice model;
     double brake[CR_WHEELS], steer[CR_WHEELS]; /* 0..1, rad: front left, front right, rear l, r */
     bool locked[CR_WHEELS];
+    double brake_after, reaction; /* m/s2 from so many s after its first contact on */
     /* object */
     enum cr_object shape;
     double radius, edge_radius;

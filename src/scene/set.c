@@ -76,8 +76,9 @@ static enum cr_err find_part_key(struct cr_scene *scene, const char *name, const
 static enum cr_err find_target(struct cr_scene *scene, const char *name, struct target *t,
                                struct cr_error *err) {
     const char *dot = strchr(name, '.');
-    enum cr_err code =
-        dot != NULL ? find_part_key(scene, name, dot, t, err) : find_setting(scene, name, t, err);
+    const struct cr_key *inner = cr_scene_key_find(CR_KEYS_SETTINGS, name, 0);
+    enum cr_err code = dot != NULL && inner == NULL ? find_part_key(scene, name, dot, t, err)
+                                                    : find_setting(scene, name, t, err);
     if (code == CR_ERR_OK) {
         int n;
         t->bit = (int)(t->key - cr_scene_keys(t->table, &n));

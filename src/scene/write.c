@@ -147,7 +147,7 @@ static bool put_settings(cJSON *json, const struct cr_scene *scene, bool all) {
     for (int i = 0; i < n && done; i++) {
         bool given = (scene->set.given >> i & 1) != 0;
         if ((given || all) && cr_scene_value_known(&row[i], &scene->set)) {
-            done = put(settings, row[i].name, cr_scene_value_write(&row[i], &scene->set));
+            done = put_path(settings, row[i].name, cr_scene_value_write(&row[i], &scene->set));
         }
     }
     return done;
