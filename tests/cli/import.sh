@@ -26,4 +26,5 @@ refused() {
 }
 
 . "$SRC/tests/cli/import_csv.sh"
+. "$SRC/tests/cli/import_pcm.sh"
 finish
