@@ -3,6 +3,7 @@ libimport_a_SOURCES = \
 	src/import/case.c \
 	src/import/contact.c \
 	src/import/csv.c \
+	src/import/edr.c \
 	src/import/folder.c \
 	src/import/import.c src/import/import.h src/import/import_priv.h \
 	src/import/output.c \

@@ -43,6 +43,7 @@ struct cJSON;
 /* X(name): the word of --format and part of the names of its functions */
 #define CR_FORMAT_LIST(X)                                                                          \
     X(pcm)                                                                                         \
+    X(edr)                                                                                         \
     X(csv)
 
 /* Begin of a file, for recognition. */

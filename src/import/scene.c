@@ -74,7 +74,10 @@ static enum cr_err add_objects(struct cr_import *im, struct cr_error *err) {
          o = o->next) {
         struct cr_participant *p;
         if (cr_import_find(im, o->string) == NULL) {
-            code = cr_import_add(im, o->string, CR_KIND_OBJECT, &p, err);
+            const char *kind = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(o, "kind"));
+            bool vehicle = kind != NULL && strcmp(kind, "vehicle") == 0;
+            code =
+                cr_import_add(im, o->string, vehicle ? CR_KIND_VEHICLE : CR_KIND_OBJECT, &p, err);
         }
     }
     return code;
