@@ -63,6 +63,7 @@ static enum cr_err need_two(const struct cr_import *im, struct cr_error *err) {
     cr_err_set(err, CR_ERR_MISSING, "a crash needs two participants, the case has %s",
                c->parts == 0 ? "none" : c->part[0]->source_id);
     cr_err_place(err, im->shown, 0, 0);
+    cr_err_hint(err, "a map adds others: \"objects\", see crumple-import(1)");
     return CR_ERR_MISSING;
 }
 

@@ -27,4 +27,5 @@ refused() {
 
 . "$SRC/tests/cli/import_csv.sh"
 . "$SRC/tests/cli/import_pcm.sh"
+. "$SRC/tests/cli/import_edr.sh"
 finish
