@@ -61,8 +61,11 @@ has "others install by way of sudo" "$log" \
 
 # one that has all that is needed, but whose apt-get knows none of what can be left out
 mkdir "$tmp/poor"
-printf '#!/bin/sh\necho "apt-get $*" >>"$LOG"\ncase $* in *gsl*|*nlopt*|*expat*) exit 100 ;; esac\n' \
-    >"$tmp/poor/apt-get"
+cat >"$tmp/poor/apt-get" <<'END'
+#!/bin/sh
+echo "apt-get $*" >>"$LOG"
+case $* in *gsl* | *nlopt* | *expat*) exit 100 ;; esac
+END
 chmod +x "$tmp/poor/apt-get"
 on "bare root poor" build
 has "it goes on without what cannot be had" "$out" 'going on without.*: libgsl-dev libnlopt-dev'

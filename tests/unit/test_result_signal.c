@@ -233,8 +233,10 @@ static void recorder_with_a_late_trigger(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(units_stand_in_the_names),    cmocka_unit_test(forms_of_csv),
-        cmocka_unit_test(faults_have_a_place),         cmocka_unit_test(pulse_against_itself),
+        cmocka_unit_test(units_stand_in_the_names),
+        cmocka_unit_test(forms_of_csv),
+        cmocka_unit_test(faults_have_a_place),
+        cmocka_unit_test(pulse_against_itself),
         cmocka_unit_test(velocities_are_compared_too),
         cmocka_unit_test(recorder_with_a_late_trigger),
     };
