@@ -18,7 +18,7 @@ static enum cr_err vary_all(const struct searched *d, int n, const double *value
                             struct cr_state *state, struct cr_error *err) {
     enum cr_err code = CR_ERR_OK;
     for (int i = 0; i < n && code == CR_ERR_OK; i++) {
-        code = cr_vary_apply(state, &d->var[i], value[i], d->models, err);
+        code = cr_vary_apply(state, &d->var[i], value[i], err);
     }
     return code == CR_ERR_OK ? cr_vary_settle(state, d->models, err) : code;
 }
@@ -179,7 +179,8 @@ enum cr_err cr_cmd_fit(struct cr_call *call, struct cr_error *err) {
     if (code != CR_ERR_OK) {
         return code;
     }
-    const struct cr_context ctx = {.models = s->models};
+    const struct cr_context ctx = {
+        .models = s->models, .max_bytes = cr_work_max_bytes(s), .max_seconds = s->opts.max_seconds};
     s->solving = true;
     cr_work_begin(s);
     code = cr_fit_run(&study, &evidence, &opts, &ctx, &fit, err);

@@ -29,6 +29,10 @@ static enum cr_err say_groups(const struct cr_field_table *field, struct cr_str 
             say_row(out, cr_field_kind_word((enum cr_field_kind)k), &r);
         }
     }
+    if (code == CR_ERR_OK) {
+        code = cr_field_result(field, CR_FIELD_OFFSET, -1, &r, err);
+        say_row(out, "front < 60 % wide", &r);
+    }
     for (int t = 0; t < CR_TYPES && code == CR_ERR_OK; t++) {
         code = cr_field_result(field, -1, t, &r, err);
         if (code == CR_ERR_OK && r.own.n > 0) {
@@ -186,6 +190,10 @@ enum cr_err cr_field_json(const struct cr_field_table *field, const struct cr_fi
             add_summary(summary, cr_field_kind_word((enum cr_field_kind)k), &r);
         }
     }
+    if (code == CR_ERR_OK) {
+        code = cr_field_result(field, CR_FIELD_OFFSET, -1, &r, err);
+        add_summary(summary, "front-offset", &r);
+    }
     cJSON *types = cr_tree_object(root, "types");
     for (int t = 0; t < CR_TYPES && code == CR_ERR_OK; t++) {
         code = cr_field_result(field, -1, t, &r, err);
@@ -205,7 +213,8 @@ enum cr_err cr_field_csv(const struct cr_field_table *field, struct cr_str *out,
     cr_str_add(out, "case,line,kind,type,face,recorder_kmh,damage_kmh,winsmash_kmh\n");
     for (int i = 0; i < field->n; i++) {
         const struct cr_field_row *r = &field->row[i];
-        cr_str_addf(out, "%s,%d,%s,%s,%s,%.4g,%.4g,", r->name, r->line, cr_field_kind_word(r->kind),
+        cr_str_csv(out, r->name);
+        cr_str_addf(out, ",%d,%s,%s,%s,%.4g,%.4g,", r->line, cr_field_kind_word(r->kind),
                     cr_type_word(r->what.car[0].p->type), cr_crush_face_word(r->what.car[0].m.face),
                     cr_kmh(r->measured), cr_kmh(r->value));
         if (!isnan(r->winsmash)) {
