@@ -212,7 +212,8 @@ static bool tow_face(struct cr_duo *d, int side, struct face *f) {
     const struct cr_surface *s = &k->m->surface;
     for (int i = 0; i < f->lines.n; i++) {
         const struct cr_line *l = &f->line[i];
-        double *limit = &s->limit[f->face][i], tow = fmax(l->tow[0].depth, l->tow[1].depth);
+        bool up = l->tow[1].depth >= l->tow[0].depth; /* from which side it is towed most */
+        double *limit = &s->limit[f->face][i], tow = l->tow[up].depth;
         if (!(tow > s->outline[f->face][i])) {
             continue;
         }
@@ -220,7 +221,7 @@ static bool tow_face(struct cr_duo *d, int side, struct face *f) {
             double stands = fmax(*limit, s->first[f->face][i] * s->grid->h);
             tow = fmin(tow, stands + cr_pass_most * k->advance / f->in);
             *limit = fmax(*limit, tow);
-            if (!crush_line(f, i, tow, slope_at(f, i, true, tow))) {
+            if (!crush_line(f, i, tow, slope_at(f, up ? i - 1 : i, up, tow))) {
                 return false;
             }
         }
