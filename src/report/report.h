@@ -3,6 +3,7 @@
 #ifndef CR_REPORT_REPORT_H
 #define CR_REPORT_REPORT_H
 
+#include "figure/pictures.h"
 #include "report/document.h"
 #include "report/validity.h"
 #include "result/result.h"
@@ -32,6 +33,7 @@ struct cr_report_source {
     const struct cr_mc *mc; /* NULL: no draws were made, and why: */
     const char *no_mc;
     const struct cr_validity *validity; /* NULL: not compared */
+    const struct cr_face_measured *measured; /* [participants] crush as measured; NULL: none */
     int variants;
     const struct cr_variant *variant;
 };
