@@ -124,7 +124,7 @@ struct cr_session {
     struct cr_compiled *compiled; /* of compiled_rev, NULL: none */
     struct cr_view view;
     struct cr_sweep *sweep;
-    struct cr_mc *mc; /* the last draws, NULL: none */
+    struct cr_mc *mc;               /* the last draws, NULL: none */
     struct cr_damage_notes *damage; /* measured, NULL: none */
     struct cr_pulse_shown *pulse;   /* what the pane of the pulse shows, NULL: |a| of all */
     void (*pulse_free)(struct cr_pulse_shown *pulse); /* of its owner */

@@ -177,8 +177,8 @@ void cr_picture_profile_span(const struct cr_result *r, int body, double *from, 
     const struct cr_severity *of = &r->of[body];
     const struct cr_grid *g = &r->compiled.cs.body[body].grid;
     struct cr_vec2 centre = cr_vec2(g->x0 + g->nx * g->h / 2, g->y0 + g->ny * g->h / 2);
-    double middle = cr_face_is_end(of->face) ? centre.y - of->profile_middle
-                                             : of->profile_middle - centre.x;
+    double middle =
+        cr_face_is_end(of->face) ? centre.y - of->profile_middle : of->profile_middle - centre.x;
     *from = middle - 0.5 * of->profile_width;
     *to = middle + 0.5 * of->profile_width;
 }

@@ -43,14 +43,14 @@ struct cr_face_measured {
 
 /* What they are made of. */
 struct cr_picture_source {
-    const struct cr_result *result;     /* NULL: not solved */
-    const struct cr_scene *scene;       /* without a result: resolved */
-    const struct cr_compiled *compiled; /* likewise */
-    const struct cr_model_lib *models;  /* of the 3D models */
-    const struct cr_irf_set *irf;       /* of the risk curves */
-    struct cr_scene_view view;          /* of the scene; time NaN: after the crash */
-    int body;                           /* of damage, 3D models, risk; -1: the first vehicle */
-    enum cr_quantity quantity;          /* of the pulse; CR_QUANTITIES: |a| */
+    const struct cr_result *result;          /* NULL: not solved */
+    const struct cr_scene *scene;            /* without a result: resolved */
+    const struct cr_compiled *compiled;      /* likewise */
+    const struct cr_model_lib *models;       /* of the 3D models */
+    const struct cr_irf_set *irf;            /* of the risk curves */
+    struct cr_scene_view view;               /* of the scene; time NaN: after the crash */
+    int body;                                /* of damage, 3D models, risk; -1: the first vehicle */
+    enum cr_quantity quantity;               /* of the pulse; CR_QUANTITIES: |a| */
     const struct cr_face_measured *measured; /* crush beside the computed; NULL: none, and of
                                                 another face it is left out */
     struct cr_figure_words words;

@@ -57,8 +57,7 @@ static enum cr_err charts(struct cr_paper *p, int body, int measure, const struc
     struct cr_figure_words words = words_of(p);
     for (int chart = CR_MC_HISTOGRAM; chart <= CR_MC_TORNADO; chart++) {
         struct cr_canvas *c;
-        enum cr_err code =
-            cr_mc_chart(p->s->mc, (enum cr_mc_chart)chart, &plot, &words, &c, err);
+        enum cr_err code = cr_mc_chart(p->s->mc, (enum cr_mc_chart)chart, &plot, &words, &c, err);
         if (code == CR_ERR_OK) {
             cr_doc_figure(p->doc, c, caption[chart]);
         } else if (code != CR_ERR_MISSING) { /* what does not scatter has no picture */
@@ -207,7 +206,10 @@ static void validity_tables(struct cr_paper *p, const struct cr_validity *v) {
 void cr_section_validity(struct cr_paper *p) {
     cr_doc_add(p->doc, CR_BLOCK_HEADING, W(p, "10 Validity"));
     for (int i = 0; i < p->r->warnings; i++) {
-        cr_doc_addf(p->doc, CR_BLOCK_WARNING, "%s", p->r->warning[i]);
+        struct cr_str text = {0};
+        cr_warning_words(p->s->lang, p->r->warning[i], &text);
+        cr_doc_addf(p->doc, CR_BLOCK_WARNING, "%s", cr_str_get(&text));
+        cr_str_fini(&text);
     }
     if (p->r->warnings == 0) {
         cr_doc_add(p->doc, CR_BLOCK_TEXT, W(p, "The program gave no warning on this crash."));

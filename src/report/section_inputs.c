@@ -23,10 +23,14 @@ static const char *assumed_from(const struct cr_paper *p, const char *key) {
 }
 
 /* given, or taken from a file, a row of the catalogue, a rule, the program */
-static const char *origin_of(struct cr_paper *p, const char *assumed, bool given) {
+static const char *origin_of(struct cr_paper *p, const struct cr_key *key, const char *assumed,
+                             bool given) {
     if (assumed != NULL) {
         return assumed[0] != '\0' ? cr_doc_text(p->doc, W(p, "catalogue: %s"), assumed)
                                   : W(p, "assumed: from type and mass");
+    }
+    if (!given && strcmp(key->name, "mass_kg") == 0) { /* else it would be assumed */
+        return W(p, "kerb mass and load");
     }
     bool imported = p->r->scene.source[CR_SOURCE_FILE][0] != '\0';
     return !given ? W(p, "the program's default") : imported ? W(p, "imported") : W(p, "given");
@@ -57,9 +61,8 @@ static void value_row(struct cr_paper *p, const char *id, const struct cr_key *k
         /* of a list the commas separate */
         const char *text = cr_str_get(&value);
         text = text[0] == '[' ? text : cr_doc_text(p->doc, "%s", text);
-        struct cr_doc_row *row =
-            ROW(p, key->name, text, key->unit != NULL ? key->unit : "", half,
-                origin_of(p, assumed, given));
+        struct cr_doc_row *row = ROW(p, key->name, text, key->unit != NULL ? key->unit : "", half,
+                                     origin_of(p, key, assumed, given));
         if (row != NULL) {
             row->marked = assumed != NULL;
         }
@@ -99,9 +102,13 @@ static void imported(struct cr_paper *p) {
     }
     cr_doc_table(p->doc, 2);
     HEAD(p, W(p, "Imported from"), "");
-    for (int i = 0; i < CR_SOURCES; i++) {
-        if (scene->source[i][0] != '\0') {
-            ROW(p, cr_source_word((enum cr_source)i), scene->source[i]);
+    int n;
+    const struct cr_key *key = cr_scene_keys(CR_KEYS_SCENE, &n);
+    for (int i = 0; i < n; i++) {
+        const char *name = strchr(key[i].name, '.');
+        const char *text = (const char *)scene + key[i].at;
+        if (name != NULL && strncmp(key[i].name, "source.", 7) == 0 && text[0] != '\0') {
+            ROW(p, name + 1, text);
         }
     }
 }
