@@ -134,6 +134,9 @@ static void put_participants(const struct cr_result *r, int version, cJSON *json
         if (r->compiled.cs.body[i].mass > 0 && version > 1) {
             cr_json_totals(&r->of[i], p);
         }
+        if (!vehicle && r->resolved.part[i].shape == CR_OBJECT_BARRIER) {
+            cr_json_barrier(r, i, p);
+        }
         if (vehicle) {
             cr_json_deformation(&r->of[i], version, p);
             cr_json_outline(&r->of[i], p);
