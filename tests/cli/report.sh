@@ -117,9 +117,9 @@ refused "a torn result" 3 'torn.json:' audit "$tmp/torn.json"
 
 cat >"$tmp/car.json" <<'END'
 {"crumple": 1, "name": "imported", "source": {"format": "csv", "file": "crashes.csv", "case": "7"},
- "participants": [{"id": "A", "kind": "vehicle", "car": "Fiat 500 2008",
+ "participants": [{"id": "A", "kind": "vehicle", "car": "Fiat 500 Hatchback 2014",
  "position_m": [0, 0], "speed_kmh": 50},
- {"id": "W", "kind": "object", "shape": "wall", "position_m": [4, 0], "width_m": 5}]}
+ {"id": "W", "kind": "object", "shape": "wall", "position_m": [4, 0], "heading_deg": 180}]}
 END
 cat >"$tmp/measured.json" <<'END'
 {"crumple_damage": 1, "vehicles": [{"id": "A", "type": "compact", "mass_kg": 1400,
@@ -136,7 +136,7 @@ has "what came with the file" "$car" \
 has "and which file" "$car" '<td>file</td><td>crashes.csv</td>'
 has "measured beside computed in the picture" "$car" '<text[^>]*>measured, cm</text>'
 has "and in a table with the difference" "$car" \
-    '<td>A 1</td><td>-0.60</td><td>30</td><td>[0-9]+</td>'
+    '<td>A 1</td><td>-0\.60</td><td>30</td><td>[0-9]+</td>'
 has "the hash of the program's data" "$car" 'Program data, SHA-256</td><td>[0-9a-f]{64}<'
 commit=$("$crumple" --version | sed -n '1s/.*commit //p')
 if [ -n "$commit" ]; then
