@@ -250,6 +250,7 @@ static const struct {
     {"left", "links"},
     {"left side", "linke Seite"},
     {"length", "Länge"},
+    {"low speed", "niedrige Geschwindigkeit"},
     {"low speed and frontal pole", "niedrige Geschwindigkeit und frontaler Pfahl"},
     {"mass", "Masse"},
     {"mean", "Mittel"},

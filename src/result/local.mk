@@ -2,7 +2,7 @@ noinst_LIBRARIES += libresult.a
 libresult_a_SOURCES = \
 	src/result/budget.c \
 	src/result/cdc.c src/result/cdc.h \
-	src/result/compare.c src/result/compare.h \
+	src/result/corridor.c src/result/compare.c src/result/compare.h \
 	src/result/csv.c \
 	src/result/data.c \
 	src/result/damage.c src/result/damage.h \
@@ -22,9 +22,11 @@ libresult_a_SOURCES = \
 	src/result/rating.c src/result/rating.h \
 	src/result/result.h src/result/result_priv.h \
 	src/result/risk.c \
+	src/result/robust.c src/result/robust.h \
 	src/result/run.c \
 	src/result/signal.c src/result/signal.h \
 	src/result/trace.c \
+	src/result/trajectory.c \
 	src/result/warn.c
 libresult_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)
 irfdir = $(pkgdatadir)/irf
