@@ -88,6 +88,22 @@ static const struct {
      "crash",
      "% ms nach dem Erstkontakt abgebrochen: jeder Wert gilt für diesen Zeitpunkt, keiner für die "
      "ganze Kollision"},
+    {"%: % % % is not resolved: it moves by +-%% as grid, place and mass are nudged; see what "
+     "happens there, give an interval",
+     "%: % % % ist nicht aufgelöst: bewegt sich um +-%%, wenn Raster, Ort und Masse leicht "
+     "verändert werden; ansehen, was dort geschieht, und einen Bereich angeben"},
+    {"% of % nudged solves have no result: %",
+     "% von % leicht veränderten Rechnungen haben kein Ergebnis: %"},
+    {"%: its trajectory gives % km/h at % s, but its path runs at % km/h%; the contact is solved "
+     "with the speed given",
+     "%: die Bahn gibt % km/h bei % s an, ihr Weg läuft mit % km/h%; der Kontakt wird mit der "
+     "angegebenen Geschwindigkeit gerechnet"},
+    {"%: its trajectory jumps by % m within % s at % s",
+     "%: die Bahn springt um % m innerhalb von % s bei % s"},
+    {"%: its trajectory ends % s before its contact; until then it runs on with its last speed, "
+     "course and yaw rate",
+     "%: die Bahn endet % s vor dem Kontakt; bis dahin läuft sie mit letzter Geschwindigkeit, "
+     "letztem Kurs und letzter Gierrate weiter"},
     {"more warnings than can be listed: solve the parts of this scene one by one",
      "mehr Warnungen als hier stehen können: die Teile dieser Szene einzeln rechnen"},
 };
