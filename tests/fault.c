@@ -1,5 +1,5 @@
 /* Preloaded into the program by tests: refuses the N-th call of one kind, or kills the process at
- * it. FAULT_KIND is memory, open, read, write, sync, rename or link; FAULT_AT counts from 0;
+ * it. FAULT_KIND is memory, open, read, write, sync, rename, link or unlink; FAULT_AT counts from 0;
  * FAULT_KILL makes it a kill -9, FAULT_SIGNAL=N a signal just before the call, which goes on;
  * FAULT_COUNT names a descriptor that gets the number of calls. */
 #define _GNU_SOURCE
@@ -101,6 +101,10 @@ int fsync(int fd) {
 
 int rename(const char *from, const char *to) {
     return hit("rename", EIO) ? -1 : NEXT("rename", int (*)(const char *, const char *))(from, to);
+}
+
+int unlink(const char *path) {
+    return hit("unlink", EIO) ? -1 : NEXT("unlink", int (*)(const char *))(path);
 }
 
 int linkat(int a, const char *from, int b, const char *to, int flags) {

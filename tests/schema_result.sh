@@ -43,6 +43,14 @@ def put(value, new, *path):
     at[path[-1]] = new
     return value
 
+seen = set()
+
+def new(what, keys):
+    """The keys of such an object that no scene before had: what demands them is the same list."""
+    fresh = [k for k in keys if (what, k) not in seen]
+    seen.update((what, k) for k in keys)
+    return fresh
+
 error = {"crumple_result": 2, "scene": "x",
          "error": {"code": "no-contact", "message": "m", "where": ""}}
 accept("an error object", "error", error)
@@ -56,11 +64,11 @@ for path in sys.argv[3:]:
     accept(path, "solved", got)
     got.pop("trace")  # optional, and by far the most to go through each time
     cars = [i for i, p in enumerate(got["participants"]) if "kind" not in p]
-    for key in got:
+    for key in new("result", got):
         if key not in ("pair", "contacts"):
             refuse("%s without %s" % (path, key), "solved", drop(got, key))
     for i in cars[:1]:
-        for key in got["participants"][i]:
+        for key in new("car", got["participants"][i]):
             refuse("%s without %s of a car" % (path, key), "solved",
                    drop(got, "participants", i, key))
         refuse("negative EES", "solved", put(got, -1, "participants", i, "ees_kmh"))
@@ -68,10 +76,10 @@ for path in sys.argv[3:]:
         refuse("CDC of nowhere", "solved", put(got, "12XDEW2", "participants", i, "cdc"))
         refuse("an unknown key", "solved", put(got, 1, "participants", i, "ess_kmh"))
     for i, impact in enumerate(got["impacts"][:1]):
-        for key in impact:
+        for key in new("impact", impact):
             refuse("%s without %s of an impact" % (path, key), "solved",
                    drop(got, "impacts", i, key))
-        for key in impact["vehicles"][0]:
+        for key in new("car of an impact", impact["vehicles"][0]):
             refuse("%s without %s of a car in an impact" % (path, key), "solved",
                    drop(got, "impacts", i, "vehicles", 0, key))
         refuse("an outline of an impact", "solved",

@@ -8,8 +8,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 enum { STEPS_MAX = 20000 };
+static const double look_s = 0.3; /* of processor time */
 
 struct cr_preview {
     struct cr_vec2 by; /* dragged by so much */
@@ -62,7 +64,13 @@ static void describe_contact(struct cr_preview *p, const struct cr_case *cs,
     }
 }
 
+/* Whether to give up: a signal ends the program, or it took so long that typing would be slow. */
+static bool enough(clock_t begun) {
+    return cr_tui_ending || (double)(clock() - begun) / CLOCKS_PER_SEC > look_s;
+}
+
 static void look_ahead(struct cr_preview *p, const struct cr_compiled *compiled) {
+    clock_t begun = clock();
     struct cr_error err = {.text = ""};
     struct cr_solver *solver = NULL;
     const struct cr_solution *sol;
@@ -78,6 +86,10 @@ static void look_ahead(struct cr_preview *p, const struct cr_compiled *compiled)
             break;
         }
         if (status == CR_STATUS_DONE) {
+            break;
+        }
+        if (i % 16 == 15 && enough(begun)) {
+            snprintf(err.text, sizeof err.text, "takes long to find: solve tells");
             break;
         }
     }

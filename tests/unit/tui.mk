@@ -1,7 +1,8 @@
 # the full screen in a terminal
-tui_checks = tests/tui/busy.sh tests/tui/edit.sh tests/tui/ends.sh tests/tui/screen.sh
+tui_checks = tests/tui/busy.sh tests/tui/edit.sh tests/tui/ends.sh \
+	tests/tui/monkey.sh tests/tui/screen.sh
 TESTS += $(tui_checks)
-EXTRA_DIST += $(tui_checks) tests/tui/tui.sh
+EXTRA_DIST += $(tui_checks) tests/tui/tui.sh tests/tui/monkey.py
 # unit tests of src/tui
 check_PROGRAMS += test_tui_ground
 TESTS += test_tui_ground
