@@ -60,3 +60,24 @@ if "$CRUMPLE" --version | grep -q 'sanitizers: no'; then
 else
     skip "a long file in little memory" "sanitizers reserve more"
 fi
+
+# participants side by side, and a point of reference of the map's
+cat >"$tmp/wide.csv" <<'END'
+t [s];xA [m];yA [m];hA [deg];vA [km/h];xB [m];yB [m];hB [deg];vB [km/h]
+0;0;0;0;54;8;0,5;180;54
+0,1;1,5;0;0;54;6,5;0,5;180;54
+END
+cat >"$tmp/wide.json" <<'END'
+{ "time": "t [s]", "reference": "front", "participants": {
+    "A": { "x": "xA [m]", "y": "yA [m]", "heading": "hA [deg]", "speed": "vA [km/h]" },
+    "B": { "x": "xB [m]", "y": "yB [m]", "heading": "hB [deg]", "speed": "vB [km/h]" } },
+  "vehicles": { "*": { "type": "compact", "front_overhang_m": 0.8,
+    "cg": { "behind_front_axle_m": 1.2 } } } }
+END
+run import --map "$tmp/wide.json" "$tmp/wide.csv"
+same "side by side, from the front ends: the CG is 2 m behind each" \
+    "$(printf '%s\n' "$out" | grep -o '"t_s":0,"x_m":[-0-9.]*' | tr '\n' ' ')" \
+    '"t_s":0,"x_m":-2 "t_s":0,"x_m":10 '
+echo '{ "tmie": "t [s]" }' >"$tmp/typo.json"
+refused "a key that a map does not have" 3 'typo.json: error: .*"tmie".*did you mean "time"' \
+    "$tmp/wide.csv" --map "$tmp/typo.json"
