@@ -198,6 +198,23 @@ static cJSON *error_of(const struct stack *s, const struct item *item, const str
     return cr_result_error_tree(name, err, &form);
 }
 
+/* what crumple import has put in the place of a case that is no scene goes on as it is; NULL for
+ * all else */
+static cJSON *handed_on(const struct cr_feed_item *in) {
+    static const char begin[] = "{\"crumple_result\"";
+    if (in->text == NULL || strncmp(in->text, begin, sizeof begin - 1) != 0 ||
+        cr_json_check(in->text, in->len, NULL, NULL) != CR_ERR_OK ||
+        cr_json_large(in->text, in->len)) {
+        return NULL;
+    }
+    cJSON *tree = cJSON_ParseWithLength(in->text, in->len);
+    if (!cJSON_IsObject(cJSON_GetObjectItemCaseSensitive(tree, "error"))) {
+        cJSON_Delete(tree);
+        return NULL;
+    }
+    return tree;
+}
+
 static void work(void *user, void *of) {
     const struct stack *s = user;
     struct item *item = of;
@@ -206,8 +223,14 @@ static void work(void *user, void *of) {
     char name[CR_NAME_MAX];
     cJSON *tree = NULL;
     struct cr_record_form form = {.keep = cr_sink_keeps(s->sink), .resolved = s->opt->resolved};
-    enum cr_err rc = read_scene(s, item, &scene, &err);
-    rc = rc ? rc : solve(s, &scene, form.keep || form.resolved, &tree, &err);
+    enum cr_err rc = CR_ERR_OK;
+    tree = handed_on(&item->in);
+    if (tree == NULL) {
+        rc = read_scene(s, item, &scene, &err);
+        rc = rc ? rc : solve(s, &scene, form.keep || form.resolved, &tree, &err);
+    } else {
+        cr_scene_init(&scene);
+    }
     if (rc) {
         item->record.interrupted = rc == CR_ERR_INTERRUPTED;
         tree = error_of(s, item, &scene, &err);

@@ -53,4 +53,10 @@ dist_tutorial_DATA = \
 	share/tutorial/5-emergency-brake.crumple \
 	share/tutorial/6-how-sure.crumple \
 	share/tutorial/7-from-damage.crumple \
+	share/tutorial/8-from-a-database.sh \
 	share/tutorial/reference.json
+accidentsdir = $(pkgdatadir)/tutorial/accidents
+dist_accidents_DATA = \
+	share/tutorial/accidents/dynamics.csv \
+	share/tutorial/accidents/participant_data.csv \
+	share/tutorial/accidents/participant_shape.csv

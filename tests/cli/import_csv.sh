@@ -46,3 +46,38 @@ refused "a --before of nothing" 2 '--before.*more than 0 s' "$data/long.csv" --b
 printf 'nothing of the kind\n' >"$tmp/what.txt"
 refused "no format" 3 'what.txt: error: no format' "$tmp/what.txt"
 refused "no file" 2 'nowhere.csv: error: cannot open' "$tmp/nowhere.csv"
+
+# A long file is read in constant memory: half a million rows would take more than what is allowed.
+awk -v n=250000 'BEGIN { print "time [s],id,x [m],y [m],heading [deg],speed [km/h],length [m]"
+    for (i = 0; i < n; i++) { d = 0.1 * (1 - i / n) * 40000
+        printf "%.2f,A,%.4f,0,0,54,4\n", i / 100, -d - 1.9
+        printf "%.2f,B,%.4f,0,180,54,4\n", i / 100, d + 1.9 }
+    }' >"$tmp/big.csv"
+if "$CRUMPLE" --version | grep -q 'sanitizers: no'; then
+    (ulimit -v 30000 && "$CRUMPLE" import "$tmp/big.csv" >"$tmp/big.jsonl" 2>"$tmp/big.err")
+    same "half a million rows in 30 MB: status 0" $? 0
+    has "only the end is kept" "$(cat "$tmp/big.jsonl")" '"note":"only the last 2 s before '
+else
+    skip "a long file in little memory" "sanitizers reserve more"
+fi
+
+# participants side by side, and a point of reference of the map's
+cat >"$tmp/wide.csv" <<'END'
+t [s];xA [m];yA [m];hA [deg];vA [km/h];xB [m];yB [m];hB [deg];vB [km/h]
+0;0;0;0;54;8;0,5;180;54
+0,1;1,5;0;0;54;6,5;0,5;180;54
+END
+cat >"$tmp/wide.json" <<'END'
+{ "time": "t [s]", "reference": "front", "participants": {
+    "A": { "x": "xA [m]", "y": "yA [m]", "heading": "hA [deg]", "speed": "vA [km/h]" },
+    "B": { "x": "xB [m]", "y": "yB [m]", "heading": "hB [deg]", "speed": "vB [km/h]" } },
+  "vehicles": { "*": { "type": "compact", "front_overhang_m": 0.8,
+    "cg": { "behind_front_axle_m": 1.2 } } } }
+END
+run import --map "$tmp/wide.json" "$tmp/wide.csv"
+same "side by side, from the front ends: the CG is 2 m behind each" \
+    "$(printf '%s\n' "$out" | grep -o '"t_s":0,"x_m":[-0-9.]*' | tr '\n' ' ')" \
+    '"t_s":0,"x_m":-2 "t_s":0,"x_m":10 '
+echo '{ "tmie": "t [s]" }' >"$tmp/typo.json"
+refused "a key that a map does not have" 3 'typo.json: error: .*"tmie".*did you mean "time"' \
+    "$tmp/wide.csv" --map "$tmp/typo.json"

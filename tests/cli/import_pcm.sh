@@ -37,6 +37,14 @@ else
     done
     run import --case 7 "$tmp/less"
     same "--case: one of two" "$(printf '%s\n' "$out" | grep -o '"name":"[^"]*"')" '"name":"pcm-7"'
+    # the lesson: four accidents, one of them with a pedestrian, up to the table of their severities
+    lesson=$(sh "$SRC/share/tutorial/8-from-a-database.sh" 2>&1)
+    same "the lesson from a database to a stack: status" "$?" 0
+    solved='^[0-2],pcm-10[1-3],,[0-9.]+,[0-9.]+,[0-9.]+,[0-9.]+,$'
+    same "three accidents have EES and delta-v" "$(printf '%s\n' "$lesson" | grep -cE "$solved")" 3
+    has "what import said of the fourth goes on through the stack" "$lesson" \
+        '^3,pcm-104,,,,,,"?participant 2 is a pedestrian'
+    same "and the last command gives one result" "$(printf '%s\n' "$lesson" | tail -n 1)" 1
     head -c 9000 "$data/pcm5.db" >"$tmp/cut.db"
     refused "a database that is cut off" 3 'cut.db: error: ' "$tmp/cut.db"
 fi
