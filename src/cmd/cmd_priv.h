@@ -120,6 +120,7 @@ struct cr_session {
     struct cr_result *result;
     struct cr_reference *reference; /* NULL: nothing was compared */
     bool solving, over, echo;
+    enum cr_units units;          /* of what is said and shown */
     struct cr_compiled *compiled; /* of compiled_rev, NULL: none */
     struct cr_view view;
     struct cr_sweep *sweep;

@@ -39,31 +39,34 @@ static const char *german(const char *english) {
 }
 
 static struct cr_figure_words words_of(const struct cr_paper *p) {
-    return (struct cr_figure_words){p->s->lang == CR_LANG_DE ? german : NULL};
+    return (struct cr_figure_words){p->s->lang == CR_LANG_DE ? german : NULL, p->r->units};
 }
 
-static double shown(const struct cr_measure *m, double si) {
-    return cr_unit_from_si(cr_measure_unit(m), si);
+/* in the unit of the paper */
+static double shown(const struct cr_paper *p, const struct cr_measure *m, double si) {
+    double x = cr_unit_from_si(cr_measure_unit(m), si);
+    cr_units_shown(p->r->units, m->unit, &x, NULL);
+    return x;
 }
 
 static void histogram(struct cr_paper *p, int body, const struct cr_measure *m,
                       const struct cr_mc_stats *st) {
     enum { W_PT = 500, H_PT = 210 };
     static const char *const names[] = {"2.5 %", "median", "97.5 %"};
-    const double mark[3] = {shown(m, st->quantile[0]), shown(m, st->quantile[2]),
-                            shown(m, st->quantile[4])};
+    const double mark[3] = {shown(p, m, st->quantile[0]), shown(p, m, st->quantile[2]),
+                            shown(p, m, st->quantile[4])};
     char title[96];
     snprintf(title, sizeof title, "%s %s", p->r->resolved.part[body].id, m->name);
     struct cr_histogram h = {.title = title,
-                             .x_name = m->unit,
+                             .x_name = cr_units_shown(p->r->units, m->unit, NULL, NULL),
                              .bins = CR_MC_BINS,
-                             .lo = shown(m, st->lo),
-                             .hi = shown(m, st->hi),
+                             .lo = shown(p, m, st->lo),
+                             .hi = shown(p, m, st->hi),
                              .count = st->bin,
                              .marks = 3,
                              .mark = mark,
                              .name = names,
-                             .point = shown(m, st->nominal)};
+                             .point = shown(p, m, st->nominal)};
     struct cr_figure_words words = words_of(p);
     struct cr_canvas *c = h.hi > h.lo ? cr_canvas_new(W_PT, H_PT) : NULL;
     if (c != NULL) {
@@ -87,15 +90,15 @@ static void tornado(struct cr_paper *p, int body, const struct cr_measure *m,
         char name[160];
         cr_mc_dim_name(p->s->mc, d, name, sizeof name);
         bar[d] = (struct cr_tornado_bar){cr_doc_text(p->doc, "%s", name),
-                                         shown(m, st->nominal - st->effect[d]),
-                                         shown(m, st->nominal + st->effect[d])};
+                                         shown(p, m, st->nominal - st->effect[d]),
+                                         shown(p, m, st->nominal + st->effect[d])};
     }
     qsort(bar, (size_t)st->effects, sizeof *bar, by_width);
     snprintf(title, sizeof title, "%s %s, %s", p->r->resolved.part[body].id, m->name,
              W(p, "effect of each tolerance"));
     struct cr_tornado t = {.title = title,
-                           .x_name = m->unit,
-                           .middle = shown(m, st->nominal),
+                           .x_name = cr_units_shown(p->r->units, m->unit, NULL, NULL),
+                           .middle = shown(p, m, st->nominal),
                            .bars = st->effects < MOST ? st->effects : MOST,
                            .bar = bar};
     struct cr_figure_words words = words_of(p);
@@ -126,14 +129,15 @@ static enum cr_err drawn_result(struct cr_paper *p, int body, const char *name, 
         return CR_ERR_OK;
     }
     const char *cell[CR_COLUMNS] = {
-        cr_doc_text(p->doc, "%s %s, %s", p->r->resolved.part[body].id, m->name, m->unit),
-        cr_doc_text(p->doc, "%.*f", m->decimals, shown(m, st.nominal)),
-        cr_doc_text(p->doc, "%.*f", m->decimals, shown(m, st.mean)),
-        cr_doc_text(p->doc, "%.*f", m->decimals, shown(m, st.sd))};
+        cr_doc_text(p->doc, "%s %s, %s", p->r->resolved.part[body].id, m->name,
+                    cr_units_shown(p->r->units, m->unit, NULL, NULL)),
+        cr_doc_text(p->doc, "%.*f", m->decimals, shown(p, m, st.nominal)),
+        cr_doc_text(p->doc, "%.*f", m->decimals, shown(p, m, st.mean)),
+        cr_doc_text(p->doc, "%.*f", m->decimals, shown(p, m, st.sd))};
     for (int q = 0; q < CR_MC_QUANTILES; q++) {
-        cell[4 + q] = cr_doc_text(p->doc, "%.*f", m->decimals, shown(m, st.quantile[q]));
+        cell[4 + q] = cr_doc_text(p->doc, "%.*f", m->decimals, shown(p, m, st.quantile[q]));
     }
-    cell[9] = cr_doc_text(p->doc, "%.*f", m->decimals + 1, shown(m, st.moved));
+    cell[9] = cr_doc_text(p->doc, "%.*f", m->decimals + 1, shown(p, m, st.moved));
     cr_doc_row(p->doc, cell);
     return CR_ERR_OK;
 }
