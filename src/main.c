@@ -27,6 +27,7 @@ static const char help[] =
     "       crumple run SCENE.json           solve one scene\n"
     "       crumple stack INPUT ...          solve many, one result per line\n"
     "       crumple merge PART ...           put the parts of a stack in order\n"
+    "       crumple import FILE ...          scenes out of other people's files\n"
     "       crumple validate [CLASS ...]     compare with crash tests\n"
     "       crumple damage FILE.json         EES and delta-v out of a measured deformation\n"
     "       crumple fit SCENE.json ... to ... search inputs that explain what was measured\n"
@@ -62,6 +63,7 @@ static const struct word words[] = {
     {"catalogue", cr_cli_catalogue},
     {"stack", cr_cli_stack},
     {"merge", cr_cli_merge},
+    {"import", cr_cli_import},
     {"mc", cr_cli_mc},
     {"validate", cr_trial_validate},
     {"models", cr_cli_models},
