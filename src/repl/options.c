@@ -69,7 +69,7 @@ void cr_repl_add_line(struct cr_str *out, const char *path) {
     cr_str_add(out, "\"\n");
 }
 
-static int read(int argc, char **argv, bool quiet, struct cr_repl_options *o) {
+static int read_words(int argc, char **argv, bool quiet, struct cr_repl_options *o) {
     *o = (struct cr_repl_options){.color = "auto"};
     for (int i = 1; i < argc; i++) {
         const char *arg = argv[i];
@@ -103,12 +103,12 @@ static int read(int argc, char **argv, bool quiet, struct cr_repl_options *o) {
 }
 
 int cr_repl_read_options(int argc, char **argv, struct cr_repl_options *o) {
-    return read(argc, argv, false, o);
+    return read_words(argc, argv, false, o);
 }
 
 bool cr_repl_one_scene(int argc, char **argv) {
     struct cr_repl_options o;
-    return read(argc, argv, true, &o) == 0 && o.scenes == 1 && o.sources == 1 && !o.prompt;
+    return read_words(argc, argv, true, &o) == 0 && o.scenes == 1 && o.sources == 1 && !o.prompt;
 }
 
 static bool all_there(int argc, char **argv, const char *data_dir) {
@@ -130,8 +130,8 @@ bool cr_repl_wants_screen(int argc, char **argv, const char *data_dir, struct cr
     for (int i = 1; i < argc; i++) {
         wants = wants || strcmp(argv[i], "-i") == 0;
     }
-    if (!wants || !all_there(argc, argv, data_dir) || read(argc, argv, true, &o) != 0 || o.plain ||
-        o.streams > 0) {
+    if (!wants || !all_there(argc, argv, data_dir) || read_words(argc, argv, true, &o) != 0 ||
+        o.plain || o.streams > 0) {
         return false;
     }
     *out = (struct cr_repl_start){.ascii = o.ascii,
