@@ -13,5 +13,6 @@ libreport_a_SOURCES = \
 	src/report/sections.h \
 	src/report/units.c \
 	src/report/validity.h \
+	src/report/warnings.c \
 	src/report/words.c
 libreport_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)
