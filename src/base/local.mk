@@ -17,5 +17,6 @@ libbase_a_SOURCES = \
 	src/base/tree.c src/base/tree.h \
 	src/base/unit_words.c \
 	src/base/units.c src/base/units.h \
+	src/base/units_shown.c \
 	src/base/vec.h
 libbase_a_CFLAGS = $(CR_CFLAGS) $(NETTLE_CFLAGS) $(CJSON_CFLAGS)

@@ -5,6 +5,8 @@
 
 #include "base/err.h"
 
+#include "base/str.h"
+
 #include <stddef.h>
 
 /* X(NAME, what it is called in messages) */
@@ -76,6 +78,32 @@ double cr_unit_from_si(const struct cr_unit *unit, double si);
 /* A decimal number at the start of text (sign, digits, fraction, exponent; no inf, nan or hex);
  * *end is set behind it. Returns 0 and leaves *end at text where there is none. */
 double cr_number_scan(const char *text, const char **end);
+
+/* ---- output (units_shown.c) ---- */
+
+/* X(NAME, word of the command line). The metric system is km/h, m, kg, kN, kJ as engineers write
+ * them; US customary: mph, ft, in (depths), lb, lbf, ft-lb. Files that programs read stay SI. */
+#define CR_UNITS_LIST(X) X(SI, "si") X(US, "us")
+#define CR_UNITS_WORDS   "si|us"
+enum cr_units {
+#define X(name, word) CR_UNITS_##name,
+    CR_UNITS_LIST(X)
+#undef X
+};
+/* A depth of deformation: m, or in. */
+#define CR_SHOWN_DEPTH "m depth"
+/* The unit to write in place of a metric one ("km/h", CR_SHOWN_DEPTH ...), with *x (nullable), a
+ * number in the latter, taken to it, and *decimals (nullable, >= 0) those that say as much. Units
+ * that are in both systems (g, deg, ms, %) stay. */
+const char *cr_units_shown(enum cr_units units, const char *unit, double *x, int *decimals);
+/* "34.8 mph" */
+const char *cr_units_print(enum cr_units units, const char *unit, double x, int decimals, char *buf,
+                           size_t size);
+/* A line of words with every number before a metric unit as those units have it: "at 56.0 km/h" ->
+ * "at 34.8 mph", "(1.20, 0.50) m" -> "(3.94, 1.64) ft". */
+void cr_units_text(enum cr_units units, const char *text, struct cr_str *out);
+/* The same with the decimal point of another language. */
+void cr_units_words(enum cr_units units, char point, const char *text, struct cr_str *out);
 
 /* "number[unit]" -> SI. Without a unit the number is in `plain` (NULL: SI). *unit (nullable)
  * receives the unit that was used. Errors: TYPE for what is no number, NAME for a unit that does

@@ -13,7 +13,7 @@ enum per { PER_PARTICIPANT, PER_IMPACT };
 enum format { FORMAT_JSON, FORMAT_TEXT, FORMAT_CSV, FORMAT_OPEN = -1 };
 
 struct run_options {
-    int format;
+    int format, units;
     bool trace;
     int version, per; /* of the JSON; rows of the CSV */
     int check;        /* solves more to see what hangs on chance */
@@ -125,6 +125,7 @@ static enum cr_err run(const char *path, const struct run_options *opt, struct c
         code = check(result, &shared, opt, err);
     }
     if (code == CR_ERR_OK) {
+        result->units = (enum cr_units)opt->units;
         code = write_all(result, opt, &shared.ctx, err);
     }
     cr_result_free(result);
@@ -164,6 +165,7 @@ int cr_cli_run(int argc, char **argv) {
          .arg = "[WHAT=]FILE",
          .values = &opt.pictures,
          .help = "draw FILE.svg, .pdf or .png; WHAT is before, after, 40ms, pulse ... (overview)"},
+        CR_CLI_UNITS_OPTION(&opt.units),
         CR_CLI_BUDGET_OPTIONS(&opt.budget),
         CR_CLI_LOOK_OPTIONS(&opt.look),
     };

@@ -87,6 +87,13 @@ struct cr_cli_work {
 struct cr_context cr_cli_context(const struct cr_cli_shared *shared,
                                  const struct cr_cli_budget *budget, struct cr_cli_work *work);
 
+/* --units: of what people read; files for programs stay metric. */
+#define CR_CLI_UNITS_OPTION(to)                                                                    \
+    {                                                                                              \
+        .name = "units", .arg = CR_UNITS_WORDS, .number = to,                                      \
+        .help = "units of what people read (si); us: mph, ft, in, lb, lbf, ft-lb"                  \
+    }
+
 /* --color, --ascii, --width: rows for an option table (CR_CLI_LOOK_OPTIONS(&x)), and what they
  * come to for output to a file or (to_file false) standard output. */
 struct cr_cli_look {

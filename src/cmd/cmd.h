@@ -192,6 +192,8 @@ enum cr_solve_state {
 
 const struct cr_scene *cr_session_scene(const struct cr_session *s);
 const struct cr_result *cr_session_result(const struct cr_session *s); /* NULL: none */
+/* In which what is shown is told (set units). */
+enum cr_units cr_session_units(const struct cr_session *s);
 /* Changes that undo (> 0) or redo (< 0) must take back until the scene is the one that was solved
  * last; 0: it is, or there is no way. */
 int cr_session_way_back(const struct cr_session *s);

@@ -315,13 +315,24 @@ static enum cr_err say_inputs(struct cr_session *s, struct cr_error *err) {
 }
 
 static enum cr_err say_steps(struct cr_session *s, int every, struct cr_error *err) {
+    static const struct {
+        const char *name, *unit;
+        int decimals;
+    } column[] = {
+        {"E", "J", 1}, {"s", "mm", 2}, {"F", "kN", 1}, {"J", "N s", 1}, {"v_n", "m/s", 2}};
+    enum { N = sizeof column / sizeof *column };
     enum cr_err code = cr_session_need_result(s, err);
     if (code != CR_ERR_OK) {
         return code;
     }
     const struct cr_solution *sol = s->result->solution;
-    cr_say(s, "%5s %8s %-8s %9s %9s %8s %9s %8s", "slice", "t ms", "contact", "E J", "s mm", "F kN",
-           "J N s", "v_n m/s");
+    char head[N][24];
+    for (int k = 0; k < N; k++) {
+        snprintf(head[k], sizeof head[k], "%s %s", column[k].name,
+                 cr_units_shown(s->units, column[k].unit, NULL, NULL));
+    }
+    cr_say(s, "%5s %8s %-8s %9s %9s %8s %9s %8s", "slice", "t ms", "contact", head[0], head[1],
+           head[2], head[3], head[4]);
     for (int i = 0; i < sol->slices; i++) {
         const struct cr_slice *c = &sol->slice[i];
         const struct cr_contact *pair = &sol->contact[c->contact];
@@ -331,9 +342,17 @@ static enum cr_err say_steps(struct cr_session *s, int every, struct cr_error *e
         }
         snprintf(who, sizeof who, "%.8s-%.8s", s->result->resolved.part[pair->a].id,
                  s->result->resolved.part[pair->b].id);
-        cr_say(s, "%5d %8.2f %-8s %9.1f %9.2f %8.1f %9.1f %8.2f", c->sample + 1,
-               1e3 * (sol->t[c->sample] - sol->t_contact), who, c->energy[0] + c->energy[1],
-               1e3 * c->path, 1e-3 * c->force, c->impulse, c->approach);
+        double x[N] = {c->energy[0] + c->energy[1], 1e3 * c->path, 1e-3 * c->force, c->impulse,
+                       c->approach};
+        char text[N][24];
+        for (int k = 0; k < N; k++) {
+            int decimals = column[k].decimals;
+            cr_units_shown(s->units, column[k].unit, &x[k], &decimals);
+            snprintf(text[k], sizeof text[k], "%.*f", decimals, x[k]);
+        }
+        cr_say(s, "%5d %8.2f %-8s %9s %9s %8s %9s %8s", c->sample + 1,
+               1e3 * (sol->t[c->sample] - sol->t_contact), who, text[0], text[1], text[2], text[3],
+               text[4]);
     }
     return CR_ERR_OK;
 }

@@ -62,7 +62,9 @@ struct plot_job {
 static enum cr_err draw(void *user, struct cr_cells *cells, struct cr_rect at,
                         struct cr_error *err) {
     const struct plot_job *job = user;
-    return cr_render_plot(cells, at, &job->s->opts.look, job->plot, err);
+    struct cr_plot plot = *job->plot;
+    plot.units = job->s->units;
+    return cr_render_plot(cells, at, &job->s->opts.look, &plot, err);
 }
 
 enum cr_err cr_cmd_plot(struct cr_session *s, const struct cr_plot *plot, int lines,

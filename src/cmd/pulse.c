@@ -213,6 +213,7 @@ static enum cr_err plot_pulse(struct cr_session *s, const struct pulse_call *wha
         struct cr_plot plot = {.title = kinds[what->kind].title,
                                .x_unit = "ms",
                                .y_unit = kinds[what->kind].unit,
+                               .units = s->units,
                                .curves = curves,
                                .curve = curve,
                                .cursor = 1e3 * (cr_session_time(s) - sol->t_contact)};

@@ -161,13 +161,22 @@ void cr_session_text(struct cr_session *s, enum cr_tone tone, const char *line) 
     cr_str_fini(&shown);
 }
 
+/* a line whose numbers are told in the units of the session */
+static void say_shown(struct cr_session *s, enum cr_tone tone, const char *line) {
+    struct cr_str shown = {0};
+    cr_units_text(s->units, line, &shown);
+    s->lost = s->lost || shown.failed;
+    cr_session_text(s, tone, cr_str_get(&shown));
+    cr_str_fini(&shown);
+}
+
 void cr_say(struct cr_session *s, const char *fmt, ...) {
     char buf[TEXT_MAX] = "  ";
     va_list ap;
     va_start(ap, fmt);
     vsnprintf(buf + 2, sizeof buf - 2, fmt, ap);
     va_end(ap);
-    cr_session_text(s, CR_TONE_ANSWER, buf);
+    say_shown(s, CR_TONE_ANSWER, buf);
 }
 
 void cr_say_str(struct cr_session *s, const struct cr_str *line) {
@@ -183,7 +192,7 @@ void cr_warn(struct cr_session *s, const char *fmt, ...) {
     va_start(ap, fmt);
     vsnprintf(buf + used, sizeof buf - used, fmt, ap);
     va_end(ap);
-    cr_session_text(s, CR_TONE_WARN, buf);
+    say_shown(s, CR_TONE_WARN, buf);
 }
 
 void cr_session_lines(struct cr_session *s, const struct cr_str *lines) {
@@ -290,6 +299,7 @@ bool cr_session_fits(const struct cr_session *s) {
 void cr_session_take_result(struct cr_session *s, struct cr_result *result) {
     cr_result_free(s->result);
     s->result = result;
+    s->result->units = s->units;
     s->result_rev = cr_session_now(s)->rev;
     s->view.frame = cr_session_frames(s);
 }
@@ -341,6 +351,10 @@ const struct cr_compiled *cr_session_compiled(struct cr_session *s, struct cr_er
     s->compiled = compiled;
     s->compiled_rev = cr_session_now(s)->rev;
     return compiled;
+}
+
+enum cr_units cr_session_units(const struct cr_session *s) {
+    return s->units;
 }
 
 bool cr_session_over(const struct cr_session *s) {
@@ -405,6 +419,7 @@ struct cr_scene_view cr_session_scene_view(const struct cr_session *s) {
                                  .centre = s->view.centre,
                                  .vectors = s->view.vectors,
                                  .ghost = s->view.ghost,
+                                 .units = s->units,
                                  .selected = -1};
     if (s->view.follow) {
         view.centre = cr_vec2(NAN, NAN);

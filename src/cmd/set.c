@@ -18,6 +18,8 @@ static bool session_value(const struct cr_session *s, const char *name, char *bu
         snprintf(buf, (size_t)size, "%s", cr_session_scene(s)->pair);
     } else if (strcmp(name, "echo") == 0) {
         snprintf(buf, (size_t)size, "%s", s->echo ? "on" : "off");
+    } else if (strcmp(name, "units") == 0) {
+        snprintf(buf, (size_t)size, "%s", s->units == CR_UNITS_US ? "us" : "si");
     } else if (strcmp(name, "ascii") == 0) {
         snprintf(buf, (size_t)size, "%s", s->opts.look.ascii ? "on" : "off");
     } else if (strcmp(name, "color") == 0) {
@@ -88,6 +90,14 @@ static void set_session(struct cr_call *call) {
     struct cr_session *s = call->s;
     if (cr_cmd_given(call, "echo")) {
         s->echo = cr_cmd_word(call, "echo", 1) == 0;
+    }
+    if (cr_cmd_given(call, "units")) {
+        s->units = (enum cr_units)cr_cmd_word(call, "units", 0);
+        if (s->result != NULL) {
+            s->result->units = s->units;
+        }
+        cr_say(s, "%s; inputs without a unit, and files, stay metric",
+               s->units == CR_UNITS_US ? "mph, ft, in, lb, lbf, ft-lb" : "km/h, m, kg, kN, kJ");
     }
     if (cr_cmd_given(call, "ascii")) {
         s->opts.look.ascii = cr_cmd_word(call, "ascii", 1) == 0;

@@ -63,16 +63,20 @@ static void say_result(struct cr_session *s) {
     cr_str_add(&line, ": EES");
     for (int i = 0; i < r->solution->bodies; i++) {
         if (r->compiled.cs.body[i].grid.nx > 0) {
-            cr_str_addf(&line, " %s %.1f", r->resolved.part[i].id, cr_kmh(r->of[i].ees));
+            double ees = cr_kmh(r->of[i].ees);
+            cr_units_shown(s->units, "km/h", &ees, NULL);
+            cr_str_addf(&line, " %s %.1f", r->resolved.part[i].id, ees);
         }
     }
     cr_str_add(&line, ", delta-v");
     for (int i = 0; i < r->solution->bodies; i++) {
         if (cr_render_moves(r, i)) {
-            cr_str_addf(&line, " %s %.1f", r->resolved.part[i].id, cr_kmh(r->of[i].delta_v));
+            double delta_v = cr_kmh(r->of[i].delta_v);
+            cr_units_shown(s->units, "km/h", &delta_v, NULL);
+            cr_str_addf(&line, " %s %.1f", r->resolved.part[i].id, delta_v);
         }
     }
-    cr_str_add(&line, " km/h");
+    cr_str_addf(&line, " %s", cr_units_shown(s->units, "km/h", NULL, NULL));
     cr_say_str(s, &line);
     cr_str_fini(&line);
     for (int i = 0; i < r->warnings; i++) {

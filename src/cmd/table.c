@@ -168,6 +168,8 @@ static const struct cr_arg set_args[] = {
     KEY("name", CR_VALUE_TEXT, .help = "name of the scene"),
     KEY("pair", CR_VALUE_TEXT,
         .help = "name that joins two scenes: the same crash with and without a safety system"),
+    KEY("units", CR_VALUE_WORD, .words = CR_UNITS_WORDS, .def = "si",
+        .help = "of tables, plots, pictures and reports; us: mph, ft, in, lb, lbf, ft-lb"),
     KEY("echo", CR_VALUE_SWITCH, .words = "on|off", .def = "off",
         .help = "scripts show their lines"),
     KEY("ascii", CR_VALUE_SWITCH, .words = "on|off", .help = "pictures of plain ASCII"),

@@ -23,7 +23,7 @@
 enum { DRAWS = 300, VARIANTS = 8 };
 
 struct options {
-    int lang, paper, draws, seed, jobs;
+    int lang, paper, units, draws, seed, jobs;
     bool no_tests, quiet;
     const char *out, *damage;
     struct cr_report_source head; /* title, author ... as they were given */
@@ -272,6 +272,7 @@ static enum cr_err solve(struct work *w, const char *path, const char *name, str
     if (code != CR_ERR_OK) {
         return code;
     }
+    w->result->units = (enum cr_units)w->opt->units;
     w->source.result = w->result;
     w->source.ctx = &w->shared.ctx;
     w->source.scene_text = w->text;
@@ -327,6 +328,7 @@ static int run(struct options *opt, int argc, char **argv) {
         CR_CLI_BUDGET_OPTIONS(&opt->budget),
         {.name = "lang", .arg = LANGS, .number = &opt->lang, .help = "language (en)"},
         {.name = "paper", .arg = PAPERS, .number = &opt->paper, .help = "size of a PDF (a4)"},
+        CR_CLI_UNITS_OPTION(&opt->units),
         TEXT("title", "TEXT", &opt->head.title, "heading"),
         TEXT("case", "TEXT", &opt->head.case_no, "case number"),
         TEXT("order", "TEXT", &opt->head.order, "order number"),

@@ -186,11 +186,13 @@ double cr_figure_ramp(struct cr_canvas *c, double x, double y, const char *from,
     return at + 4 + cr_text_width(&face, to) - x;
 }
 
-double cr_figure_scale_bar(struct cr_canvas *c, double x, double y, double k) {
+double cr_figure_scale_bar(struct cr_canvas *c, double x, double y, double k, enum cr_units units) {
     static const double lengths[] = {0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500};
     struct cr_type_face face = {.size = small_size, .ink = CR_INK_TEXT};
-    double length = lengths[0];
+    double length = lengths[0], per_m = 1;
     char text[24];
+    const char *unit = cr_units_shown(units, "m", &per_m, NULL);
+    k /= per_m; /* points per m or ft */
     for (int i = 0; i < (int)(sizeof lengths / sizeof lengths[0]); i++) {
         if (lengths[i] * k <= 80) {
             length = lengths[i];
@@ -201,7 +203,7 @@ double cr_figure_scale_bar(struct cr_canvas *c, double x, double y, double k) {
     cr_canvas_paint(c, &(struct cr_paint){.fill = CR_INK_TEXT, .line = CR_INK_TEXT, .width = 0.5});
     cr_canvas_rect(c, x + w / 2, y - 4, w / 2, 3);
     cr_canvas_paint(c, &(struct cr_paint){.fill = 0xffffff, .line = CR_INK_TEXT, .width = 0.5});
-    snprintf(text, sizeof text, "%g m", length);
+    snprintf(text, sizeof text, "%g %s", length, unit);
     cr_canvas_text(c, x + w + 4, y, &face, text);
     return w + 4 + cr_text_width(&face, text);
 }

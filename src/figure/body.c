@@ -100,8 +100,13 @@ enum cr_err cr_figure_body(struct cr_canvas *c, struct cr_box at, const struct c
                        CR_INK_TEXT, 1, CR_DASH_NONE);
     }
     double x = at.x, y = at.y + at.h - 5;
-    x += cr_figure_scale_bar(c, x, y, k) + 16;
-    x += cr_figure_ramp(c, x, y, "EES 0", "100+ km/h", true) + 16;
+    enum cr_units units = words != NULL ? words->units : CR_UNITS_SI;
+    x += cr_figure_scale_bar(c, x, y, k, units) + 16;
+    char top[32];
+    double fastest = ees_top;
+    const char *unit = cr_units_shown(units, "km/h", &fastest, NULL);
+    snprintf(top, sizeof top, "%.0f+ %s", fastest, unit);
+    x += cr_figure_ramp(c, x, y, "EES 0", top, true) + 16;
     if (any) {
         char text[96];
         struct cr_type_face face = {.size = 8, .ink = CR_INK_CRUSHED};

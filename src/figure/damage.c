@@ -6,6 +6,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 enum { SIDE = 34, ABOVE = 40, BELOW = 58 };
 
@@ -14,6 +15,7 @@ struct view {
     struct cr_canvas *canvas;
     const struct cr_damage_plan *plan;
     double x0, y0, k; /* of the face's middle on the page; points per m */
+    enum cr_units units;
 };
 
 static double face_length(const struct cr_damage_plan *p) {
@@ -79,7 +81,10 @@ static void profile(const struct view *v, bool measured) {
         char text[24];
         cr_figure_rule(v->canvas, (struct cr_line){u, v->y0, u, py(v, depth[i])}, ink, 0.5,
                        CR_DASH_DOT);
-        snprintf(text, sizeof text, "%.0f", 100 * depth[i]);
+        double shown = 100 * depth[i];
+        int decimals = 0;
+        cr_units_shown(v->units, "cm", &shown, &decimals);
+        snprintf(text, sizeof text, "%.*f", decimals, shown);
         cr_canvas_text(v->canvas, u, v->y0 - (measured ? 17 : 6), &face, text);
     }
     for (int i = 0; i < n; i++) {
@@ -92,9 +97,12 @@ static void legend(const struct view *v, struct cr_box at, const struct cr_figur
     static const char *const names[] = {"computed, cm", "measured, cm"};
     struct cr_type_face face = {.size = 8, .ink = CR_INK_TEXT};
     double x = at.x, y = at.y + at.h - 6;
-    x += cr_figure_scale_bar(v->canvas, x, y, v->k) + 18;
+    x += cr_figure_scale_bar(v->canvas, x, y, v->k, v->units) + 18;
     for (int i = 0; i < (v->plan->measured > 0 ? 2 : 1); i++) {
-        const char *name = cr_figure_say(words, names[i]);
+        char name[64];
+        const char *said = cr_figure_say(words, names[i]);
+        snprintf(name, sizeof name, "%.*s%s", (int)strlen(said) - 2, said, /* "computed, cm" */
+                 cr_units_shown(v->units, "cm", NULL, NULL));
         cr_figure_rule(v->canvas, (struct cr_line){x, y - 3, x + 20, y - 3}, cr_ink_of_body(i), 1.4,
                        i == 0 ? CR_DASH_NONE : CR_DASH_LONG);
         cr_canvas_text(v->canvas, x + 24, y, &face, name);
@@ -129,7 +137,8 @@ void cr_figure_damage(struct cr_canvas *canvas, struct cr_box at, const struct c
     for (int i = 0; i < p->measured; i++) {
         deepest = fmax(deepest, p->measured_depth[i]);
     }
-    struct view v = {.canvas = canvas, .plan = p};
+    struct view v = {
+        .canvas = canvas, .plan = p, .units = words != NULL ? words->units : CR_UNITS_SI};
     double room = at.h - ABOVE - BELOW + 20;
     v.k = fmin((at.w - 2 * SIDE) / wide, room / (deepest + 0.25));
     v.x0 = at.x + at.w / 2;

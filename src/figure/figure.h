@@ -16,9 +16,10 @@ struct cr_box {
     double x, y, w, h; /* points */
 };
 
-/* In which words: NULL draws in English. */
+/* In which words: NULL draws in English; and in which units. */
 struct cr_figure_words {
     const char *(*say)(const char *english);
+    enum cr_units units;
 };
 
 /* ---- the scene ---- */

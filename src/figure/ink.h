@@ -62,6 +62,7 @@ void cr_figure_hatch(struct cr_canvas *canvas, const double *x, const double *y,
 double cr_figure_ramp(struct cr_canvas *canvas, double x, double y, const char *from,
                       const char *to, bool beyond);
 /* A rule of a round length with its name; returns its width. */
-double cr_figure_scale_bar(struct cr_canvas *canvas, double x, double y, double points_per_m);
+double cr_figure_scale_bar(struct cr_canvas *canvas, double x, double y, double points_per_m,
+                           enum cr_units units);
 
 #endif

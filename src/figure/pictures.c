@@ -290,10 +290,18 @@ static enum cr_err risk(const struct cr_picture_source *s, struct cr_canvas **ou
                    s->result->resolved.part[body].id);
         return CR_ERR_MISSING;
     }
-    snprintf(title, sizeof title, "%s: %s, %%; delta-v %.1f km/h",
-             s->result->resolved.part[body].id, say(s, "injury risk"), dv);
+    double per = 1;
+    char x_unit[32];
+    const char *unit = cr_units_shown(s->result->units, "km/h", &per, NULL);
+    for (int i = 0; i < RISK_POINTS; i++) {
+        c.x[i] *= per;
+    }
+    dv *= per;
+    snprintf(x_unit, sizeof x_unit, "delta-v, %s", unit);
+    snprintf(title, sizeof title, "%s: %s, %%; delta-v %.1f %s", s->result->resolved.part[body].id,
+             say(s, "injury risk"), dv, unit);
     struct cr_plot p = {
-        .title = title, .x_unit = "delta-v, km/h", .curves = n, .curve = c.line, .cursor = dv};
+        .title = title, .x_unit = x_unit, .curves = n, .curve = c.line, .cursor = dv};
     code = new_canvas(PLOT_H, out, err);
     if (code == CR_ERR_OK) {
         cr_figure_plot(*out, box(PLOT_H), &p, &s->words);
@@ -353,8 +361,11 @@ static enum cr_err overview(const struct cr_picture_source *s, struct cr_canvas 
     return code;
 }
 
-enum cr_err cr_picture_draw(enum cr_picture picture, const struct cr_picture_source *s,
+enum cr_err cr_picture_draw(enum cr_picture picture, const struct cr_picture_source *source,
                             struct cr_canvas **out, struct cr_error *err) {
+    struct cr_picture_source in_units = *source;
+    const struct cr_picture_source *s = &in_units;
+    in_units.words.units = s->result != NULL ? s->result->units : source->words.units;
     *out = NULL;
     if (pictures[picture].result && s->result == NULL) {
         cr_err_set(err, CR_ERR_MISSING, "nothing has been solved yet");

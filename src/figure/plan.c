@@ -56,12 +56,15 @@ static struct cr_vec2 own_at(const struct cr_sheet *s, const struct cr_pic_body 
 static void grid(const struct cr_sheet *s) {
     struct cr_type_face face = {.size = 7, .ink = CR_INK_DIM, .anchor = CR_ANCHOR_MIDDLE};
     const struct cr_box *m = &s->map;
-    double step = fmax(cr_tick_step(m->w / s->k, (int)fmax(m->w / 40, 2)), 0.5);
-    double x0 = s->centre.x - m->w / 2 / s->k, x1 = s->centre.x + m->w / 2 / s->k;
-    double y0 = s->centre.y - m->h / 2 / s->k, y1 = s->centre.y + m->h / 2 / s->k;
+    double per = 1; /* m or ft of a m */
+    const char *unit = cr_units_shown(s->pic.units, "m", &per, NULL);
+    double k = s->k / per;
+    double step = fmax(cr_tick_step(m->w / k, (int)fmax(m->w / 40, 2)), 0.5);
+    double x0 = s->centre.x * per - m->w / 2 / k, x1 = s->centre.x * per + m->w / 2 / k;
+    double y0 = s->centre.y * per - m->h / 2 / k, y1 = s->centre.y * per + m->h / 2 / k;
     char text[32];
     for (double v = ceil(x0 / step) * step; v <= x1; v += step) {
-        struct cr_vec2 p = cr_sheet_at(s, cr_vec2(v, 0));
+        struct cr_vec2 p = cr_sheet_at(s, cr_vec2(v / per, 0));
         cr_figure_rule(s->canvas, (struct cr_line){p.x, m->y, p.x, m->y + m->h}, CR_INK_GRID, 0.4,
                        CR_DASH_NONE);
         cr_tick_text(v, step, text, sizeof text);
@@ -69,16 +72,18 @@ static void grid(const struct cr_sheet *s) {
     }
     face.anchor = CR_ANCHOR_END;
     for (double v = ceil(y0 / step) * step; v <= y1; v += step) {
-        struct cr_vec2 p = cr_sheet_at(s, cr_vec2(0, v));
+        struct cr_vec2 p = cr_sheet_at(s, cr_vec2(0, v / per));
         cr_figure_rule(s->canvas, (struct cr_line){m->x, p.y, m->x + m->w, p.y}, CR_INK_GRID, 0.4,
                        CR_DASH_NONE);
         cr_tick_text(v, step, text, sizeof text);
         cr_canvas_text(s->canvas, m->x - 3, p.y + 2.5, &face, text);
     }
     face.upward = true;
-    cr_canvas_text(s->canvas, m->x - 17, m->y, &face, "y, m");
+    snprintf(text, sizeof text, "y, %s", unit);
+    cr_canvas_text(s->canvas, m->x - 17, m->y, &face, text);
     face.upward = false;
-    cr_canvas_text(s->canvas, m->x + m->w, m->y + m->h + 16, &face, "x, m");
+    text[0] = 'x';
+    cr_canvas_text(s->canvas, m->x + m->w, m->y + m->h + 16, &face, text);
 }
 
 /* ---- voxels ---- */

@@ -224,15 +224,17 @@ static double arrow_entry(const struct cr_sheet *s, double x, double y, uint32_t
 void cr_sheet_legend(const struct cr_sheet *s, struct cr_box at) {
     const struct cr_pic *pic = &s->pic;
     double x = s->map.x, y = at.y + at.h - 15;
-    char to[48], from[48];
+    char to[96], from[48];
     bool moving = false;
-    x += cr_figure_scale_bar(s->canvas, x, y, s->k) + 16;
+    x += cr_figure_scale_bar(s->canvas, x, y, s->k, pic->units) + 16;
     if (pic->field != CR_FIELD_NONE) {
         bool ees = pic->field == CR_FIELD_EES;
         snprintf(from, sizeof from, "%s 0",
                  cr_figure_say(s->words, cr_pic_field_label(pic->field)));
-        snprintf(to, sizeof to, "%g%s %s", pic->field_max, ees ? "+" : "",
-                 cr_pic_field_unit(pic->field, false));
+        double top = pic->field_max;
+        const char *unit =
+            cr_units_shown(pic->units, cr_pic_field_unit(pic->field, false), &top, NULL);
+        snprintf(to, sizeof to, "%.3g%s %s", top, ees ? "+" : "", unit);
         cr_figure_ramp(s->canvas, x, y, from, to, ees);
     }
     x = s->map.x;
@@ -246,8 +248,9 @@ void cr_sheet_legend(const struct cr_sheet *s, struct cr_box at) {
         x += arrow_entry(s, x, y, CR_INK_DIM, cr_figure_say(s->words, "speed"));
     }
     if (s->view->vectors && pic->force_max > 0 && pic->force_now > shown_from * pic->force_max) {
-        snprintf(to, sizeof to, "%s %.0f kN", cr_figure_say(s->words, "force"),
-                 pic->force_now * 1e-3);
+        char amount[40];
+        cr_units_print(pic->units, "kN", pic->force_now * 1e-3, 0, amount, sizeof amount);
+        snprintf(to, sizeof to, "%.40s %.40s", cr_figure_say(s->words, "force"), amount);
         x += arrow_entry(s, x, y, CR_INK_FORCE, to);
     }
 }

@@ -96,8 +96,8 @@ static double legend(struct cr_canvas *c, double right, double y, const struct c
     return right - x;
 }
 
-void cr_figure_plot(struct cr_canvas *canvas, struct cr_box at, const struct cr_plot *plot,
-                    const struct cr_figure_words *words) {
+static void draw(struct cr_canvas *canvas, struct cr_box at, const struct cr_plot *plot,
+                 const struct cr_figure_words *words) {
     struct cr_plot_range r = cr_plot_range(plot);
     struct cr_axes a = {
         .canvas = canvas, .x_lo = r.x_lo, .x_hi = r.x_hi, .y_lo = r.y_lo, .y_hi = r.y_hi};
@@ -135,4 +135,12 @@ void cr_figure_plot(struct cr_canvas *canvas, struct cr_box at, const struct cr_
     for (int k = 0; k < plot->curves; k++) {
         letter(&a, &plot->curve[k]);
     }
+}
+
+void cr_figure_plot(struct cr_canvas *canvas, struct cr_box at, const struct cr_plot *plot,
+                    const struct cr_figure_words *words) {
+    struct cr_arena arena = {0};
+    const struct cr_plot *shown = cr_plot_shown(plot, &arena);
+    draw(canvas, at, shown != NULL ? shown : plot, words);
+    cr_arena_free(&arena);
 }

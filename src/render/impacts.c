@@ -49,7 +49,7 @@ static const struct {
     {"delta-v", "km/h", 8, 1, get_delta_v, NULL}, {"EES", "km/h", 6, 1, get_ees, NULL},
     {"PDOF", "deg", 5, 0, get_pdof, NULL},        {"CDC", "", 8, 0, NULL, put_cdc},
     {"peak", "g", 6, 1, get_peak, NULL},          {"pulse", "ms", 7, 1, get_pulse, NULL},
-    {"face", "", 6, 0, NULL, put_face},           {"depth", "m", 6, 2, get_depth, NULL},
+    {"face", "", 6, 0, NULL, put_face},           {"depth", CR_SHOWN_DEPTH, 6, 2, get_depth, NULL},
     {"yaw", "deg/s", 7, 1, get_yaw, NULL},        {"mean", "g", 5, 1, get_mean, NULL},
     {"energy", "kJ", 7, 1, get_energy, NULL},
 };
@@ -59,7 +59,16 @@ struct pen {
     struct cr_cells *cells;
     struct cr_rect at;
     int y;
+    enum cr_units units;
 };
+
+/* words with numbers in them, which are told in the units of the table */
+static void write_words(struct pen *p, int indent, enum cr_role role, const char *text) {
+    struct cr_str shown = {0};
+    cr_units_text(p->units, text, &shown);
+    cr_cells_print(p->cells, p->at.x + indent, p->y++, p->at.w - indent, role, cr_str_get(&shown));
+    cr_str_fini(&shown);
+}
 
 static bool full(const struct pen *p) {
     return p->y >= p->at.y + p->at.h;
@@ -75,23 +84,31 @@ static void write_columns(struct pen *p, enum cr_role role, const struct hit *hi
             return;
         }
         if (hit == NULL) {
-            snprintf(text, sizeof text, "%s", units ? columns[i].unit : columns[i].head);
+            const char *unit = cr_units_shown(p->units, columns[i].unit, NULL, NULL);
+            snprintf(text, sizeof text, "%s", units ? unit : columns[i].head);
         } else if (columns[i].text != NULL) {
             columns[i].text(hit, text, sizeof text);
         } else {
-            cr_render_number(columns[i].number(hit), columns[i].decimals, text, sizeof text);
+            double shown = columns[i].number(hit);
+            int decimals = columns[i].decimals;
+            cr_units_shown(p->units, columns[i].unit, &shown, &decimals);
+            cr_render_number(shown, decimals, text, sizeof text);
         }
         cr_cells_print_right(p->cells, x, p->y, columns[i].width - 1, role, text);
     }
 }
 
 /* "C1-C6 13 14 18 18 14 13 cm over 1.54 m; left too, 0.12 m deep over 0.40 m" */
-static void say_damage(const struct cr_severity *s, char *buf, size_t size) {
+static void say_damage(enum cr_units units, const struct cr_severity *s, char *buf, size_t size) {
     int n = snprintf(buf, size, "C1-C6");
     for (int i = 0; i < CR_PROFILE; i++) {
-        n += snprintf(buf + n, size - (size_t)n, " %.0f", fabs(s->profile[i]) * 100);
+        double x = fabs(s->profile[i]) * 100;
+        int decimals = 0;
+        cr_units_shown(units, "cm", &x, &decimals);
+        n += snprintf(buf + n, size - (size_t)n, " %.*f", decimals, x);
     }
-    n += snprintf(buf + n, size - (size_t)n, " cm over %.2f m", s->profile_width);
+    n += snprintf(buf + n, size - (size_t)n, " %s over %.2f m",
+                  cr_units_shown(units, "cm", NULL, NULL), s->profile_width);
     if (s->second.face < CR_FACES) {
         snprintf(buf + n, size - (size_t)n, "; %s too, %.2f m deep over %.2f m",
                  cr_render_face(s->second.face), s->second.depth, s->second.width);
@@ -110,8 +127,8 @@ static void write_side(struct pen *p, const struct cr_result *r, const struct cr
     p->y++;
     if (hit.deforms && !full(p) && hit.of->profile_width > 0) {
         char text[200];
-        say_damage(hit.of, text, sizeof text);
-        cr_cells_print(p->cells, p->at.x + 2, p->y++, p->at.w - 2, CR_ROLE_DIM, text);
+        say_damage(p->units, hit.of, text, sizeof text);
+        write_words(p, 2, CR_ROLE_DIM, text);
     }
 }
 
@@ -126,7 +143,7 @@ static void write_impact(struct pen *p, const struct cr_result *r, int i) {
              r->resolved.part[k->body[0]].id, r->resolved.part[k->body[1]].id,
              1e3 * (k->t_begin - t0), 1e3 * (k->t_end - t0), cr_kmh(k->closing),
              cr_stop_word(k->stop));
-    cr_cells_print(p->cells, p->at.x, p->y++, p->at.w, CR_ROLE_TITLE, text);
+    write_words(p, 0, CR_ROLE_TITLE, text);
     write_side(p, r, k, 0);
     write_side(p, r, k, 1);
 }
@@ -143,7 +160,7 @@ int cr_render_impacts_rows(const struct cr_result *result) {
 }
 
 void cr_render_impacts(struct cr_cells *cells, struct cr_rect at, const struct cr_result *result) {
-    struct pen p = {cells, at, at.y};
+    struct pen p = {cells, at, at.y, result->units};
     if (full(&p)) {
         return;
     }

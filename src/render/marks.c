@@ -192,8 +192,8 @@ static bool draw_object_name(const struct ink *ink, const struct cr_pic_body *b)
     return true;
 }
 
-void cr_pic_label(const struct cr_pic *pic, const struct cr_pic_body *b, bool wide, bool ascii,
-                  char *buf, int size) {
+static void metric_label(const struct cr_pic *pic, const struct cr_pic_body *b, bool wide,
+                         bool ascii, char *buf, int size) {
     if (!b->moves) {
         snprintf(buf, (size_t)size, "%s", b->id);
         return;
@@ -218,6 +218,15 @@ void cr_pic_label(const struct cr_pic *pic, const struct cr_pic_body *b, bool wi
         snprintf(buf + n, (size_t)(size - n), ascii ? "  %+.0f deg/s" : "  %+.0f\u00b0/s",
                  fabs(rate) < 0.5 ? 0 : rate);
     }
+}
+
+void cr_pic_label(const struct cr_pic *pic, const struct cr_pic_body *b, bool wide, bool ascii,
+                  char *buf, int size) {
+    struct cr_str text = {0};
+    metric_label(pic, b, wide, ascii, buf, size);
+    cr_units_text(pic->units, buf, &text);
+    snprintf(buf, (size_t)size, "%s", cr_str_get(&text));
+    cr_str_fini(&text);
 }
 
 static bool row_free(const struct ink *ink, int x, int y, int w) {
@@ -281,7 +290,9 @@ static void write_text(struct pen *pen, enum cr_role role, const char *text) {
 static void write_scale(struct pen *pen) {
     static const double lengths[] = {0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 1000};
     bool ascii = pen->ink->look->ascii;
-    double m = pen->ink->pic->m_per_col, length = 1000;
+    double foot = 1;
+    const char *unit = cr_units_shown(pen->ink->pic->units, "m", &foot, NULL);
+    double m = pen->ink->pic->m_per_col * foot, length = 1000; /* m or ft per column */
     double most = pen->end - pen->x < 60 ? 6.5 : 12.5;
     for (int i = 10; i >= 0; i--) {
         double columns = lengths[i] / m;
@@ -292,7 +303,7 @@ static void write_scale(struct pen *pen) {
     }
     int n = (int)lround(length / m);
     char text[48];
-    snprintf(text, sizeof text, " %g m", length);
+    snprintf(text, sizeof text, " %g %s", length, unit);
     if (!room(pen, n + 8)) {
         return;
     }
@@ -313,8 +324,10 @@ static void write_ramp(struct pen *pen) {
     const char *label = cr_pic_field_label(pic->field);
     int n = blocks ? CR_STEPS : look->ascii ? 9 : 4;
     char top[48];
-    snprintf(top, sizeof top, " %g%s %s", pic->field_max, beyond && !colour ? "+" : "",
-             cr_pic_field_unit(pic->field, look->ascii));
+    double most = pic->field_max;
+    const char *unit =
+        cr_units_shown(pic->units, cr_pic_field_unit(pic->field, look->ascii), &most, NULL);
+    snprintf(top, sizeof top, " %.3g%s %s", most, beyond && !colour ? "+" : "", unit);
     if (pic->field == CR_FIELD_NONE ||
         !room(pen, cr_glyph_width(label) + 3 + n + cr_glyph_width(top))) {
         return;
@@ -366,7 +379,9 @@ static void draw_legend(const struct ink *ink, const struct cr_scene_view *view)
     write_entry(&pen, pic->any_induced, CR_ROLE_INDUCED, "~", "induced");
     write_entry(&pen, pic->any_overlap, CR_ROLE_BAD, "!", "overlap");
     write_entry(&pen, pic->any_rigid, CR_ROLE_OBJECT, "/", "rigid");
-    snprintf(force, sizeof force, "force %.0f kN", pic->force_now * 1e-3);
+    char amount[40];
+    cr_units_print(pic->units, "kN", pic->force_now * 1e-3, 0, amount, sizeof amount);
+    snprintf(force, sizeof force, "force %s", amount);
     write_entry(&pen, view->vectors && pic->force_now > 0.02 * pic->force_max, CR_ROLE_FORCE,
                 ascii ? "+->" : "+\u2501\u25ba", force);
     write_entry(&pen, view->vectors && moving, CR_ROLE_TEXT, ascii ? "->" : "\u2501\u25ba",

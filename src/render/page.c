@@ -39,7 +39,10 @@ enum cr_err cr_page_heading(const struct cr_page *page, const char *title, const
 enum cr_err cr_page_paragraph(const struct cr_page *page, int indent, enum cr_role role,
                               const char *text, struct cr_error *err) {
     enum cr_err code = CR_ERR_OK;
+    struct cr_str shown = {0};
     int at = 1;
+    cr_units_text(page->result->units, text, &shown);
+    text = cr_str_get(&shown);
     while (*text != '\0' && code == CR_ERR_OK) {
         struct cr_cells c;
         int room = page->width - at, used = 0, w = 0;
@@ -69,5 +72,6 @@ enum cr_err cr_page_paragraph(const struct cr_page *page, int indent, enum cr_ro
         }
         at = 1 + indent;
     }
+    cr_str_fini(&shown);
     return code;
 }

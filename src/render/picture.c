@@ -258,6 +258,7 @@ enum cr_err cr_pic_init(struct cr_pic *pic, const struct cr_compiled *compiled,
     bool solved = result != NULL && result->solution->samples > 0;
     pic->n = scene->n < CR_BODY_MAX ? scene->n : CR_BODY_MAX;
     pic->field = view->field;
+    pic->units = result != NULL ? result->units : view->units;
     pic->time = view->time;
     if (solved) {
         pic->sol = result->solution;

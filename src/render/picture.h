@@ -32,6 +32,7 @@ struct cr_pic {
     struct cr_arena arena; /* owns the fields of the bodies */
     int n;
     struct cr_pic_body body[CR_BODY_MAX];
+    enum cr_units units;           /* of labels, scale and legend */
     const struct cr_solution *sol; /* NULL: not solved */
     double time;                   /* s; NaN: no result */
     bool done;                     /* at or after the end of the crash */

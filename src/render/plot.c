@@ -289,8 +289,8 @@ static void draw_title(const struct cr_plot *plot, const struct frame *f, struct
     }
 }
 
-enum cr_err cr_render_plot(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
-                           const struct cr_plot *plot, struct cr_error *err) {
+static enum cr_err draw(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
+                        const struct cr_plot *plot, struct cr_error *err) {
     struct frame f = {.cells = cells, .look = look};
     struct cr_dots dots = {0};
     f.area = (struct cr_rect){at.x + 2, at.y + 1, at.w - 2, at.h - 1 - AXIS_ROWS};
@@ -318,4 +318,53 @@ enum cr_err cr_render_plot(struct cr_cells *cells, struct cr_rect at, const stru
     draw_zero_and_cursor(plot, &f);
     cr_dots_fini(&dots);
     return CR_ERR_OK;
+}
+
+static double *scaled(const double *from, int n, double factor, struct cr_arena *arena) {
+    double *to = cr_arena_take(arena, (size_t)n + 1, sizeof *to);
+    for (int i = 0; to != NULL && i < n; i++) {
+        to[i] = factor * from[i];
+    }
+    return to;
+}
+
+const struct cr_plot *cr_plot_shown(const struct cr_plot *plot, struct cr_arena *arena) {
+    double x = 1, y = 1;
+    const char *x_unit = plot->x_unit != NULL ? plot->x_unit : "";
+    const char *y_unit = plot->y_unit != NULL ? plot->y_unit : "";
+    x_unit = cr_units_shown(plot->units, x_unit, &x, NULL);
+    y_unit = cr_units_shown(plot->units, y_unit, &y, NULL);
+    if (x == 1 && y == 1) {
+        return plot;
+    }
+    struct cr_plot *to = cr_arena_take(arena, 1, sizeof *to);
+    struct cr_curve_line *curve = cr_arena_take(arena, (size_t)plot->curves + 1, sizeof *curve);
+    if (to == NULL || curve == NULL) {
+        return NULL;
+    }
+    *to = *plot;
+    to->x_unit = x_unit;
+    to->y_unit = y_unit;
+    to->curve = curve;
+    to->cursor = x * plot->cursor;
+    to->units = CR_UNITS_SI; /* it is as it shall be */
+    for (int k = 0; k < plot->curves; k++) {
+        curve[k] = plot->curve[k];
+        curve[k].x = scaled(plot->curve[k].x, plot->curve[k].n, x, arena);
+        curve[k].y = scaled(plot->curve[k].y, plot->curve[k].n, y, arena);
+        if (curve[k].x == NULL || curve[k].y == NULL) {
+            return NULL;
+        }
+    }
+    return to;
+}
+
+enum cr_err cr_render_plot(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
+                           const struct cr_plot *plot, struct cr_error *err) {
+    struct cr_arena arena = {0};
+    plot = cr_plot_shown(plot, &arena);
+    enum cr_err code = plot != NULL ? draw(cells, at, look, plot, err)
+                                    : cr_err_set(err, CR_ERR_MEMORY, "no memory for the plot");
+    cr_arena_free(&arena);
+    return code;
 }

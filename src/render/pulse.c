@@ -165,6 +165,7 @@ enum cr_err cr_plot_pulse(const struct cr_result *result, enum cr_quantity quant
                                                                         : UNITS[quantity],
                                  .curves = curves,
                                  .curve = out->curve,
+                                 .units = result->units,
                                  .cursor = (cursor - sol->t_contact) * 1e3};
     return CR_ERR_OK;
 }
@@ -232,6 +233,7 @@ enum cr_err cr_plot_energy(const struct cr_result *result, double cursor, struct
                                  .y_unit = "kJ",
                                  .curves = curves,
                                  .curve = out->curve,
+                                 .units = result->units,
                                  .cursor = (cursor - sol->t_contact) * 1e3};
     return CR_ERR_OK;
 }

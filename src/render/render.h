@@ -6,6 +6,7 @@
 #define CR_RENDER_RENDER_H
 
 #include "base/str.h"
+#include "base/units.h"
 #include "result/result.h"
 #include "scene/scene.h"
 
@@ -105,6 +106,7 @@ struct cr_scene_view {
     bool vectors;          /* velocity and force arrows */
     bool ghost;            /* outlines of the bodies at the first contact */
     int selected;          /* participant to mark, -1: none */
+    enum cr_units units;   /* of the words, where there is no result that says it */
 };
 
 /* The scene, before (result NULL), at a time, or after; with outline, heading, overlap and crushed
@@ -140,8 +142,12 @@ struct cr_plot {
     const char *title, *x_unit, *y_unit;
     int curves;
     const struct cr_curve_line *curve;
-    double cursor; /* x of a vertical cursor, NaN: none */
+    double cursor;       /* x of a vertical cursor, NaN: none */
+    enum cr_units units; /* in which it is drawn: curves and units above are metric */
 };
+/* The plot itself, or where its units ask for it a copy in them that lives in the arena; NULL: no
+ * memory. */
+const struct cr_plot *cr_plot_shown(const struct cr_plot *plot, struct cr_arena *arena);
 /* Curves over a common axis with round 1-2-5 ticks (braille, or * and o). */
 CR_MUST_CHECK enum cr_err cr_render_plot(struct cr_cells *cells, struct cr_rect at,
                                          const struct cr_look *look, const struct cr_plot *plot,

@@ -205,7 +205,10 @@ static enum cr_err profile_line(const struct cr_page *page, int b, double most,
         uint32_t bar = level < 1 ? ' ' : 0x2580u + (uint32_t)level;
         cr_cells_run(&c, 18 + 3 * i, 0, 3, cr_render_role_of(b),
                      page->look->ascii && level > 0 ? (uint8_t) " .:-=+*#@"[level] : bar);
-        cr_render_number(of->profile[i], 2, text, sizeof text);
+        double x = of->profile[i];
+        int decimals = 2;
+        cr_units_shown(page->result->units, CR_SHOWN_DEPTH, &x, &decimals);
+        cr_render_number(x, decimals, text, sizeof text);
         cr_cells_print_right(&c, 46 + 5 * i, 0, 5, CR_ROLE_TEXT, text);
     }
     return cr_page_emit(page, &c, err);
@@ -223,7 +226,10 @@ static enum cr_err profiles(const struct cr_page *page, struct cr_error *err) {
     if (!(most > 0)) {
         return CR_ERR_OK;
     }
-    enum cr_err code = cr_page_heading(page, "Crush profile", "residual, C1 to C6, m", err);
+    char note[40];
+    snprintf(note, sizeof note, "residual, C1 to C6, %s",
+             cr_units_shown(r->units, CR_SHOWN_DEPTH, NULL, NULL));
+    enum cr_err code = cr_page_heading(page, "Crush profile", note, err);
     for (int b = 0; b < r->solution->bodies && code == CR_ERR_OK; b++) {
         code = has_profile(r, b) ? profile_line(page, b, most, err) : CR_ERR_OK;
     }
@@ -239,7 +245,7 @@ static enum cr_err bar_line(const struct cr_page *page, const char *label, doubl
     }
     char text[64];
     cr_cells_print(&c, 1, 0, 28, CR_ROLE_TEXT, label);
-    snprintf(text, sizeof text, "%.1f kJ", joule * 1e-3);
+    cr_units_print(page->result->units, "kJ", joule * 1e-3, 1, text, sizeof text);
     cr_cells_print_right(&c, 40, 0, 14, CR_ROLE_TEXT, text);
     double share = whole > 0 ? cr_clamp(joule / whole, 0, 1) : 0;
     snprintf(text, sizeof text, "%.1f %%", share * 100);

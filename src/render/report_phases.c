@@ -49,6 +49,12 @@ static void pair_of(double a, const char *between, double b, char *out, size_t s
     snprintf(out, size, "%s%s%s", one, between, two);
 }
 
+/* a number of a column, in the unit that it shows */
+static void put(const struct cr_page *page, int column, double x, int decimals, char out[64]) {
+    cr_units_shown(page->result->units, PHASE[column].unit, &x, &decimals);
+    cr_render_number(x, decimals, out, 64);
+}
+
 static enum cr_err contact_line(const struct cr_page *page, const struct cr_contact *k,
                                 struct cr_error *err) {
     const struct cr_scene *scene = &page->result->resolved;
@@ -61,10 +67,10 @@ static enum cr_err contact_line(const struct cr_page *page, const struct cr_cont
             sizeof text[2]);
     bool cut = k->stop == CR_STOP_INTERRUPTED; /* a longer word than the column is wide */
     snprintf(text[3], sizeof text[3], "%s", cut ? "^C" : cr_stop_word(k->stop));
-    cr_render_number(cr_kmh(k->closing), 1, text[4], sizeof text[4]);
-    cr_render_number(k->restitution, 2, text[5], sizeof text[5]);
-    cr_render_number(cr_vec2_len(k->impulse) * 1e-3, 2, text[6], sizeof text[6]);
-    cr_render_number(k->friction * 1e-3, 1, text[7], sizeof text[7]);
+    put(page, 4, cr_kmh(k->closing), 1, text[4]);
+    put(page, 5, k->restitution, 2, text[5]);
+    put(page, 6, cr_vec2_len(k->impulse) * 1e-3, 2, text[6]);
+    put(page, 7, k->friction * 1e-3, 1, text[7]);
     for (int i = 0; i < PHASE_COLUMNS; i++) {
         at[i] = text[i];
     }
@@ -116,7 +122,7 @@ enum cr_err cr_page_phases(const struct cr_page *page, struct cr_error *err) {
     int hidden = 0;
     for (int i = 0; i < PHASE_COLUMNS; i++) {
         head[i] = PHASE[i].head;
-        unit[i] = PHASE[i].unit;
+        unit[i] = cr_units_shown(page->result->units, PHASE[i].unit, NULL, NULL);
     }
     for (int i = 0; i < sol->contacts; i++) {
         most = fmax(most, cr_vec2_len(sol->contact[i].impulse));

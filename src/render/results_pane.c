@@ -48,12 +48,18 @@ static const struct {
     bool grid_only;
     double (*get)(const struct source *s);
 } ROWS[] = {
-    {"mass", "kg", 0, ALWAYS, false, mass},       {"v0", "km/h", 1, ALWAYS, false, v0},
-    {"v", "km/h", 1, ALWAYS, false, v_now},       {"EES", "km/h", 1, ALWAYS, true, ees},
-    {"delta-v", "km/h", 1, ALWAYS, false, dv},    {"PDOF", "deg", 0, AT_END, true, pdof},
-    {"depth", "m", 2, AT_END, true, depth},       {"E deform", "kJ", 1, ALWAYS, true, energy},
-    {"a max", "g", 1, AT_END, false, a_max},      {"a", "g", 1, AT_INSTANT, false, a_now},
-    {"force", "kN", 0, AT_INSTANT, false, force}, {"yaw rate", "deg/s", 0, ALWAYS, false, yaw},
+    {"mass", "kg", 0, ALWAYS, false, mass},
+    {"v0", "km/h", 1, ALWAYS, false, v0},
+    {"v", "km/h", 1, ALWAYS, false, v_now},
+    {"EES", "km/h", 1, ALWAYS, true, ees},
+    {"delta-v", "km/h", 1, ALWAYS, false, dv},
+    {"PDOF", "deg", 0, AT_END, true, pdof},
+    {"depth", CR_SHOWN_DEPTH, 2, AT_END, true, depth},
+    {"E deform", "kJ", 1, ALWAYS, true, energy},
+    {"a max", "g", 1, AT_END, false, a_max},
+    {"a", "g", 1, AT_INSTANT, false, a_now},
+    {"force", "kN", 0, AT_INSTANT, false, force},
+    {"yaw rate", "deg/s", 0, ALWAYS, false, yaw},
     {"turned", "deg", 1, ALWAYS, false, turned},
 };
 
@@ -91,11 +97,15 @@ static void write_rows(struct spot *p, const struct cr_result *result, double ti
             struct source s = {result, b, cr_render_state(&result->compiled, result, b, time),
                                final};
             if (!ROWS[i].grid_only || result->compiled.cs.body[b].grid.nx > 0) {
-                cr_render_number(ROWS[i].get(&s), ROWS[i].decimals, text, sizeof text);
+                double x = ROWS[i].get(&s);
+                int decimals = ROWS[i].decimals;
+                cr_units_shown(result->units, ROWS[i].unit, &x, &decimals);
+                cr_render_number(x, decimals, text, sizeof text);
             }
             cr_cells_print_right(p->cells, column_end(p, k), p->y, COLUMN - 1, CR_ROLE_TEXT, text);
         }
-        cr_cells_print(p->cells, p->at.x + p->at.w - UNIT, p->y++, UNIT, CR_ROLE_DIM, ROWS[i].unit);
+        cr_cells_print(p->cells, p->at.x + p->at.w - UNIT, p->y++, UNIT, CR_ROLE_DIM,
+                       cr_units_shown(result->units, ROWS[i].unit, NULL, NULL));
     }
 }
 
@@ -123,7 +133,10 @@ static void write_foot(struct spot *p, const struct cr_result *result, double ti
         return;
     }
     int y = p->at.y + p->at.h - FOOT;
-    snprintf(text, sizeof text, "sum E deform %8.1f kJ", plastic_until(result, time) * 1e-3);
+    double sum = plastic_until(result, time) * 1e-3;
+    int decimals = 1;
+    const char *unit = cr_units_shown(result->units, "kJ", &sum, &decimals);
+    snprintf(text, sizeof text, "sum E deform %8.*f %s", decimals, sum, unit);
     cr_cells_print(p->cells, p->at.x, y++, p->at.w, CR_ROLE_TEXT, text);
     snprintf(text, sizeof text, "energy error  %.1e", sol->balance.energy_residual);
     cr_cells_print(p->cells, p->at.x, y++, p->at.w, CR_ROLE_DIM, text);

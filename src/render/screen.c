@@ -171,6 +171,7 @@ enum cr_err cr_render_screen(struct cr_cells *cells, const struct cr_look *look,
         if (live == NULL) {
             return cr_err_set(err, CR_ERR_MEMORY, "no memory for the picture of the solve");
         }
+        live->units = screen->scene_view.units;
         shown.result = live;
         shown.compiled = &live->compiled;
         shown.scene_view.time = (double)NAN;

@@ -110,17 +110,23 @@ static void put_cdc(const struct source *s, char *buf, int size) {
     snprintf(buf, (size_t)size, "%s", s->of->cdc);
 }
 
-/* three depths of the profile, in whole cm */
-static void put_depths(const double *c, char *buf, int size) {
-    snprintf(buf, (size_t)size, "%.0f %.0f %.0f", c[0] * 100, c[1] * 100, c[2] * 100);
+/* three depths of the profile, in whole cm or tenths of an inch */
+static void put_depths(const struct source *s, int from, char *buf, int size) {
+    int n = 0;
+    for (int i = 0; i < 3 && n < size; i++) {
+        double x = s->of->profile[from + i] * 100;
+        int decimals = 0;
+        cr_units_shown(s->result->units, "cm", &x, &decimals);
+        n += snprintf(buf + n, (size_t)(size - n), i > 0 ? " %.*f" : "%.*f", decimals, x);
+    }
 }
 
 static void put_c123(const struct source *s, char *buf, int size) {
-    put_depths(s->of->profile, buf, size);
+    put_depths(s, 0, buf, size);
 }
 
 static void put_c456(const struct source *s, char *buf, int size) {
-    put_depths(s->of->profile + 3, buf, size);
+    put_depths(s, 3, buf, size);
 }
 
 static void put_face(const struct source *s, char *buf, int size) {
@@ -147,8 +153,8 @@ static const struct row FINAL[] = {
     {"  CDC", "", -1, NULL, put_cdc, true, false},
     {"Deformation", NULL, 0, NULL, NULL, true, false},
     {"  struck face", "", -1, NULL, put_face, true, false},
-    {"  greatest depth, residual", "m", 2, get_depth, NULL, true, false},
-    {"  greatest depth, dynamic", "m", 2, get_dynamic, NULL, true, false},
+    {"  greatest depth, residual", CR_SHOWN_DEPTH, 2, get_depth, NULL, true, false},
+    {"  greatest depth, dynamic", CR_SHOWN_DEPTH, 2, get_dynamic, NULL, true, false},
     {"  residual C1 C2 C3", "cm", -1, NULL, put_c123, true, false},
     {"  residual C4 C5 C6", "cm", -1, NULL, put_c456, true, false},
     {"  crushed area", "m\u00b2", 2, get_area, NULL, true, false},
@@ -273,6 +279,14 @@ static int column_end(const struct layout *l, int k) {
     return l->at.x + l->label + (k + 1) * l->column;
 }
 
+/* a number of a row as it is shown */
+static void put_number(const struct cr_result *result, const struct row *row, double x, char *buf,
+                       int size) {
+    int decimals = row->decimals;
+    cr_units_shown(result->units, row->unit, &x, &decimals);
+    cr_render_number(x, decimals, buf, size);
+}
+
 /* ---- measured values beside the results ---- */
 
 /* what was measured of a participant for a row; NaN: nothing */
@@ -322,7 +336,7 @@ static void write_measured(struct layout *l, const struct cr_result *result,
         double test = measured(l->reference, result, b, row), got = row->number(&s);
         char text[32] = "";
         if (isfinite(test)) {
-            cr_render_number(test, row->decimals, text, sizeof text);
+            put_number(result, row, test, text, sizeof text);
         }
         cr_cells_print_right(l->cells, test_end(l, k), l->y - 1, TEST - 1, CR_ROLE_TEXT, text);
         if (isfinite(test) && test != 0 && !angle && l->y < l->at.y + l->at.h) {
@@ -363,13 +377,13 @@ static void write_row(struct layout *l, const struct cr_result *result, const st
         if (has && row->decimals < 0) {
             row->text(&s, text, sizeof text);
         } else if (has) {
-            cr_render_number(row->number(&s), row->decimals, text, sizeof text);
+            put_number(result, row, row->number(&s), text, sizeof text);
         }
         cr_cells_print_right(l->cells, column_end(l, k), l->y, l->column - 1, CR_ROLE_TEXT, text);
     }
-    const char *unit = row->unit;
-    if (l->look->ascii && strcmp(unit, "m\u00b2") == 0) {
-        unit = "m2";
+    const char *unit = cr_units_shown(result->units, row->unit, NULL, NULL);
+    if (l->look->ascii && strcmp(row->unit, "m\u00b2") == 0) {
+        unit = cr_units_shown(result->units, "m2", NULL, NULL);
     }
     cr_cells_print(l->cells, column_end(l, l->n - 1) + 1, l->y, UNIT - 1, CR_ROLE_DIM, unit);
     l->y++;

@@ -9,6 +9,10 @@
 #define INK(fg256, fg16, attr)                                                                     \
     { fg256, -1, fg16, -1, attr }
 
+/* Colours of what is beyond the scale, for 256 and 16 of them: magenta, which no map has, no
+ * background is, and nobody takes for the grey of "no data". */
+#define BEYOND 201, 13
+
 /* In every theme but contrast, plain words are the terminal's own, so they can be read whatever
  * its background; each colour has a contrast ratio (WCAG 2.1) of at least 3 on the backgrounds the
  * theme is for, which both ends of the scale allow only near the middle lightness. */
@@ -35,8 +39,7 @@ static const struct cr_theme THEMES[] = {
          [CR_ROLE_KEY] = INK(32, -1, CR_CELL_BOLD),
          [CR_ROLE_FIELD] = INK(-1, -1, 0),
      },
-     243,
-     7},
+     BEYOND},
     {"dark",
      "for a dark background",
      {
@@ -59,8 +62,7 @@ static const struct cr_theme THEMES[] = {
          [CR_ROLE_KEY] = INK(117, 14, CR_CELL_BOLD),
          [CR_ROLE_FIELD] = INK(-1, -1, 0),
      },
-     239,
-     7},
+     BEYOND},
     {"light",
      "for a light background",
      {
@@ -83,8 +85,7 @@ static const struct cr_theme THEMES[] = {
          [CR_ROLE_KEY] = INK(25, 4, CR_CELL_BOLD),
          [CR_ROLE_FIELD] = INK(-1, -1, 0),
      },
-     250,
-     7},
+     BEYOND},
     {"contrast",
      "few, strong colours on black",
      {
@@ -107,8 +108,7 @@ static const struct cr_theme THEMES[] = {
          [CR_ROLE_KEY] = {51, 16, 14, 0, CR_CELL_BOLD},
          [CR_ROLE_FIELD] = {231, 16, 15, 0, 0},
      },
-     244,
-     7},
+     BEYOND},
     {"mono",
      "no colours: bold, dim and reverse only (NO_COLOR)",
      {

@@ -15,7 +15,7 @@ struct cr_style {
 struct cr_theme {
     const char *name, *help;
     struct cr_style role[CR_ROLES];
-    int16_t beyond256; /* of a field value beyond its scale: material, neither good nor bad */
+    int16_t beyond256; /* of a field value beyond its scale: no step of a map, no grey */
     int8_t beyond16;
 };
 

@@ -34,8 +34,11 @@ int cr_repl_takes(const char *arg) {
              cr_repl_is_scene(arg) || access(arg, F_OK) == 0));
 }
 
-static int fail(const char *what, const char *arg) {
+static int fail(bool quiet, const char *what, const char *arg) {
     char shown[256];
+    if (quiet) {
+        return 2;
+    }
     fprintf(stderr, "crumple: error: %s '%s'. %s\n", what, cr_show(arg, shown, sizeof shown),
             usage);
     return 2;
@@ -66,16 +69,46 @@ void cr_repl_add_line(struct cr_str *out, const char *path) {
     cr_str_add(out, "\"\n");
 }
 
-bool cr_repl_one_scene(int argc, char **argv) {
-    struct cr_repl_options o;
-    bool scene = false;
-    for (int i = 1; i < argc; i++) { /* options that are none of ours get one message, not two */
-        scene = scene || (argv[i][0] != '-' && cr_repl_is_scene(argv[i]));
-        if (argv[i][0] == '-' && !cr_repl_takes(argv[i])) {
-            return false;
+static int read_words(int argc, char **argv, bool quiet, struct cr_repl_options *o) {
+    *o = (struct cr_repl_options){.color = "auto"};
+    for (int i = 1; i < argc; i++) {
+        const char *arg = argv[i];
+        if (strcmp(arg, "-i") == 0 || strcmp(arg, "--repl") == 0) {
+            o->prompt = true;
+            o->plain = o->plain || arg[1] == '-';
+        } else if (strcmp(arg, "--ascii") == 0) {
+            o->ascii = true;
+        } else if (strncmp(arg, "--max-", 6) == 0) {
+            if (!read_limit(arg, o)) {
+                return fail(quiet, "want --max-seconds=N or --max-memory=MB, not", arg);
+            }
+        } else if (strncmp(arg, "--color=", 8) == 0 && is_color(arg + 8)) {
+            o->color = arg + 8;
+        } else if (strncmp(arg, "--color", 7) == 0) {
+            return fail(quiet, "--color takes always, auto or never, not", arg);
+        } else if (strcmp(arg, "-e") == 0) {
+            if (++i == argc) {
+                return fail(quiet, "a command must follow", arg);
+            }
+            o->sources++;
+        } else if (arg[0] == '-' && arg[1] != '\0') {
+            return fail(quiet, "unknown option", arg);
+        } else {
+            o->sources++;
+            o->scenes += cr_repl_is_scene(arg);
+            o->streams += strcmp(arg, "-") == 0;
         }
     }
-    return scene && cr_repl_read_options(argc, argv, &o) == 0 && o.sources == 1 && !o.prompt;
+    return 0;
+}
+
+int cr_repl_read_options(int argc, char **argv, struct cr_repl_options *o) {
+    return read_words(argc, argv, false, o);
+}
+
+bool cr_repl_one_scene(int argc, char **argv) {
+    struct cr_repl_options o;
+    return read_words(argc, argv, true, &o) == 0 && o.scenes == 1 && o.sources == 1 && !o.prompt;
 }
 
 static bool all_there(int argc, char **argv, const char *data_dir) {
@@ -97,7 +130,7 @@ bool cr_repl_wants_screen(int argc, char **argv, const char *data_dir, struct cr
     for (int i = 1; i < argc; i++) {
         wants = wants || strcmp(argv[i], "-i") == 0;
     }
-    if (!wants || !all_there(argc, argv, data_dir) || cr_repl_read_options(argc, argv, &o) != 0 ||
+    if (!wants || !all_there(argc, argv, data_dir) || read_words(argc, argv, true, &o) != 0 ||
         o.plain || o.streams > 0) {
         return false;
     }
@@ -113,37 +146,4 @@ bool cr_repl_wants_screen(int argc, char **argv, const char *data_dir, struct cr
         }
     }
     return true;
-}
-
-int cr_repl_read_options(int argc, char **argv, struct cr_repl_options *o) {
-    *o = (struct cr_repl_options){.color = "auto"};
-    for (int i = 1; i < argc; i++) {
-        const char *arg = argv[i];
-        if (strcmp(arg, "-i") == 0 || strcmp(arg, "--repl") == 0) {
-            o->prompt = true;
-            o->plain = o->plain || arg[1] == '-';
-        } else if (strcmp(arg, "--ascii") == 0) {
-            o->ascii = true;
-        } else if (strncmp(arg, "--max-", 6) == 0) {
-            if (!read_limit(arg, o)) {
-                return fail("want --max-seconds=N or --max-memory=MB, not", arg);
-            }
-        } else if (strncmp(arg, "--color=", 8) == 0 && is_color(arg + 8)) {
-            o->color = arg + 8;
-        } else if (strncmp(arg, "--color", 7) == 0) {
-            return fail("--color takes always, auto or never, not", arg);
-        } else if (strcmp(arg, "-e") == 0) {
-            if (++i == argc) {
-                return fail("a command must follow", arg);
-            }
-            o->sources++;
-        } else if (arg[0] == '-' && arg[1] != '\0') {
-            return fail("unknown option", arg);
-        } else {
-            o->sources++;
-            o->scenes += cr_repl_is_scene(arg);
-            o->streams += strcmp(arg, "-") == 0;
-        }
-    }
-    return 0;
 }

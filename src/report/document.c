@@ -82,7 +82,7 @@ static struct cr_block *add(struct cr_document *doc, enum cr_block_kind kind) {
     return b;
 }
 
-static const char *keep(struct cr_document *doc, const char *text) {
+const char *cr_doc_keep(struct cr_document *doc, const char *text) {
     size_t n = strlen(text) + 1;
     char *s = cr_arena_take(&doc->arena, n, 1);
     if (s == NULL) {
@@ -96,7 +96,7 @@ static const char *keep(struct cr_document *doc, const char *text) {
 void cr_doc_add(struct cr_document *doc, enum cr_block_kind kind, const char *text) {
     struct cr_block *b = add(doc, kind);
     if (b != NULL) {
-        b->text = keep(doc, text);
+        b->text = cr_doc_keep(doc, text);
     }
 }
 
@@ -137,7 +137,7 @@ struct cr_doc_row *cr_doc_row(struct cr_document *doc, const char *const *cell) 
     struct cr_doc_row *row = &b->row[b->rows++];
     *row = (struct cr_doc_row){.head = false};
     for (int i = 0; i < b->columns; i++) {
-        row->cell[i] = cell[i] != NULL ? keep(doc, cell[i]) : "";
+        row->cell[i] = cell[i] != NULL ? cr_doc_keep(doc, cell[i]) : "";
     }
     return row;
 }
@@ -149,5 +149,5 @@ void cr_doc_figure(struct cr_document *doc, struct cr_canvas *figure, const char
         return;
     }
     b->figure = figure;
-    b->text = keep(doc, caption);
+    b->text = cr_doc_keep(doc, caption);
 }

@@ -27,6 +27,7 @@ struct cr_doc_row {
 struct cr_block {
     enum cr_block_kind kind;
     const char *text; /* of a figure: its caption */
+    bool quoted;      /* somebody else's words: never told in other units */
     int columns, rows, row_size;
     struct cr_doc_row *row;
     struct cr_canvas *figure; /* owned */
@@ -48,11 +49,17 @@ void cr_doc_addf(struct cr_document *doc, enum cr_block_kind kind, const char *f
     CR_PRINTF(3, 4);
 /* A text kept by the document; with a decimal comma between digits where that is its language. */
 const char *cr_doc_text(struct cr_document *doc, const char *fmt, ...) CR_PRINTF(2, 3);
+/* A copy of it that the document keeps, as it is. */
+const char *cr_doc_keep(struct cr_document *doc, const char *text);
 /* A table; its rows follow by cr_doc_row, which copies the cells (NULL: empty). */
 void cr_doc_table(struct cr_document *doc, int columns);
 struct cr_doc_row *cr_doc_row(struct cr_document *doc, const char *const *cell);
 /* Takes the canvas over; NULL is nothing. */
 void cr_doc_figure(struct cr_document *doc, struct cr_canvas *figure, const char *caption);
+
+/* Everything but figures and code in US units, where numbers stand before or below a metric one;
+ * unit_head: heading of columns that hold the units of their rows. */
+void cr_document_us(struct cr_document *doc, const char *unit_head);
 
 /* One file without scripts or anything outside of it, for screen and print. Errors: MEMORY. */
 CR_MUST_CHECK enum cr_err cr_document_html(const struct cr_document *doc, struct cr_str *out,

@@ -11,6 +11,7 @@ libreport_a_SOURCES = \
 	src/report/section_inputs.c \
 	src/report/section_pictures.c \
 	src/report/sections.h \
+	src/report/units.c \
 	src/report/validity.h \
 	src/report/warnings.c \
 	src/report/words.c

@@ -28,6 +28,9 @@ enum cr_err cr_report_make(const struct cr_report_source *s, struct cr_document 
         cr_section_limits(&p);
         cr_section_annex(&p);
     }
+    if (s->result->units == CR_UNITS_US) {
+        cr_document_us(out, W(&p, "Unit"));
+    }
     if (code == CR_ERR_OK && out->failed) {
         code = cr_err_set(err, CR_ERR_MEMORY, "no memory for the report");
     }

@@ -39,11 +39,14 @@ static const char *german(const char *english) {
 }
 
 static struct cr_figure_words words_of(const struct cr_paper *p) {
-    return (struct cr_figure_words){p->s->lang == CR_LANG_DE ? german : NULL};
+    return (struct cr_figure_words){p->s->lang == CR_LANG_DE ? german : NULL, p->r->units};
 }
 
-static double shown(const struct cr_measure *m, double si) {
-    return cr_unit_from_si(cr_measure_unit(m), si);
+/* in the unit of the paper */
+static double shown(const struct cr_paper *p, const struct cr_measure *m, double si) {
+    double x = cr_unit_from_si(cr_measure_unit(m), si);
+    cr_units_shown(p->r->units, m->unit, &x, NULL);
+    return x;
 }
 
 static enum cr_err charts(struct cr_paper *p, int body, int measure, const struct cr_mc_stats *st,
@@ -81,14 +84,15 @@ static enum cr_err drawn_result(struct cr_paper *p, int body, const char *name, 
         return charts(p, body, measure, &st, err);
     }
     const char *cell[CR_COLUMNS] = {
-        cr_doc_text(p->doc, "%s %s, %s", p->r->resolved.part[body].id, m->name, m->unit),
-        cr_doc_text(p->doc, "%.*f", m->decimals, shown(m, st.nominal)),
-        cr_doc_text(p->doc, "%.*f", m->decimals, shown(m, st.mean)),
-        cr_doc_text(p->doc, "%.*f", m->decimals, shown(m, st.sd))};
+        cr_doc_text(p->doc, "%s %s, %s", p->r->resolved.part[body].id, m->name,
+                    cr_units_shown(p->r->units, m->unit, NULL, NULL)),
+        cr_doc_text(p->doc, "%.*f", m->decimals, shown(p, m, st.nominal)),
+        cr_doc_text(p->doc, "%.*f", m->decimals, shown(p, m, st.mean)),
+        cr_doc_text(p->doc, "%.*f", m->decimals, shown(p, m, st.sd))};
     for (int q = 0; q < CR_MC_QUANTILES; q++) {
-        cell[4 + q] = cr_doc_text(p->doc, "%.*f", m->decimals, shown(m, st.quantile[q]));
+        cell[4 + q] = cr_doc_text(p->doc, "%.*f", m->decimals, shown(p, m, st.quantile[q]));
     }
-    cell[9] = cr_doc_text(p->doc, "%.*f", m->decimals + 1, shown(m, st.moved));
+    cell[9] = cr_doc_text(p->doc, "%.*f", m->decimals + 1, shown(p, m, st.moved));
     cr_doc_row(p->doc, cell);
     return CR_ERR_OK;
 }

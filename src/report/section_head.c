@@ -35,15 +35,19 @@ static bool range_of(const struct cr_paper *p, int body, const struct cr_measure
 
 const char *cr_paper_interval(const struct cr_paper *p, int body, const struct cr_measure *m) {
     double value = cr_measure_shown(m, &p->r->of[body]), range[2];
+    int decimals = m->decimals;
     if (!isfinite(value)) {
         return "-";
     }
+    const char *unit = cr_units_shown(p->r->units, m->unit, &value, &decimals);
     if (!range_of(p, body, m, range)) {
-        return cr_doc_text(p->doc, "%.*f %s (%s)", m->decimals, value, m->unit,
+        return cr_doc_text(p->doc, "%.*f %s (%s)", decimals, value, unit,
                            W(p, "interval not computed"));
     }
-    return cr_doc_text(p->doc, "%.*f %s (%.*f %s %.*f)", m->decimals, value, m->unit, m->decimals,
-                       range[0], W(p, "to"), m->decimals, range[1]);
+    cr_units_shown(p->r->units, m->unit, &range[0], NULL);
+    cr_units_shown(p->r->units, m->unit, &range[1], NULL);
+    return cr_doc_text(p->doc, "%.*f %s (%.*f %s %.*f)", decimals, value, unit, decimals, range[0],
+                       W(p, "to"), decimals, range[1]);
 }
 
 static void line(struct cr_paper *p, const char *name, const char *value) {

@@ -90,6 +90,9 @@ static void notes(struct cr_paper *p, const char *extra) {
             ROW(p, item->string, text != NULL ? text : cJSON_GetStringValue(item));
             cJSON_free(text);
         }
+        if (!p->doc->failed) {
+            p->doc->block[p->doc->blocks - 1].quoted = true;
+        }
     }
     cJSON_Delete(json);
 }

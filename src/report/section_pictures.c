@@ -172,7 +172,8 @@ enum cr_err cr_section_damage(struct cr_paper *p, struct cr_error *err) {
                                         W(p, "The same on the 3D model of its type."), err);
     }
     cr_doc_table(p->doc, 10);
-    HEAD(p, "", "C1, cm", "C2", "C3", "C4", "C5", "C6", W(p, "Width, m"), W(p, "Depth, m"), "CDC");
+    HEAD(p, "", "C1, cm", "C2, cm", "C3, cm", "C4, cm", "C5, cm", "C6, cm", W(p, "Width, m"),
+         W(p, "Depth, m"), "CDC");
     for (int i = 0; i < p->r->resolved.n; i++) {
         if (cr_paper_is_vehicle(p, i)) {
             profile(p, i);

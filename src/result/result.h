@@ -5,6 +5,7 @@
 
 #include "base/err.h"
 #include "base/str.h"
+#include "base/units.h"
 #include "scene/scene.h"
 #include "solver/solver.h"
 
@@ -93,6 +94,7 @@ struct cr_impact {
 
 struct cr_robust;
 struct cr_result {
+    enum cr_units units;      /* in which tables, plots and reports of it are; all in it is SI */
     struct cr_scene scene;    /* as given */
     struct cr_scene resolved; /* with every default filled in */
     struct cr_assumed assumed;

@@ -3,6 +3,7 @@
 #include "tui/tui_priv.h"
 
 #include "render/picture.h"
+#include "render/theme.h"
 
 #include <curses.h>
 #include <math.h>
@@ -225,15 +226,13 @@ static void next_map(struct cr_tui *t, int arg) {
 }
 
 static void next_theme(struct cr_tui *t, int arg) {
-    static const char *const words[] = {"auto", "dark", "light", "contrast"};
-    enum { N = sizeof words / sizeof *words };
+    int i = 0, n = cr_theme_count() - 1; /* the last one is for NO_COLOR */
     char line[60];
-    int i = 0;
     (void)arg;
-    while (i < N - 1 && strcmp(words[i], cr_session_view(t->session)->theme) != 0) {
+    while (i < n - 1 && strcmp(cr_theme_get(i)->name, cr_session_view(t->session)->theme) != 0) {
         i++;
     }
-    snprintf(line, sizeof line, "view theme=%s", words[(i + 1) % N]);
+    snprintf(line, sizeof line, "view theme=%s", cr_theme_get((i + 1) % n)->name);
     cr_tui_run_key(t, line);
 }
 

@@ -99,9 +99,12 @@ static void look_ahead(struct cr_preview *p, const struct cr_compiled *compiled)
 
 static int write_line(struct cr_tui *t, struct cr_rect at, int y, enum cr_role role,
                       const char *text) {
+    struct cr_str shown = {0};
+    cr_units_text(cr_session_units(t->session), text, &shown);
     if (y < at.h) {
-        cr_cells_print(&t->cells, at.x, at.y + y, at.w, role, text);
+        cr_cells_print(&t->cells, at.x, at.y + y, at.w, role, cr_str_get(&shown));
     }
+    cr_str_fini(&shown);
     return y + 1;
 }
 

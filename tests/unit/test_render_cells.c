@@ -181,6 +181,18 @@ static void test_colour_maps_rise(void **state) {
         }
     }
     /* [COLOUR-RAMP] gives L* 8 for the first and 87 for the last step of viridis */
+    /* what is beyond the scale is a colour: no grey (232..255, or equal parts of the cube), no step */
+    for (int i = 0; i < cr_theme_count(); i++) {
+        int beyond = cr_theme_get(i)->beyond256, c = beyond - 16;
+        if (beyond < 0) {
+            continue; /* without colours it has a glyph */
+        }
+        assert_true(beyond < 232 && !(c / 36 == c / 6 % 6 && c / 6 % 6 == c % 6));
+        for (int step = 1; step <= 8 * CR_COLORMAPS; step++) {
+            assert_int_not_equal(beyond, cr_theme_ramp((enum cr_colormap)((step - 1) / 8),
+                                                       CR_COLOR_256, 1 + (step - 1) % 8));
+        }
+    }
     check_near(lightness(cr_theme_ramp(CR_COLORMAP_VIRIDIS, CR_COLOR_256, 1)), 8, 1);
     check_near(lightness(cr_theme_ramp(CR_COLORMAP_VIRIDIS, CR_COLOR_256, 8)), 87, 1);
 }

@@ -370,7 +370,7 @@ static void test_plot_peak(void **state) {
         y[i] = i <= 50 ? i : 100 - i;
     }
     struct cr_curve_line curve = {x, y, 101, 'A', "triangle", CR_ROLE_A, false};
-    struct cr_plot plot = {"y", "ms", "m", 1, &curve, 25};
+    struct cr_plot plot = {"y", "ms", "m", 1, &curve, 25, CR_UNITS_SI};
     struct cr_cells c;
     struct cr_error err;
     assert_int_equal(cr_cells_new(60, 15, &c, &err), CR_ERR_OK);
@@ -394,7 +394,7 @@ static void test_plot_peak(void **state) {
 
 static void test_plot_of_nothing(void **state) {
     (void)state;
-    struct cr_plot plot = {"y", "ms", "m", 0, NULL, NAN};
+    struct cr_plot plot = {"y", "ms", "m", 0, NULL, NAN, CR_UNITS_SI};
     double x[2] = {0, 1}, y[2] = {NAN, INFINITY};
     struct cr_curve_line curve = {x, y, 2, 'A', "none", CR_ROLE_A, false};
     struct cr_cells c;

@@ -3,6 +3,7 @@
 
 #include "base/units.h"
 
+#include <math.h>
 #include <stdbool.h>
 #include <string.h>
 
@@ -215,8 +216,49 @@ static void test_names_of_columns(void **state) {
     assert_non_null(strstr(err.hint, "km/h"));
 }
 
+/* Factors of NIST SP 811, appendix B: 1 mi/h = 0.44704 m/s, 1 lb = 0.45359237 kg ... */
+static void test_output_in_us_units(void **state) {
+    (void)state;
+    static const struct {
+        const char *metric, *us;
+    } lines[] = {
+        {"A: suv 1000 kg  x=3.05 m y=-1.50 m  100.0 km/h",
+         "A: suv 2205 lb  x=10.01 ft y=-4.92 ft  62.1 mph"},
+        {"EES 37.0 km/h, 16.9 g, 12 deg", "EES 23.0 mph, 16.9 g, 12 deg"},
+        {"(1.000, 0.500) + (2.000, 0.000) m", "(3.281, 1.640) + (6.562, 0.000) ft"},
+        {"56+-3 km/h and 56 +- 3 km/h", "35+-2 mph and 35 +- 2 mph"},
+        {"residual 12 14 20 cm", "residual 4.7 5.5 7.9 in"},
+        {"12.5 kJ of 100 J, 2 kN m", "9220 ft-lb of 74 ft-lb, 1475 ft-lb"},
+        {"test 7292 of 2010, CFC 60, 2.5 %", "test 7292 of 2010, CFC 60, 2.5 %"},
+        {"5 ms 3 m", "5 ms 10 ft"},
+        {"mass_kg, v1 km/h, no number km/h", "mass_kg, v1 km/h, no number km/h"},
+        {"a = 5 m/s2, 3 mm, m2", "a = 16 ft/s2, 0.12 in, m2"},
+        {"", ""},
+    };
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+        struct cr_str out = {0};
+        cr_units_text(CR_UNITS_US, lines[i].metric, &out);
+        assert_string_equal(cr_str_get(&out), lines[i].us);
+        cr_str_clear(&out);
+        cr_units_text(CR_UNITS_SI, lines[i].metric, &out);
+        assert_string_equal(cr_str_get(&out), lines[i].metric);
+        cr_str_fini(&out);
+    }
+    struct cr_str comma = {0};
+    cr_units_words(CR_UNITS_US, ',', "37,0 km/h (30,5 bis 41,2 km/h)", &comma);
+    assert_string_equal(cr_str_get(&comma), "23,0 mph (19,0 bis 25,6 mph)");
+    cr_str_fini(&comma);
+    double x = 0.5;
+    int decimals = 2;
+    assert_string_equal(cr_units_shown(CR_UNITS_US, CR_SHOWN_DEPTH, &x, &decimals), "in");
+    assert_true(fabs(x - 19.685) < 1e-3 && decimals == 1);
+    assert_string_equal(cr_units_shown(CR_UNITS_SI, CR_SHOWN_DEPTH, &x, &decimals), "m");
+    assert_true(fabs(x - 19.685) < 1e-3);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_output_in_us_units),
         cmocka_unit_test(test_numbers_with_units),
         cmocka_unit_test(test_what_is_no_value_is_refused),
         cmocka_unit_test(test_units_go_back_to_the_shortest_number),

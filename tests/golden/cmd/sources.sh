@@ -49,7 +49,8 @@ same "quit ends all" "$status$errs" 0
 
 refused "a command file that is not there" 2 'no.crumple: error: cannot open' no.crumple
 refused "a folder" 2 'error: cannot read' ./
-refused "a scene is no command file" 2 'a scene is no command file .crumple run' "$demo"
+run "$demo" -e list
+has "a scene among commands is opened" "$out" 'A: suv'
 refused "-e without a command" 2 'a command must follow' -e
 refused "an unknown option" 2 'unknown option' -e list --fast
 refused "a bad --color" 2 'always, auto or never' --color=pink

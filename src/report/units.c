@@ -1,0 +1,105 @@
+/* A paper in US units: what its sections wrote in metric ones is told anew, number by number. */
+#include "report/document.h"
+
+#include "base/str.h"
+#include "base/units.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* "EES, km/h" or "km/h": what behind the comma is a metric unit with a counterpart; else NULL */
+static const char *unit_of(const char *head) {
+    const char *comma = strrchr(head, ',');
+    const char *unit = comma != NULL ? comma + 1 + strspn(comma + 1, " ") : head;
+    return cr_units_shown(CR_UNITS_US, unit, NULL, NULL) != unit ? unit : NULL;
+}
+
+/* a cell that is nothing but a number, in the unit of its row or column */
+static const char *number(struct cr_document *doc, const char *cell, const char *unit) {
+    char plain[64], *end;
+    snprintf(plain, sizeof plain, "%.60s", cell);
+    char *comma = doc->comma ? strchr(plain, ',') : NULL;
+    if (comma != NULL) {
+        *comma = '.';
+    }
+    double x = strtod(plain, &end);
+    if (end == plain || *end != '\0') {
+        return cell;
+    }
+    const char *point = strchr(plain, '.');
+    int decimals = point != NULL ? (int)strlen(point + 1) : 0;
+    cr_units_shown(CR_UNITS_US, unit, &x, &decimals);
+    return cr_doc_text(doc, "%.*f", decimals, x);
+}
+
+static const char *words(struct cr_document *doc, const char *text) {
+    struct cr_str shown = {0};
+    cr_units_words(CR_UNITS_US, doc->comma ? ',' : '.', text, &shown);
+    const char *kept =
+        strcmp(cr_str_get(&shown), text) != 0 ? cr_doc_text(doc, "%s", cr_str_get(&shown)) : text;
+    cr_str_fini(&shown);
+    return kept;
+}
+
+/* "EES, mph" */
+static const char *head(struct cr_document *doc, const char *text, const char *unit) {
+    char shown[200];
+    snprintf(shown, sizeof shown, "%.*s%s", (int)(unit - text), text,
+             cr_units_shown(CR_UNITS_US, unit, NULL, NULL));
+    return cr_doc_keep(doc, shown);
+}
+
+static void row(struct cr_document *doc, const struct cr_block *b, struct cr_doc_row *r,
+                const struct cr_doc_row *top, const char *unit_head) {
+    const char *of_row = r->cell[0] != NULL ? unit_of(r->cell[0]) : NULL;
+    for (int i = 0; i < b->columns && of_row == NULL; i++) { /* a column of units */
+        if (top->cell[i] != NULL && strcmp(top->cell[i], unit_head) == 0 && r->cell[i] != NULL) {
+            of_row = unit_of(r->cell[i]);
+            r->cell[i] = cr_units_shown(CR_UNITS_US, r->cell[i], NULL, NULL);
+        }
+    }
+    for (int i = 0; i < b->columns; i++) {
+        const char *unit = top->cell[i] != NULL ? unit_of(top->cell[i]) : NULL;
+        unit = unit != NULL ? unit : i > 0 ? of_row : NULL;
+        if (r->cell[i] != NULL && unit != NULL) {
+            r->cell[i] = number(doc, r->cell[i], unit);
+        }
+        if (r->cell[i] != NULL) {
+            r->cell[i] = words(doc, r->cell[i]);
+        }
+    }
+    if (r->cell[0] != NULL && of_row != NULL && unit_of(r->cell[0]) != NULL) {
+        r->cell[0] = head(doc, r->cell[0], unit_of(r->cell[0]));
+    }
+}
+
+static void table(struct cr_document *doc, struct cr_block *b, const char *unit_head) {
+    static const struct cr_doc_row none = {.head = false};
+    const struct cr_doc_row top = b->rows > 0 && b->row[0].head ? b->row[0] : none;
+    for (int i = 0; i < b->rows; i++) {
+        if (!b->row[i].head) {
+            row(doc, b, &b->row[i], &top, unit_head);
+        }
+    }
+    for (int i = 0; i < b->columns && top.head; i++) {
+        const char *unit = top.cell[i] != NULL ? unit_of(top.cell[i]) : NULL;
+        if (unit != NULL) {
+            b->row[0].cell[i] = head(doc, top.cell[i], unit);
+        }
+    }
+}
+
+void cr_document_us(struct cr_document *doc, const char *unit_head) {
+    for (int i = 0; i < doc->blocks; i++) {
+        struct cr_block *b = &doc->block[i];
+        if (b->quoted) {
+            continue;
+        }
+        if (b->kind == CR_BLOCK_TABLE) {
+            table(doc, b, unit_head);
+        } else if (b->kind != CR_BLOCK_CODE) {
+            b->text = words(doc, b->text);
+        }
+    }
+}
