@@ -76,7 +76,7 @@ struct cr_settings {
     bool elastic_auto;    /* as long as the force at the end of the plastic phase asks for */
     enum cr_end end;
     /* what the profiles switch, each settable alone; -1: as the method says */
-    int induced, heights, dive, residual_curve;
+    int induced, heights, dive, residual_curve, plane_normal;
     /* which of the above were given in the file, so that saving gives back the same file */
     unsigned given; /* bit i: row i of the settings table */
     struct cr_tolerances tolerances;

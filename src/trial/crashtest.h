@@ -19,6 +19,7 @@
     X(SMALL_OVERLAP, "small-overlap", "small overlap, 64 km/h")                                    \
     X(PULSE, "pulse", "wall with a full pulse")                                                    \
     X(LOW_SPEED, "low-speed", "low speed and frontal pole")                                        \
+    X(PAPER, "paper", "the tests of the paper, by type")                                           \
     X(OWN, "own", "own tests")
 
 enum cr_test_class {
@@ -74,6 +75,8 @@ struct cr_test {
     char id[CR_NAME_MAX];   /* "10146" or the name of the scene */
     char part[CR_NAME_MAX]; /* the participant that was measured */
     char title[96];
+    char group[32];         /* of a scene: x_group, "" without */
+    char name[CR_NAME_MAX]; /* of the participant: x_name, "" without */
     enum cr_type type;
     double speed_kmh;
     double reference[CR_MEASURES]; /* NaN where nothing was measured */
