@@ -79,9 +79,8 @@ static enum cr_err load_measured(struct cr_call *call, const char *path, int kin
         }
     }
     name[n] = '\0';
-    return cr_signal_load(path, name, out, NULL) == CR_ERR_OK
-               ? CR_ERR_OK
-               : cr_signal_load(path, NULL, out, err);
+    enum cr_err code = cr_signal_load(path, name, out, err);
+    return code == CR_ERR_OK || code == CR_ERR_MEMORY ? code : cr_signal_load(path, NULL, out, err);
 }
 
 /* the curve in ms and in the unit of the plot */
@@ -198,7 +197,8 @@ static enum cr_err plot_pulse(struct cr_session *s, const struct pulse_call *wha
         code = series(r, what, b, n, own, err);
         const char *id = r->resolved.part[b].id;
         curve[curves++] = (struct cr_curve_line){
-            .x = t, .y = own, .n = n, .mark = id[0], .name = id, .role = cr_render_role_of(b)};
+            .x = t, .y = own, .n = n, .name = id, .role = cr_render_role_of(b)};
+        curve[curves - 1].mark = cr_render_mark(&r->resolved, b);
     }
     if (what->measured != NULL) {
         curve[curves++] = (struct cr_curve_line){.x = what->measured->t,

@@ -68,6 +68,7 @@ static const struct cr_arg vehicle_args[] = {
 static const struct cr_arg object_args[] = {
     POSITION("NAME", CR_VALUE_NEW, .help = "its name, new or known"),
     KEY_OF("kind", "shape", O),
+    KEY_OF("barrier", "barrier", CR_FOR_BARRIER),
     KEY("diameter", CR_VALUE_NUMBER, .dim = CR_DIM_LENGTH, .unit = "m", .lo = 0.02, .hi = 100,
         .help = "of a pole", .def = "0.254m"),
     KEY_OF("length", "length_m", CR_FOR_BOX),
@@ -188,6 +189,8 @@ static const struct cr_arg show_args[] = {
         .help = "time slice; with a sign so many further or back"),
     KEY("vectors", CR_VALUE_SWITCH, .words = "on|off", .def = "on",
         .help = "arrows of velocity and force"),
+    KEY("ghost", CR_VALUE_SWITCH, .words = "on|off", .def = "off",
+        .help = "outlines of where everybody was at the first contact"),
     KEY("scale", CR_VALUE_NUMBER, .dim = CR_DIM_LENGTH, .unit = "m", .lo = 0.005, .hi = 10,
         .words = "auto|in|out", .def = "auto", .help = "m per column"),
     KEY("centre", CR_VALUE_POINT, .dim = CR_DIM_LENGTH, .unit = "m",
@@ -199,6 +202,14 @@ static const struct cr_arg show_args[] = {
         .help = "plan: the scene; else the selected vehicle's 3D model, with its damage"),
     KEY("colormap", CR_VALUE_WORD, .words = CR_COLORMAP_WORDS, .def = "viridis",
         .help = "colours of the field"),
+    END,
+};
+
+static const struct cr_arg play_args[] = {
+    OPTION("HOW", CR_VALUE_WORD, .words = "on|off", .def = "on", .help = "from the frame shown"),
+    KEY("rate", CR_VALUE_NUMBER, .lo = 0.1, .hi = 4, .def = "1",
+        .help = "0.1 to 4 times as fast as the crash in six seconds"),
+    KEY("loop", CR_VALUE_SWITCH, .words = "on|off", .def = "off", .help = "again and again"),
     END,
 };
 
@@ -422,8 +433,9 @@ static const struct cr_command commands[] = {
     {ROW(vehicle, SCENE, vehicle_args, "add a vehicle, change it, or tell about it"),
      .example = {"vehicle A type=suv mass=2260kg speed=56km/h", "vehicle A"},
      .setup = "vehicle A type=suv\n", .see = "object model place"},
-    {ROW(object, SCENE, object_args, "add a wall, pole or box, change it, or tell about it"),
-     .example = {"object tree kind=pole diameter=0.4m", "object crate kind=box length=1m width=2m"},
+    {ROW(object, SCENE, object_args,
+         "add a wall, pole, box or barrier, change it, or tell about it"),
+     .example = {"object tree kind=pole diameter=0.4m", "object front barrier=odb"},
      .see = "vehicle place"},
     {ROW(model, SCENE, model_args, "choose the EES model of a vehicle, or list the models"),
      .example = {"model B mini-compact/12", "model info suv/12"}, .setup = PAIR_SETUP,
@@ -485,6 +497,8 @@ static const struct cr_command commands[] = {
      .see = "view pulse table"},
     {ROW(view, LOOK, view_args, "choose the pane in front; at a plain prompt it is printed"),
      .example = {"view pulse", "view scene zoom=on"}, .setup = SOLVED, .see = "show"},
+    {ROW(play, LOOK, play_args, "play the crash in slow motion (full screen)"),
+     .example = {"play rate=0.5 loop=on", "play off"}, .setup = SOLVED, .see = "show view"},
     {ROW(table, LOOK, table_args, "print a table of results, inputs, time slices or a sweep"),
      .example = {"table", "table steps every=20"}, .setup = SOLVED, .see = "show pulse"},
     {ROW(pulse, LOOK, pulse_args, "draw acceleration, speed or another quantity over the time"),
@@ -504,6 +518,8 @@ static const struct cr_command commands[] = {
                  "source share/tutorial/2-ees-and-delta-v.crumple"},
      .see = "load"},
 
+    {ROW(pause, SELF, no_args, "in a command file: wait until somebody presses Enter"),
+     .example = {"pause", "pause"}, .see = "source play"},
     {ROW(undo, SELF, count_args, "take back the last changes of the scene"),
      .example = {"undo", "undo 2"}, .setup = PAIR_SETUP, .see = "redo history"},
     {ROW(redo, SELF, count_args, "bring back what undo took"), .example = {"redo", "redo 1"},

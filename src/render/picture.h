@@ -15,6 +15,7 @@ struct cr_pic_body {
     struct cr_sample now;           /* pose, velocity, force at the time of the picture */
     double c, s;                    /* cosine and sine of the heading */
     double speed_before, speed_now; /* m/s, < 0: backwards */
+    struct cr_vec2 start;           /* m, where it was at the first contact */
     double turned;                  /* change of heading since the first contact, rad */
     const struct cr_grid *grid;     /* nx = 0: rigid, with outline */
     const double *ees;              /* [ny * nx] km/h, NULL unless that is the field */
@@ -116,9 +117,9 @@ double cr_render_t_contact(const struct cr_solution *sol);
  * contact that matters. */
 int cr_render_samples(const struct cr_solution *sol);
 /* The first n values of a quantity as plots show it (g, km/h ...), accelerations filtered with CFC
- * 60 as the reported maxima are; what cannot be filtered (no contact, no memory) is shown as it is.
- */
-void cr_render_series(const struct cr_result *result, int body, enum cr_quantity quantity, int n,
-                      double *y);
+ * 60 as the reported maxima are; what cannot be filtered (no contact) is shown as it is. False
+ * where memory is out for the filter. */
+CR_MUST_CHECK bool cr_render_series(const struct cr_result *result, int body,
+                                    enum cr_quantity quantity, int n, double *y);
 
 #endif
