@@ -29,8 +29,8 @@ QUANTITIES = {"EES": ("ees_kmh", 5), "delta-v": ("delta_v_kmh", 5),
               "depth": ("deformation_max_m", 0.1), "yaw": ("yaw_rate_change_deg_s", 60),
               "peak": ("acceleration_max_g", 5)}
 # per cent: wanted and accepted today, each at the 90th percentile and at worst
-CONTINUITY = {"EES": (0.3, 3, 1.5, 30), "delta-v": (0.3, 3, 1.5, 30), "depth": (0.3, 3, 3, 60),
-              "yaw": (0.5, 5, 6, 120), "peak": (2, 10, 2.5, 60)}
+CONTINUITY = {"EES": (0.3, 3, 2, 40), "delta-v": (0.3, 3, 2, 30), "depth": (0.3, 3, 3.5, 60),
+              "yaw": (0.5, 5, 7, 250), "peak": (2, 10, 3.5, 60)}
 # the same at the median and at the 90th percentile
 CONVERGENCE = {"EES": (1, 3, 1, 3), "delta-v": (1, 3, 1, 3), "peak": (3, 10, 8, 15)}
 SIDESWIPE_TODAY = 60
