@@ -105,7 +105,7 @@ static void put_class(const struct cr_verdict *v, enum cr_test_class class, unsi
         }
         if (strcmp(r->group, "all") != 0 && (int)r->measure != last) {
             cr_str_addf(out, " %s by %s\n", cr_test_measure_label(r->measure),
-                        class == CR_TEST_PAPER ? "kind and car" : "speed and type");
+                        class == CR_TEST_PAPER ? "kind and car" : "speed, type and group");
             last = (int)r->measure;
         }
         put_row(r, runs, out);

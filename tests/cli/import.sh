@@ -26,4 +26,6 @@ refused() {
 }
 
 . "$SRC/tests/cli/import_csv.sh"
+. "$SRC/tests/cli/import_pcm.sh"
+. "$SRC/tests/cli/import_edr.sh"
 finish

@@ -1,3 +1,3 @@
 # tests of src/import
 TESTS += tests/cli/import.sh
-EXTRA_DIST += tests/cli/import.sh tests/cli/import_csv.sh tests/data
+EXTRA_DIST += tests/cli/import.sh tests/cli/import_csv.sh tests/cli/import_pcm.sh tests/cli/import_edr.sh tests/data
