@@ -53,6 +53,8 @@ EXTRA_DIST += tests/map.sh
 
 validate: crumple$(EXEEXT)
 	./crumple$(EXEEXT) validate
+	-CRUMPLE_DATA='$(abs_srcdir)' python3 $(srcdir)/tests/bench/continuity.py ./crumple$(EXEEXT) \
+	    --n 400
 .PHONY: validate
 
 # the unit tests, the fuzz corpora and the command line again in a build with sanitizers

@@ -165,6 +165,7 @@ static const struct cr_arg set_args[] = {
     KEY_OF("heights", "heights", 0),
     KEY_OF("dive", "dive", 0),
     KEY_OF("residual", "residual_curve", 0),
+    KEY_OF("plane", "plane_normal", 0),
     KEY("name", CR_VALUE_TEXT, .help = "name of the scene"),
     KEY("pair", CR_VALUE_TEXT,
         .help = "name that joins two scenes: the same crash with and without a safety system"),

@@ -535,6 +535,7 @@ static struct cr_opts make_opts(const struct cr_settings *set) {
     opts.restitution_auto = set->restitution_auto;
     opts.elastic_s = set->elastic_auto ? 0 : set->elastic;
     opts.induced = set->induced == 1;
+    opts.plane = set->plane_normal == 1;
     opts.end = set->end;
     opts.slope = cr_vec2_scale(cr_vec2(cos(set->downhill), sin(set->downhill)), set->slope);
     opts.rolling = set->rolling_auto ? rolling_free : set->rolling;

@@ -108,6 +108,9 @@ static const struct cr_key settings_keys[] = {
     SWITCH("dive", 1, 0, dive, "braking lowers the bumper, which shifts the heights that meet"),
     SWITCH("residual_curve", 0, 1, residual_curve,
            "voxels hold the residual crush curve, not the dynamic one"),
+    SWITCH("plane_normal", 0, 1, plane_normal,
+           "the force is normal to the plane through the deformed voxels (the paper), not along "
+           "what the surfaces press with"),
 };
 
 #define FACE(word, i)                                                                              \

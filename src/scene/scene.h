@@ -82,7 +82,7 @@ struct cr_settings {
     int patch_vertices;
     struct cr_vec2 patch[CR_VERTEX_MAX];
     /* what the profiles switch, each settable alone; -1: as the method says */
-    int induced, heights, dive, residual_curve;
+    int induced, heights, dive, residual_curve, plane_normal;
     /* which of the above were given in the file, so that saving gives back the same file */
     unsigned given; /* bit i: row i of the settings table */
     struct cr_tolerances tolerances;

@@ -88,6 +88,8 @@ struct cr_opts {
                               that is pressed instead (stiffness.md 6) */
     double elastic_s;      /* length of the elastic compression, and of the restitution, s; 0: from
                               the force at the end of the plastic phase, which goes on smoothly */
+    bool plane;            /* the force is normal to the plane through the deformed voxels, not
+                              along what presses on the surfaces (method.md) */
     bool induced;          /* what lies beside the contact is dragged along (method.md) */
     enum cr_end end;
     double max_time;  /* s before the first contact after which there is none */

@@ -23,6 +23,7 @@
     X(SIDE_MDB, "side-mdb", "flank struck by the US NCAP barrier")                                 \
     X(NARROW, "narrow", "narrow objects in front")                                                 \
     X(BARRIERS, "barriers", "deformable barriers")                                                 \
+    X(PAPER, "paper", "the tests of the paper, by type")                                           \
     X(OWN, "own", "own tests")
 
 enum cr_test_class {
@@ -80,6 +81,7 @@ struct cr_test {
     char part[CR_NAME_MAX]; /* the participant that was measured */
     char title[96];
     char group[CR_TEST_GROUP]; /* what a scene says it is judged with, "" */
+    char name[CR_NAME_MAX];    /* of the participant: x_name, "" without */
     enum cr_type type;         /* CR_TYPES: a barrier was measured */
     double speed_kmh;
     double reference[CR_MEASURES]; /* NaN where nothing was measured */

@@ -88,6 +88,7 @@ static enum cr_err scene_case(const cJSON *json, const cJSON *expect, const char
     snprintf(c->part, sizeof c->part, "%s", expect->string);
     snprintf(c->title, sizeof c->title, "%s", word(json, "x_title"));
     snprintf(c->group, sizeof c->group, "%s", word(json, "x_group"));
+    snprintf(c->name, sizeof c->name, "%s", word(p, "x_name"));
     cr_file_dir(path, c->dir, sizeof c->dir);
     read_pulse(json, c);
     c->at = 1e-3 * number(json, "x_at_ms");

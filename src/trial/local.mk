@@ -74,6 +74,24 @@ EXTRA_DIST += share/validation/make-scenes.py
 validationpulsedir = $(pkgdatadir)/validation/pulse
 dist_validationpulse_DATA = \
 	share/validation/pulse/camry-10146.json
+validationpaperdir = $(pkgdatadir)/validation/paper
+dist_validationpaper_DATA = \
+	share/validation/paper/README.md \
+	share/validation/paper/make-scenes.py \
+	share/validation/paper/fw-compact-1.json \
+	share/validation/paper/fw-sedan-1.json \
+	share/validation/paper/fw-sedan-2.json \
+	share/validation/paper/fw-station-wagon.json \
+	share/validation/paper/fw-suv.json \
+	share/validation/paper/po-compact-1.json \
+	share/validation/paper/po-compact-2.json \
+	share/validation/paper/po-sedan-1.json \
+	share/validation/paper/po-station-wagon.json \
+	share/validation/paper/po-suv.json \
+	share/validation/paper/v2v-compact-2012-mini-1996.json \
+	share/validation/paper/v2v-compact-2012-super-2007.json \
+	share/validation/paper/v2v-compact-2015-super-2007.json \
+	share/validation/paper/v2v-q7-fiat500.json
 validationdocdir = $(docdir)
 dist_validationdoc_DATA = share/doc/validation.md share/doc/library.md \
 	share/doc/method.md share/doc/sources.md

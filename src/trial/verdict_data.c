@@ -61,7 +61,9 @@ void cr_verdict_csv(const struct cr_verdict *v, const struct cr_test_list *tests
         const struct cr_verdict_row *r = &v->row[i];
         for (int j = 0; j < CR_TEST_RUNS; j++) {
             int m = cr_test_run_order[j];
-            if (!(form->runs >> m & 1) || r->of[m].n == 0) {
+            /* what the paper tells and nobody can repeat stands there with n = 0 */
+            bool told = r->class == CR_TEST_PAPER && m != CR_TEST_CROSS;
+            if (!(form->runs >> m & 1) || (r->of[m].n == 0 && !told)) {
                 continue;
             }
             cr_str_addf(out, "%s,", cr_test_class_word(r->class));
@@ -105,7 +107,7 @@ static void json_rows(const struct cr_verdict *v, unsigned runs, cJSON *json) {
             }
         }
         put(one, "fleet_sd", r->fleet_sd);
-        if (isfinite(r->published[0])) {
+        if (isfinite(r->published[0]) || isfinite(r->published[2])) {
             cJSON *p = cr_tree_object(one, "impactees");
             put(p, "mpe", r->published[0]);
             put(p, "sd", r->published[1]);

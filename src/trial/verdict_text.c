@@ -34,6 +34,7 @@ static unsigned runs_of(enum cr_test_class class, unsigned runs) {
 static void put_row(const struct cr_verdict_row *r, unsigned runs, struct cr_str *out) {
     char label[64];
     bool all = strcmp(r->group, "all") == 0, percent = cr_test_measure_is_relative(r->measure);
+    bool published = false;
     int n = 0;
     snprintf(label, sizeof label, "%s%s%s%s", all ? cr_test_measure_label(r->measure) : "  ",
              all ? "" : r->group, percent ? "" : ", ",
@@ -51,7 +52,10 @@ static void put_row(const struct cr_verdict_row *r, unsigned runs, struct cr_str
         }
     }
     number(out, r->fleet_sd, 7, false);
-    if (isfinite(r->published[0])) {
+    for (int i = 0; i < 3; i++) {
+        published = published || isfinite(r->published[i]);
+    }
+    if (published) {
         cr_str_add(out, "  ");
         for (int i = 0; i < 3; i++) {
             number(out, r->published[i], 7, i == 0);
@@ -100,7 +104,8 @@ static void put_class(const struct cr_verdict *v, enum cr_test_class class, unsi
             continue;
         }
         if (strcmp(r->group, "all") != 0 && (int)r->measure != last) {
-            cr_str_addf(out, " %s by speed, type and group\n", cr_test_measure_label(r->measure));
+            cr_str_addf(out, " %s by %s\n", cr_test_measure_label(r->measure),
+                        class == CR_TEST_PAPER ? "kind and car" : "speed, type and group");
             last = (int)r->measure;
         }
         put_row(r, runs, out);

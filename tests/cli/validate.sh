@@ -23,6 +23,41 @@ has "CSV has a row per measure and method" "$out" '^pulse,all,ees_kmh,km/h,1,pap
 run validate pulse --method paper
 same "one method alone has no targets" "$(printf '%s' "$out" | grep -c target)" 0
 
+# the tests of the paper: its method gives what it reports, as far as that is public
+run validate paper --method paper
+has "18 cars" "$out" 'the tests of the paper, by type: 18 measured'
+has "what nobody can repeat stands alone" "$out" '^   offset +0 +- +- +- +- +\+14\.6'
+run validate paper --method paper --format csv
+paper() { # group, measure, field (8 MPE, 10 MAPE), from, to: whether the value is in that range
+    printf '%s\n' "$out" | awk -F, -v g="$1" -v m="$2" -v f="$3" -v lo="$4" -v hi="$5" '
+        $2 == g && $3 == m { n++; good = $f >= lo && $f <= hi } END { print n + 0, good + 0 }'
+}
+same "frontal delta-v within 6.0 % (MAPE)" "$(paper frontal delta_v_kmh 10 0 6)" "1 1"
+same "EES of the Q7 at -5 %" "$(paper "Audi Q7 2006" ees_kmh 8 -8 -2)" "1 1"
+same "EES of the Fiat between 0 and +20 %" "$(paper "Fiat 500 2007" ees_kmh 8 0 20)" "1 1"
+same "full widths a tenth too shallow" "$(paper full-width face_depth_m 8 -14.6 -4.6)" "1 1"
+same "poles much too deep" "$(paper pole face_depth_m 8 40 150)" "1 1"
+run validate paper --cases --format json
+if command -v python3 >/dev/null 2>&1; then
+    same "JSON has them all" "$(printf '%s' "$out" | python3 -c 'import json, sys
+d = json.load(sys.stdin)
+q7 = [r["impactees"]["mpe"] for r in d["rows"] if r["group"] == "Audi Q7 2006"]
+print(len(d["cases"]), q7)')" "18 [-5]"
+    mkdir -p "$tmp/again/share/validation/paper" "$tmp/again/share"
+    cp -R "$SRC/models" "$tmp/again/"
+    cp -R "$SRC/share/calibration" "$tmp/again/share/"
+    cp -R "$SRC/share/validation/data" "$tmp/again/share/validation/"
+    cp "$SRC/share/validation/paper/make-scenes.py" "$tmp/again/share/validation/paper/"
+    python3 "$tmp/again/share/validation/paper/make-scenes.py"
+    cp "$SRC"/share/validation/paper/README.md "$SRC"/share/validation/paper/.gitignore \
+        "$tmp/again/share/validation/paper/" 2>/dev/null
+    same "the scenes are what their script makes" \
+        "$(diff -r "$SRC/share/validation/paper" "$tmp/again/share/validation/paper")" ""
+else
+    skip "JSON has them all" "no python3"
+    skip "the scenes are what their script makes" "no python3"
+fi
+
 # classes judged by the medians of groups
 run validate rear narrow barriers --method extended --worst 0
 has "real rear crashes are solved" "$out" '^struck from behind: 86 measured vehicles$'

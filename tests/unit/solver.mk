@@ -8,8 +8,8 @@ solver_tests = test_solver_wall test_solver_impact test_solver_oblique \
 	test_solver_trace test_solver_memory
 solver_test_libs = libcases.a libsolver.a libmodel.a libbase.a $(CMOCKA_LIBS) $(NETTLE_LIBS)
 check_PROGRAMS += $(solver_tests)
-TESTS += $(solver_tests) tests/cases/conservation.sh
-EXTRA_DIST += tests/cases/conservation.sh
+TESTS += $(solver_tests) tests/cases/conservation.sh tests/cases/continuity.sh
+EXTRA_DIST += tests/cases/conservation.sh tests/cases/continuity.sh
 test_solver_wall_SOURCES = tests/unit/test_solver_wall.c
 test_solver_wall_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 test_solver_wall_LDADD = $(solver_test_libs)

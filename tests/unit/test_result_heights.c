@@ -282,7 +282,7 @@ static void paper_is_extended_without_its_settings(void **state) {
     struct cr_result *paper = solved("\"method\":\"paper\"", OFFSET);
     struct cr_result *off = solved(
         "\"restitution\":0.1,\"friction\":0,\"induced\":false,\"heights\":false,\"dive\":false,"
-        "\"residual_curve\":true,\"elastic_ms\":5,\"dt_ms\":0.5",
+        "\"residual_curve\":true,\"plane_normal\":true,\"elastic_ms\":5,\"dt_ms\":0.5",
         SUV(",\"brake\":1" NEAREST),
         "{\"id\":\"B\",\"kind\":\"vehicle\",\"type\":\"sedan\",\"mass_kg\":1500,"
         "\"position_m\":[2.8,1.1],\"heading_deg\":180,\"speed_kmh\":50,\"brake\":1" NEAREST "}");

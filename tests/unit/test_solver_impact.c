@@ -70,6 +70,29 @@ static void two_fronts_in_series(void **state) {
     }
 }
 
+/* Fronts of 1 to 10 times the strength share the energy as springs in series do, at every voxel:
+ * within 2 % of the energy; at 100 mm within 5 % (validation.md, known misses). */
+static void any_ratio_at_every_voxel(void **state) {
+    (void)state;
+    static const double voxel[] = {0.0125, 0.025, 0.05, 0.1}, ratio[] = {1, 1.5, 3, 10};
+    for (int i = 0; i < 16; i++) {
+        double h = voxel[i % 4], k = ratio[i / 4], r = depth_ratio(1, k);
+        struct cr_arena arena = {0};
+        struct linear_front f1 = {1500, 23.7, width}, f2 = {1500 * k, 23.7, width};
+        struct cr_grid g1 = block_grid(&arena, length, width, h, linear_front, &f1);
+        struct cr_grid g2 = block_grid(&arena, length, width, h, linear_front, &f2);
+        struct cr_case cs = case_of(block_body(g1, 1500, length, width, -2.2, 0, 0, 15),
+                                    block_body(g2, 1500, length, width, 2.2, 0, CR_PI, 15));
+        cs.opts.restitution = 0.1;
+        struct cr_solver *s = solved(&cs);
+        const struct cr_outcome *o = cr_solver_solution(s)->body;
+        check_near(o[0].energy / (o[0].energy + o[1].energy), r * r / (r * r + k),
+                   h < 0.1 ? 0.02 : 0.05);
+        cr_solver_free(s);
+        cr_arena_free(&arena);
+    }
+}
+
 static void equal_fronts_deform_equally(void **state) {
     (void)state;
     struct cr_arena arena = {0};
@@ -242,6 +265,7 @@ static void part_of_the_width_in_series(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(two_fronts_in_series),
+        cmocka_unit_test(any_ratio_at_every_voxel),
         cmocka_unit_test(part_of_the_width_in_series),
         cmocka_unit_test(equal_fronts_deform_equally),
         cmocka_unit_test(planar_impulse_without_restitution),

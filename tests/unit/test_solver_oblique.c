@@ -68,6 +68,64 @@ static void without_friction_the_impulse_is_normal(void **state) {
     }
 }
 
+/* The plane through the voxels that are deformed (profile `paper`) is the wall's, whatever the
+ * angle, once it is more than a corner. */
+static void the_plane_of_the_deformed_is_the_wall(void **state) {
+    (void)state;
+    for (double deg = 0; deg <= 60; deg += 7.5) {
+        struct cr_arena arena = {0};
+        double strength = 150e3, heading = cr_rad(180 - deg);
+        struct cr_vec2 n = {cos(heading), sin(heading)};
+        struct cr_grid grid =
+            block_grid(&arena, length, width, 0.025, constant_strength, &strength);
+        double corner = 0.5 * (length * fabs(n.x) + width * fabs(n.y)) + 0.05;
+        struct cr_case cs = case_of(block_body(grid, mass, length, width, 0, 0, 0, speed),
+                                    wall_body(-corner * n.x, -corner * n.y, heading));
+        cs.body[0].inertia = 0;
+        cs.opts.friction = 0;
+        cs.opts.plane = true;
+        struct cr_solver *s = solved(&cs);
+        const struct cr_solution *o = cr_solver_solution(s);
+        assert_true(o->slices > 20);
+        assert_true(o->balance.energy_residual < 1e-12);
+        for (int i = 0; i < o->slices; i++) { /* few voxels are no plane yet */
+            assert_true(-cr_vec2_dot(o->slice[i].normal, n) > cos(cr_rad(35)));
+        }
+        assert_true(-cr_vec2_dot(o->contact[0].normal, n) > cos(cr_rad(1)));
+        double vn = speed * cos(cr_rad(deg));
+        check_near(cr_vec2_dot(o->body[0].delta_v, n), 1.1 * vn, 0.02 * speed);
+        cr_solver_free(s);
+        cr_arena_free(&arena);
+    }
+}
+
+/* Two blocks front to front, half of the width overlapping: the plane is that between them, the
+ * force goes along the cars, and one gives way as the other. */
+static void the_plane_between_two_fronts(void **state) {
+    (void)state;
+    struct cr_arena arena = {0};
+    double strength = 150e3;
+    struct cr_grid grid = block_grid(&arena, length, width, 0.025, constant_strength, &strength);
+    struct cr_case cs =
+        case_of(block_body(grid, mass, length, width, 0, 0, 0, speed),
+                block_body(grid, mass, length, width, length + 0.02, width / 2, CR_PI, speed));
+    cs.opts.friction = 0;
+    cs.opts.plane = true;
+    struct cr_solver *s = solved(&cs);
+    const struct cr_solution *o = cr_solver_solution(s);
+    check_near(o->slice[0].normal.x, 1, 2e-3);
+    for (int i = 0; i < o->slices; i++) {
+        assert_true(o->slice[i].normal.x > 0.9);
+    }
+    for (int i = 0; i < 40; i++) { /* later, rounding decides between equal strengths */
+        check_near(o->slice[i].energy[0], o->slice[i].energy[1], 1e-6 * o->slice[i].energy[0]);
+    }
+    check_near(o->body[0].delta_v.x, -o->body[1].delta_v.x, 1e-9);
+    assert_true(fabs(o->body[0].delta_v.y) < 0.35 * fabs(o->body[0].delta_v.x));
+    cr_solver_free(s);
+    cr_arena_free(&arena);
+}
+
 static void check_friction(double deg, double mu, double e) {
     double vn = speed * cos(cr_rad(deg)), vt = speed * sin(cr_rad(deg));
     bool sticks = mu > tan(cr_rad(deg));
@@ -166,6 +224,8 @@ static void sideswipe_of_two_cars(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(without_friction_the_impulse_is_normal),
+        cmocka_unit_test(the_plane_of_the_deformed_is_the_wall),
+        cmocka_unit_test(the_plane_between_two_fronts),
         cmocka_unit_test(sliding_and_sticking),
         cmocka_unit_test(sticking_begins_at_the_angle_of_friction),
         cmocka_unit_test(energy_split_converges_with_dt),

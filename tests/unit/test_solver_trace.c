@@ -3,6 +3,8 @@
 #include "solver_cases.h"
 #include "test.h"
 
+#include <string.h>
+
 static void each_typical_case(void (*check)(const struct cr_case *, const struct cr_solution *)) {
     for (int k = 0; k < TYPICAL_COUNT; k++) {
         struct cr_arena arena = {0};
@@ -119,6 +121,38 @@ static void damage_agrees_with_energy(void **state) {
     each_typical_case(check_damage);
 }
 
+/* In every slice: what is gone stays gone, and the area that is gone is the area that is booked. */
+static void what_is_gone_stays_gone(void **state) {
+    (void)state;
+    for (int which = 0; which < TYPICAL_COUNT; which++) {
+        struct cr_arena arena = {0};
+        struct cr_case cs = typical_case(&arena, which, 0.05, cr_vec2(0, 0));
+        const struct cr_grid *g = &cs.body[0].grid;
+        int voxels = g->nx * g->ny, slices = 0;
+        double *before = cr_arena_take(&arena, (size_t)voxels, sizeof *before);
+        struct cr_solver *s = NULL;
+        assert_int_equal(cr_solver_new(&cs, &s, NULL), CR_ERR_OK);
+        memcpy(before, g->fill, (size_t)voxels * sizeof *before);
+        while (cr_solver_step(s, NULL) == CR_STATUS_RUNNING) {
+            if (!cr_solver_touched(s)) {
+                continue;
+            }
+            const struct cr_outcome *x = &cr_solver_solution(s)->body[0];
+            double area = 0;
+            for (int k = 0; k < voxels; k++) {
+                assert_true(x->left[k] <= before[k] && x->left[k] >= 0);
+                before[k] = x->left[k];
+                area += (g->fill[k] - x->left[k]) * g->h * g->h;
+            }
+            check_near(area, x->rest.crushed, 1e-9);
+            slices++;
+        }
+        assert_true(slices > 20);
+        cr_solver_free(s);
+        cr_arena_free(&arena);
+    }
+}
+
 /* half a voxel of approach is the most for a slice: 60 m/s, 25 mm: ceil(30 / 12.5) = 3 parts */
 static void slices_are_short_enough(void **state) {
     (void)state;
@@ -175,6 +209,7 @@ int main(void) {
         cmocka_unit_test(trace_agrees_with_motion),
         cmocka_unit_test(slices_add_up_to_contacts_and_balance),
         cmocka_unit_test(damage_agrees_with_energy),
+        cmocka_unit_test(what_is_gone_stays_gone),
         cmocka_unit_test(slices_are_short_enough),
         cmocka_unit_test(a_second_object),
     };

@@ -46,6 +46,24 @@ static void energy_and_velocity_are_exact(void **state) {
     }
 }
 
+/* whatever the voxel; the depth as far as a strength that is constant within a voxel can say */
+static void the_same_at_every_voxel(void **state) {
+    (void)state;
+    static const double voxel[] = {0.0125, 0.025, 0.05, 0.1};
+    for (int i = 0; i < 4; i++) {
+        struct cr_arena arena = {0};
+        double e = 0.1, h = voxel[i], deep = sqrt(1 - e * e) * speed / omega;
+        struct cr_case cs = wall_case(&arena, h, 0.5e-3, e);
+        struct cr_solver *s = solved(&cs);
+        const struct cr_solution *o = cr_solver_solution(s);
+        check_near(ees_of(o, &cs, 0), speed * sqrt(1 - e * e), 1e-6 * speed);
+        check_near(o->body[0].delta_v.x, -speed * (1 + e), 1e-6 * speed);
+        check_near(o->body[0].rest.crushed / width, deep, h * h / 8 / deep + 1e-4 * deep);
+        cr_solver_free(s);
+        cr_arena_free(&arena);
+    }
+}
+
 /* The strength is constant within a voxel: between its edges the depth may be off by
  * h^2 / (8 x^2) = 0.02 %. The last slice without restitution is cut short to within a slice. */
 static void depth_and_duration(void **state) {
@@ -158,6 +176,7 @@ static void fully_elastic(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(energy_and_velocity_are_exact),
+        cmocka_unit_test(the_same_at_every_voxel),
         cmocka_unit_test(depth_and_duration),
         cmocka_unit_test(path_is_a_sine),
         cmocka_unit_test(peak_deceleration),
