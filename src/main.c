@@ -13,18 +13,21 @@
 
 #include <fcntl.h>
 #include <locale.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
 static const char help[] =
     "usage: crumple                          full screen on a terminal, else commands from stdin\n"
+    "       crumple SCENE.json               opens it there; into a pipe or file: as run\n"
     "       crumple FILE.crumple ...         command files in order ( - is standard input )\n"
     "       crumple -e 'COMMAND' ...         commands likewise; -i stays interactive afterwards\n"
     "       crumple --repl                   commands at a plain prompt\n"
     "       crumple run SCENE.json           solve one scene\n"
     "       crumple stack INPUT ...          solve many, one result per line\n"
     "       crumple merge PART ...           put the parts of a stack in order\n"
+    "       crumple import FILE ...          scenes out of other people's files\n"
     "       crumple validate [CLASS ...]     compare with crash tests\n"
     "       crumple damage FILE.json         EES and delta-v out of a measured deformation\n"
     "       crumple fit SCENE.json ... to ... search inputs that explain what was measured\n"
@@ -35,7 +38,7 @@ static const char help[] =
     "       crumple models [NAME]            list, show or export the models\n"
     "       crumple schema [NAME]            print a JSON Schema, of scenes for example\n"
     "       crumple calibrate                fit the models to the crash tests again\n"
-    "       crumple --help | --version\n"
+    "       crumple help [WORD] | --version  this, what a word or a command takes\n"
     "\n"
     "Commands take --ascii, --color=, --max-seconds=N and --max-memory=MB too, as run does.\n"
     "crumple run --help explains run, and likewise for the other words.\n"
@@ -53,11 +56,14 @@ struct word {
     const char *name;
     int (*run)(int argc, char **argv);
 };
+static int tell_help(int argc, char **argv);
 static const struct word words[] = {
+    {"help", tell_help},
     {"run", cr_cli_run},
     {"catalogue", cr_cli_catalogue},
     {"stack", cr_cli_stack},
     {"merge", cr_cli_merge},
+    {"import", cr_cli_import},
     {"mc", cr_cli_mc},
     {"validate", cr_trial_validate},
     {"models", cr_cli_models},
@@ -77,6 +83,30 @@ static int print(const char *text) {
         return 2;
     }
     return 0;
+}
+
+/* "crumple help": this; "crumple help run": its options; "crumple help sweep": the command */
+static int tell_help(int argc, char **argv) {
+    static char option[] = "--help", e[] = "-e";
+    char line[300], data[4096];
+    if (argc < 2) {
+        return print(help);
+    }
+    bool completes = strcmp(argv[1], "--complete") == 0;
+    for (int i = 0; i < WORDS; i++) {
+        if (completes && strncmp(words[i].name, argv[argc - 1], strlen(argv[argc - 1])) == 0) {
+            puts(words[i].name);
+        } else if (strcmp(argv[1], words[i].name) == 0 && words[i].run != tell_help) {
+            char *asked[] = {argv[1], option, NULL};
+            return words[i].run(2, asked);
+        }
+    }
+    if (completes) {
+        return 0;
+    }
+    snprintf(line, sizeof line, "help %.200s", argv[1][0] != '-' ? argv[1] : "help");
+    char *commands[] = {argv[0], e, line, NULL};
+    return cr_repl_main(3, commands, cr_data_dir(data, sizeof data));
 }
 
 static int unknown(const char *what, const char *given) {
@@ -140,16 +170,39 @@ static int complete(int argc, char **argv) {
     return status;
 }
 
-static int interactive(int argc, char **argv, const char *data_dir) {
+static int interactive(int argc, char **argv, const struct cr_repl_start *start) {
     const char *why = cr_tui_refusal();
-    char state[1024];
+    char state[1024], data[4096];
+    const char *data_dir = cr_data_dir(data, sizeof data);
     if (why == NULL) {
-        return cr_tui_main(data_dir, cr_repl_state_dir(state, sizeof state));
+        const struct cr_tui_start screen = {.data_dir = data_dir,
+                                            .state_dir = cr_repl_state_dir(state, sizeof state),
+                                            .ascii = start->ascii,
+                                            .color = start->color,
+                                            .max_seconds = start->max_seconds,
+                                            .max_megabytes = start->max_megabytes,
+                                            .lines = cr_str_get(&start->lines)};
+        return cr_tui_main(&screen);
     }
     if (why[0] != '\0') {
         fprintf(stderr, "crumple: no full screen (%s), so the plain prompt\n", why);
+    } else if (cr_repl_one_scene(argc, argv)) {
+        return cr_cli_run(argc, argv); /* nobody is there to look at it */
     }
     return cr_repl_main(argc, argv, data_dir);
+}
+
+/* files, scenes, -e and what belongs to them */
+static int session(int argc, char **argv) {
+    char data[4096];
+    struct cr_repl_start start;
+    if (cr_repl_wants_screen(argc, argv, cr_data_dir(data, sizeof data), &start)) {
+        int status = interactive(argc, argv, &start);
+        cr_str_fini(&start.lines);
+        return status;
+    }
+    return cr_repl_one_scene(argc, argv) ? cr_cli_run(argc, argv)
+                                         : cr_repl_main(argc, argv, cr_data_dir(data, sizeof data));
 }
 
 int main(int argc, char **argv) {
@@ -159,7 +212,8 @@ int main(int argc, char **argv) {
      * order of the files of a folder, the language of messages that stand in results. */
     setlocale(LC_CTYPE, "");
     const char *word = argc > 1 ? argv[1] : "";
-    if (strcmp(word, "--version") == 0 || strcmp(word, "-V") == 0) {
+    if (strcmp(word, "--version") == 0 || strcmp(word, "-V") == 0 || strcmp(word, "-v") == 0 ||
+        strcmp(word, "version") == 0) {
         return print(version);
     }
     if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0) {
@@ -173,12 +227,11 @@ int main(int argc, char **argv) {
             return words[i].run(argc - 1, argv + 1);
         }
     }
-    char data[4096];
     if (argc <= 1) {
-        return interactive(argc, argv, cr_data_dir(data, sizeof data));
+        return interactive(argc, argv, &(struct cr_repl_start){.color = "auto"});
     }
     if (word[0] == '\0' || cr_repl_takes(word)) {
-        return cr_repl_main(argc, argv, cr_data_dir(data, sizeof data));
+        return session(argc, argv);
     }
     return unknown(word[0] == '-' ? "option" : "word", word);
 }

@@ -9,6 +9,7 @@ include $(srcdir)/tests/unit/scene.mk
 include $(srcdir)/tests/unit/result.mk
 include $(srcdir)/tests/unit/study.mk
 include $(srcdir)/tests/unit/damage.mk
+include $(srcdir)/tests/unit/import.mk
 include $(srcdir)/tests/unit/lib.mk
 include $(srcdir)/tests/unit/render.mk
 include $(srcdir)/tests/unit/expert.mk

@@ -17,5 +17,6 @@ int cr_cli_catalogue(int argc, char **argv);
 int cr_cli_mc(int argc, char **argv);
 int cr_cli_fit(int argc, char **argv);
 int cr_cli_damage(int argc, char **argv);
+int cr_cli_import(int argc, char **argv);
 
 #endif

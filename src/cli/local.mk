@@ -7,6 +7,7 @@ libcli_a_SOURCES = \
 	src/cli/data.c \
 	src/cli/feed.c src/cli/feed.h \
 	src/cli/fit.c \
+	src/cli/import.c \
 	src/cli/mc.c \
 	src/cli/models.c src/cli/models.h src/cli/models_list.c \
 	src/cli/options.c src/cli/options.h \

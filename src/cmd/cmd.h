@@ -59,6 +59,9 @@ struct cr_out {
     /* a question with one letter per answer ("sqc"); NULL: nobody is there to ask */
     int (*ask)(void *user, const char *question, const char *answers);
     void (*size)(void *user, int *width, int *height); /* room for pictures; NULL: 80 x 24 */
+    /* a command file waits until somebody goes on; non-zero gives the rest up. NULL: nobody does */
+    int (*pause)(void *user);
+    void (*play)(void *user, bool on); /* at the view's rate; NULL: pictures do not move */
 };
 
 /* Lines of a fault as a person reads them. In a script: place and message, the source line with a
@@ -178,7 +181,8 @@ bool cr_session_left_behind(const char *state_dir);
 bool cr_session_over(const struct cr_session *s); /* quit was accepted */
 
 enum cr_solve_state {
-    CR_STATE_EDITED, /* no result */
+    CR_STATE_UNSOLVED, /* no result; the scene is as its file has it, or empty */
+    CR_STATE_EDITED,   /* no result; the scene has changed since it was loaded or saved */
     CR_STATE_SOLVING,
     CR_STATE_SOLVED,
     CR_STATE_STALE,      /* the scene changed after the solve */
@@ -188,6 +192,9 @@ enum cr_solve_state {
 
 const struct cr_scene *cr_session_scene(const struct cr_session *s);
 const struct cr_result *cr_session_result(const struct cr_session *s); /* NULL: none */
+/* Changes that undo (> 0) or redo (< 0) must take back until the scene is the one that was solved
+ * last; 0: it is, or there is no way. */
+int cr_session_way_back(const struct cr_session *s);
 /* What the last `compare` with a file of values has read, NULL: none for this scene. */
 const struct cr_reference *cr_session_reference(const struct cr_session *s);
 enum cr_solve_state cr_session_state(const struct cr_session *s);
@@ -213,7 +220,10 @@ struct cr_view {
     enum cr_pane pane;
     bool zoom; /* the pane fills the screen */
     enum cr_field field;
-    int frame; /* 0: before the first contact, k: end of time slice k of the trace */
+    int frame;   /* 0: before the first contact, k: end of time slice k of the trace */
+    double rate; /* of playing, 1: the crash in some seconds */
+    bool loop;   /* played again and again */
+    bool ghost;  /* outlines of where the bodies were at the first contact */
     bool vectors;
     bool follow;                /* keep the bodies' middle centred, else the world point `centre` */
     double m_per_col;           /* 0: automatic */

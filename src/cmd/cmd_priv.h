@@ -260,6 +260,8 @@ enum cr_err cr_cmd_project(struct cr_session *s, int view, struct cr_error *err)
     X(set)                                                                                         \
     X(check)                                                                                       \
     X(solve)                                                                                       \
+    X(play)                                                                                        \
+    X(pause)                                                                                       \
     X(show)                                                                                        \
     X(view)                                                                                        \
     X(table)                                                                                       \

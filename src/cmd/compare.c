@@ -48,15 +48,19 @@ static enum cr_err plot(struct cr_session *s, const struct cr_compare *c, int bo
         own[i] = c->simulated[i] / unit;
     }
     const char *id = s->result->resolved.part[body].id;
-    const struct cr_curve_line curve[] = {
-        {.x = t, .y = own, .n = c->n, .mark = id[0], .name = id, .role = cr_render_role_of(body)},
-        {.x = t,
-         .y = test,
-         .n = c->n,
-         .mark = 't',
-         .name = "test",
-         .role = CR_ROLE_REFERENCE,
-         .dashed = true}};
+    const struct cr_curve_line curve[] = {{.x = t,
+                                           .y = own,
+                                           .n = c->n,
+                                           .mark = cr_render_mark(&s->result->resolved, body),
+                                           .name = id,
+                                           .role = cr_render_role_of(body)},
+                                          {.x = t,
+                                           .y = test,
+                                           .n = c->n,
+                                           .mark = 't',
+                                           .name = "test",
+                                           .role = CR_ROLE_REFERENCE,
+                                           .dashed = true}};
     const struct cr_plot shown = {.title = "measured and computed",
                                   .x_unit = "ms",
                                   .y_unit = unit_name,

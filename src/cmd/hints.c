@@ -69,11 +69,11 @@ bool cr_cmd_guess_key(const struct cr_session *s, const char *key, const char *v
 
 const char *cr_cmd_elsewhere(const char *word) {
     static const char *const pair[][2] = {
-        {"?", "help"},         {"bye", "quit"},      {"car", "vehicle"}, {"clear", "new"},
-        {"delete", "remove"},  {"exit", "quit"},     {"ls", "list"},     {"man", "help"},
-        {"open", "load"},      {"plot", "pulse"},    {"pole", "object"}, {"report", "table"},
-        {"reset", "new"},      {"results", "table"}, {"rm", "remove"},   {"run", "solve"},
-        {"simulate", "solve"}, {"start", "solve"},   {"wall", "object"}, {"write", "save"},
+        {"bye", "quit"},      {"car", "vehicle"}, {"clear", "new"},    {"delete", "remove"},
+        {"exit", "quit"},     {"ls", "list"},     {"man", "help"},     {"open", "load"},
+        {"plot", "pulse"},    {"pole", "object"}, {"report", "table"}, {"reset", "new"},
+        {"results", "table"}, {"rm", "remove"},   {"run", "solve"},    {"simulate", "solve"},
+        {"start", "solve"},   {"wall", "object"}, {"write", "save"},
     };
     for (size_t i = 0; i < sizeof pair / sizeof *pair; i++) {
         if (strcmp(pair[i][0], word) == 0) {

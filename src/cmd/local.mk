@@ -21,6 +21,7 @@ libcmd_a_SOURCES = \
 	src/cmd/measure.c src/cmd/measure.h \
 	src/cmd/model.c \
 	src/cmd/open.c \
+	src/cmd/pace.c \
 	src/cmd/picture.c \
 	src/cmd/place.c src/cmd/placed.c \
 	src/cmd/project.c \

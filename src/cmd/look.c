@@ -121,6 +121,7 @@ enum cr_err cr_cmd_show(struct cr_call *call, struct cr_error *err) {
     }
     view.field = (enum cr_field)cr_cmd_word(call, "field", (int)view.field);
     view.vectors = cr_cmd_word(call, "vectors", view.vectors ? 0 : 1) == 0;
+    view.ghost = cr_cmd_word(call, "ghost", view.ghost ? 0 : 1) == 0;
     view.follow = cr_cmd_word(call, "follow", view.follow ? 0 : 1) == 0;
     const struct cr_value *scale = cr_cmd_arg(call, "scale");
     if (scale->token != NULL && scale->word > 0) {
@@ -147,8 +148,8 @@ enum cr_err cr_cmd_show(struct cr_call *call, struct cr_error *err) {
         cr_cmd_word_at(arg->words, map, view.colormap, sizeof view.colormap);
     }
     bool looks = false; /* at something else than another time */
-    static const char *const of_scene[] = {"field",  "vectors", "scale",   "centre",
-                                           "follow", "select",  "colormap"};
+    static const char *const of_scene[] = {"field",  "vectors", "ghost",  "scale",
+                                           "centre", "follow",  "select", "colormap"};
     for (size_t i = 0; i < sizeof of_scene / sizeof *of_scene; i++) {
         looks = looks || cr_cmd_given(call, of_scene[i]);
     }
@@ -246,21 +247,71 @@ enum cr_err cr_cmd_view(struct cr_call *call, struct cr_error *err) {
 
 /* ---- table ---- */
 
-static void say_inputs(struct cr_session *s) {
-    const struct cr_scene *scene =
-        s->result != NULL && !stale(s) ? &s->result->resolved : cr_session_scene(s);
-    for (int i = 0; i < scene->n; i++) {
-        const struct cr_participant *p = &scene->part[i];
-        char line[300];
-        cr_cmd_describe(p, line, sizeof line);
-        cr_say(s, "%s", line);
-        if (p->kind == CR_KIND_VEHICLE) {
-            cr_say(s, "  length %.3f width %.3f height %.3f wheelbase %.3f track %.3f m", p->length,
-                   p->width, p->height, p->wheelbase, p->track);
-            cr_say(s, "  front overhang %.3f, CG %.3f behind front axle, %.3f high m; %.0f kg m2",
-                   p->front_overhang, p->cg_behind_front_axle, p->cg_height, p->yaw_inertia);
+/* "length 4.900 m", a word instead of what is not known yet */
+static void add_input(struct cr_str *line, const char *what, double value, enum cr_dim dim,
+                      const char *unit) {
+    cr_str_add(line, what);
+    if (isfinite(value)) {
+        const struct cr_unit *u = cr_unit_find(unit, dim);
+        cr_str_addf(line, dim == CR_DIM_INERTIA ? " %.0f %s" : " %.3f %s",
+                    cr_unit_from_si(u, value), unit);
+    } else {
+        cr_str_add(line, " not known");
+    }
+}
+
+static void say_input(struct cr_session *s, const struct cr_participant *p) {
+    const struct {
+        const char *what;
+        double value;
+    } length[] = {{"length", p->length},
+                  {", width", p->width},
+                  {", height", p->height},
+                  {", wheelbase", p->wheelbase},
+                  {", track", p->track},
+                  {"front overhang", p->front_overhang},
+                  {", CG behind the front axle", p->cg_behind_front_axle},
+                  {", CG above ground", p->cg_height}};
+    enum { N = sizeof length / sizeof *length, FIRST = 5 };
+    struct cr_str line = {0};
+    char text[300];
+    cr_cmd_describe(p, text, sizeof text);
+    cr_say(s, "%s", text);
+    for (int i = 0; i < N && p->kind == CR_KIND_VEHICLE; i++) {
+        add_input(&line, length[i].what, length[i].value, CR_DIM_LENGTH, "m");
+        if (i == N - 1) {
+            add_input(&line, ", yaw inertia", p->yaw_inertia, CR_DIM_INERTIA, "kgm2");
+        }
+        if (i == FIRST - 1 || i == N - 1) {
+            cr_say(s, "  %s", cr_str_get(&line));
+            cr_str_clear(&line);
         }
     }
+    cr_str_fini(&line);
+}
+
+/* The inputs as a solve would take them: what was left out comes from type and mass. Where the
+ * scene is not whole, what was given is shown. */
+static enum cr_err say_inputs(struct cr_session *s, struct cr_error *err) {
+    struct cr_scene scene;
+    struct cr_error why = {0};
+    enum cr_err code = cr_scene_copy(cr_session_scene(s), &scene, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    if (scene.n == 0) {
+        cr_say(s, "the scene is empty; begin with: vehicle A type=compact");
+    } else if (cr_session_need_models(s, &why) != CR_ERR_OK ||
+               cr_cmd_resolve(&scene, s->models, NULL, &why) != CR_ERR_OK) {
+        cr_cmd_name_place(&scene, &why);
+        cr_say(s, "as given, for now: %s%s%s", why.where, why.where[0] != '\0' ? ": " : "",
+               why.text);
+    }
+    for (int i = 0; i < scene.n; i++) {
+        say_input(s, &scene.part[i]);
+    }
+    cr_scene_fini(&scene);
+    return CR_ERR_OK;
 }
 
 static enum cr_err say_steps(struct cr_session *s, int every, struct cr_error *err) {
@@ -344,8 +395,7 @@ enum cr_err cr_cmd_table(struct cr_call *call, struct cr_error *err) {
     }
     switch (cr_cmd_word(call, "WHAT", 0)) {
     case 1:
-        say_inputs(s);
-        return CR_ERR_OK;
+        return say_inputs(s, err);
     case 2:
         return say_steps(s, (int)cr_cmd_number(call, "every", 10), err);
     case 3:

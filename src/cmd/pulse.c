@@ -198,7 +198,8 @@ static enum cr_err plot_pulse(struct cr_session *s, const struct pulse_call *wha
         code = series(r, what, b, n, own, err);
         const char *id = r->resolved.part[b].id;
         curve[curves++] = (struct cr_curve_line){
-            .x = t, .y = own, .n = n, .mark = id[0], .name = id, .role = cr_render_role_of(b)};
+            .x = t, .y = own, .n = n, .name = id, .role = cr_render_role_of(b)};
+        curve[curves - 1].mark = cr_render_mark(&r->resolved, b);
     }
     if (what->measured != NULL) {
         curve[curves++] = (struct cr_curve_line){.x = what->measured->t,

@@ -191,6 +191,9 @@ static enum cr_err run_statement(struct cr_session *s, const struct source *src,
                    ? cr_command_among(s->command, s->commands, name, &many)
                    : NULL;
     const struct cr_token *first = &tokens->tok[0];
+    if (call.cmd == NULL && strcmp(name, "?") == 0) { /* as telnet and gdb have taught people */
+        call.cmd = cr_command_among(s->command, s->commands, "help", NULL);
+    }
     if (first->kind == CR_TOKEN_PAIR) {
         code = cr_err_set(&err, CR_ERR_KEY, "a line begins with a command");
         if (!cr_cmd_guess_key(s, first->key, first->text, &err)) {
@@ -252,8 +255,12 @@ static int line_end(const char *text, int at) {
 }
 
 static void echo(struct cr_session *s, const char *text, int n) {
+    static const char pause[] = "pause"; /* nobody learns anything from it */
     while (n > 0 && isspace((unsigned char)text[n - 1])) {
         n--;
+    }
+    if (n == sizeof pause - 1 && strncmp(text, pause, sizeof pause - 1) == 0) {
+        return;
     }
     char *line = malloc((size_t)n + 1);
     if (line != NULL) {

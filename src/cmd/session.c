@@ -17,6 +17,9 @@ enum { LOG_MAX = 20000, TEXT_MAX = 1024 };
 void cr_session_reset_view(struct cr_session *s) {
     struct cr_view keep = s->view;
     s->view = (struct cr_view){.field = CR_FIELD_EES,
+                               .rate = keep.rate > 0 ? keep.rate : 1,
+                               .loop = keep.loop,
+                               .ghost = keep.ghost,
                                .vectors = true,
                                .centre = {NAN, NAN},
                                .quantity = CR_QUANTITIES,
@@ -358,7 +361,7 @@ enum cr_solve_state cr_session_state(const struct cr_session *s) {
         return CR_STATE_FAILED;
     }
     if (s->result == NULL) {
-        return CR_STATE_EDITED;
+        return cr_session_unsaved(s) > 0 ? CR_STATE_EDITED : CR_STATE_UNSOLVED;
     }
     return s->result_rev != rev               ? CR_STATE_STALE
            : s->result->solution->interrupted ? CR_STATE_INTERRUPTED
@@ -390,6 +393,7 @@ struct cr_scene_view cr_session_scene_view(const struct cr_session *s) {
                                  .m_per_col = s->view.m_per_col,
                                  .centre = s->view.centre,
                                  .vectors = s->view.vectors,
+                                 .ghost = s->view.ghost,
                                  .selected = -1};
     if (s->view.follow) {
         view.centre = cr_vec2(NAN, NAN);

@@ -141,6 +141,21 @@ static double tidy(double x, double unit) {
     return fabs(x) < 0.5 * unit ? 0 : x;
 }
 
+/* Why F of the motion is not |F_n| of Eq. (2): J v - J^2 / 2 m_eff = E + friction
+ * work, so F works over the way along itself at the mean speed of the slice (solver/kinetics.c). */
+static void explain_forces(struct cr_session *s, const struct cr_slice *c) {
+    double along = c->force * cr_vec2_dot(c->direction, c->normal);
+    double across = c->force * fabs(cr_vec2_cross(c->normal, c->direction));
+    double sum = c->energy[0] + c->energy[1] + c->friction;
+    cr_say(s, "         F is not |F_n|: %.1f kN of it act along the normal, %.1f kN across it",
+           1e-3 * along, 1e-3 * across);
+    cr_say(s, "         (friction, snagging); and F takes E%s over the way along itself",
+           c->friction >= 0.05 ? " and the friction work" : "");
+    cr_say(s, "         at the mean speed of the slice, %.2f mm, Eq. (2) over s = %.2f mm at the",
+           1e3 * sum / c->force, 1e3 * c->path);
+    cr_say(s, "         speed before it along the normal");
+}
+
 static void explain_contact(struct cr_session *s, const struct cr_slice *c) {
     const struct cr_result *r = s->result;
     const struct cr_contact *pair = &r->solution->contact[c->contact];
@@ -171,6 +186,9 @@ static void explain_contact(struct cr_session *s, const struct cr_slice *c) {
            c->mass_eff);
     if (c->friction >= 0.05) {
         cr_say(s, "         friction work %.1f J, which is not EES", c->friction);
+    }
+    if (c->phase == CR_PHASE_PLASTIC && c->path > 0 && c->force > 0) {
+        explain_forces(s, c);
     }
 }
 

@@ -86,9 +86,11 @@ enum cr_err cr_session_commit(struct cr_session *s, struct cr_state *draft, cons
 }
 
 void cr_session_saved(struct cr_session *s, const char *path) {
-    s->saved_rev = cr_session_now(s)->rev;
     struct cr_state *now = cr_session_now(s);
-    snprintf(now->file, sizeof now->file, "%s", path);
+    s->saved_rev = now->rev;
+    if (path != now->file) { /* it is that very text when `save` is given no name */
+        snprintf(now->file, sizeof now->file, "%s", path);
+    }
 }
 
 int cr_session_unsaved(const struct cr_session *s) {
@@ -98,6 +100,15 @@ int cr_session_unsaved(const struct cr_session *s) {
         }
     }
     return s->now > 0 ? s->now : 1;
+}
+
+int cr_session_way_back(const struct cr_session *s) {
+    for (int i = 0; s->result != NULL && i < s->states; i++) {
+        if (s->state[i]->rev == s->result_rev) {
+            return s->now - i;
+        }
+    }
+    return 0;
 }
 
 int cr_session_undos(const struct cr_session *s) {

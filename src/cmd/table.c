@@ -187,6 +187,8 @@ static const struct cr_arg show_args[] = {
         .help = "time slice; with a sign so many further or back"),
     KEY("vectors", CR_VALUE_SWITCH, .words = "on|off", .def = "on",
         .help = "arrows of velocity and force"),
+    KEY("ghost", CR_VALUE_SWITCH, .words = "on|off", .def = "off",
+        .help = "outlines of where everybody was at the first contact"),
     KEY("scale", CR_VALUE_NUMBER, .dim = CR_DIM_LENGTH, .unit = "m", .lo = 0.005, .hi = 10,
         .words = "auto|in|out", .def = "auto", .help = "m per column"),
     KEY("centre", CR_VALUE_POINT, .dim = CR_DIM_LENGTH, .unit = "m",
@@ -198,6 +200,14 @@ static const struct cr_arg show_args[] = {
         .help = "plan: the scene; else the selected vehicle's 3D model, with its damage"),
     KEY("colormap", CR_VALUE_WORD, .words = CR_COLORMAP_WORDS, .def = "viridis",
         .help = "colours of the field"),
+    END,
+};
+
+static const struct cr_arg play_args[] = {
+    OPTION("HOW", CR_VALUE_WORD, .words = "on|off", .def = "on", .help = "from the frame shown"),
+    KEY("rate", CR_VALUE_NUMBER, .lo = 0.1, .hi = 4, .def = "1",
+        .help = "0.1 to 4 times as fast as the crash in six seconds"),
+    KEY("loop", CR_VALUE_SWITCH, .words = "on|off", .def = "off", .help = "again and again"),
     END,
 };
 
@@ -484,6 +494,8 @@ static const struct cr_command commands[] = {
      .see = "view pulse table"},
     {ROW(view, LOOK, view_args, "choose the pane in front; at a plain prompt it is printed"),
      .example = {"view pulse", "view scene zoom=on"}, .setup = SOLVED, .see = "show"},
+    {ROW(play, LOOK, play_args, "play the crash in slow motion (full screen)"),
+     .example = {"play rate=0.5 loop=on", "play off"}, .setup = SOLVED, .see = "show view"},
     {ROW(table, LOOK, table_args, "print a table of results, inputs, time slices or a sweep"),
      .example = {"table", "table steps every=20"}, .setup = SOLVED, .see = "show pulse"},
     {ROW(pulse, LOOK, pulse_args, "draw acceleration, speed or another quantity over the time"),
@@ -503,6 +515,8 @@ static const struct cr_command commands[] = {
                  "source share/tutorial/2-ees-and-delta-v.crumple"},
      .see = "load"},
 
+    {ROW(pause, SELF, no_args, "in a command file: wait until somebody presses Enter"),
+     .example = {"pause", "pause"}, .see = "source play"},
     {ROW(undo, SELF, count_args, "take back the last changes of the scene"),
      .example = {"undo", "undo 2"}, .setup = PAIR_SETUP, .see = "redo history"},
     {ROW(redo, SELF, count_args, "bring back what undo took"), .example = {"redo", "redo 1"},

@@ -11,7 +11,7 @@
 
 #include <stdbool.h>
 
-/* Names of the formats, "csv|edr|...", for options. */
+/* Words of the formats for an option: "auto|csv|..."; auto is by content. */
 const char *cr_import_formats(void);
 
 /* The point of a vehicle whose places a file gives. X(NAME, word) */
@@ -29,10 +29,18 @@ enum cr_point {
         CR_POINT_COUNT
 };
 
+enum { CR_IMPORT_CASES_MAX = 256 };
+/* The cases that are asked for by their ids; seen: those that were there. */
+struct cr_import_cases {
+    int n;
+    const char *id[CR_IMPORT_CASES_MAX];
+    bool seen[CR_IMPORT_CASES_MAX];
+};
+
 struct cr_import_opts {
     const struct cr_model_lib *models; /* what fills in sizes, to know where outlines meet */
-    int format;                        /* index in cr_import_formats(), -1: by content */
-    const char *cases;                 /* "3,17": only these; NULL: all */
+    int format;                        /* index in cr_import_formats() */
+    struct cr_import_cases *cases;     /* n = 0: all */
     const char *map;                   /* NULL, or path of the user's map (JSON) */
     int point;                         /* enum cr_point, -1: what the format says */
     double before;                     /* s that are kept before the first contact, > 0 */

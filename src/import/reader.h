@@ -33,6 +33,7 @@
 #define CR_IMPORT_READER_H
 
 #include "import/import.h"
+#include "base/hash.h"
 #include "scene/scene.h"
 
 #include <stddef.h>
@@ -60,9 +61,9 @@ struct cr_import {
     /* the rest is the framework's */
     struct cr_import_count *count;
     char format[CR_SOURCE_MAX];
-    char (*hash)[CR_SOURCE_MAX]; /* "SHA256  name" of the files */
-    int hashes;
-    struct cJSON *map_owned;
+    char sha256[CR_HASH_SIZE]; /* of the one file, or of the lines in `files` */
+    struct cr_str files;       /* "SHA-256  name" of each */
+    int hashed;
 };
 
 /* Name of the format in `source`, "PCM v5"; set before the first case. */
@@ -85,8 +86,8 @@ CR_MUST_CHECK enum cr_err cr_import_begin(struct cr_import *im, const char *id, 
 CR_MUST_CHECK enum cr_err cr_import_end(struct cr_import *im, const struct cr_error *fault,
                                         struct cr_error *err);
 
-/* Add a participant to the case; valid until the case ends. id as in the source: what is not fit for an id
- * of a scene (letters, digits, _ and -) is replaced. Errors: DUPLICATE, RANGE, MEMORY. */
+/* Add a participant to the case; valid until the case ends. id as in the source: what is not fit
+ * for an id of a scene (letters, digits, _ and -) is replaced. Errors: DUPLICATE, RANGE, MEMORY. */
 CR_MUST_CHECK enum cr_err cr_import_add(struct cr_import *im, const char *id, enum cr_kind kind,
                                         struct cr_participant **out, struct cr_error *err);
 /* The one that was added under that id of the source, NULL if there is none. */

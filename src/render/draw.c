@@ -246,8 +246,24 @@ static void draw_trails(const struct cr_pic *pic, struct cr_dots *dots) {
     }
 }
 
+/* The outline as it was at the first contact: a body put back there, its crush undone. */
+static void draw_ghosts(const struct cr_pic *pic, const struct cr_cells *cells,
+                        struct cr_dots *dots) {
+    for (int i = 0; i < pic->n; i++) {
+        struct cr_pic_body ghost = pic->body[i];
+        if (ghost.moves && ghost.grid->nx > 0 && pic->moved) {
+            ghost.now.pos = ghost.start;
+            ghost.now.heading -= ghost.turned;
+            ghost.c = cos(ghost.now.heading);
+            ghost.s = sin(ghost.now.heading);
+            ghost.left = NULL;
+            draw_outline(pic, &ghost, cells, dots);
+        }
+    }
+}
+
 static enum cr_err draw_outlines(const struct cr_pic *pic, struct cr_cells *cells,
-                                 const struct cr_look *look, struct cr_error *err) {
+                                 const struct cr_look *look, bool ghosts, struct cr_error *err) {
     struct cr_dots dots;
     /* in ASCII whole cells would thicken the bodies by up to a cell */
     bool outlines = !look->ascii || pic->field == CR_FIELD_NONE;
@@ -257,6 +273,9 @@ static enum cr_err draw_outlines(const struct cr_pic *pic, struct cr_cells *cell
     }
     for (int i = 0; outlines && i < pic->n; i++) {
         draw_outline(pic, &pic->body[i], cells, &dots);
+    }
+    if (ghosts) {
+        draw_ghosts(pic, cells, &dots);
     }
     draw_trails(pic, &dots);
     cr_dots_draw(&dots, cells, pic->at.x, pic->at.y, look->ascii);
@@ -290,7 +309,7 @@ enum cr_err cr_render_scene(struct cr_cells *cells, struct cr_rect at, const str
     }
     cr_pic_fit(&pic, result, view, at);
     draw_field(&pic, cells, look);
-    code = draw_outlines(&pic, cells, look, err);
+    code = draw_outlines(&pic, cells, look, view->ghost, err);
     if (code == CR_ERR_OK) {
         cr_pic_marks(&pic, cells, look, view);
     }

@@ -13,7 +13,8 @@ enum {
     ALL_W = 160,
     ALL_H = 44,
     RESULTS_W = 30,
-    SIDE_W = 76 /* right-hand column with table, sweep and log */
+    PANE_H = 10, /* what a picture needs, with its frame */
+    SIDE_W = 76  /* right-hand column with table, sweep and log */
 };
 
 static const char *const TITLES[CR_AREAS] = {
@@ -81,23 +82,32 @@ static void prompt_only(struct cr_layout *l, struct cr_rect rest) {
     l->pane[CR_AREA_LOG] = rest;
 }
 
-static void narrow(struct cr_layout *l, struct cr_rect rest, enum cr_area view) {
+/* rows of dialogue: the usual, or more of them while the panes above keep what they need */
+static int dialogue_rows(const struct cr_rect *rest, int panes, int usual, int talk) {
+    int most = rest->h - panes * PANE_H;
+    talk = talk < most ? talk : most;
+    return talk > usual ? talk : usual;
+}
+
+static void narrow(struct cr_layout *l, struct cr_rect rest, enum cr_area view, int talk) {
     if (rest.h >= 16) {
         l->keys = bottom(&rest, 1);
     }
     l->prompt = bottom(&rest, 1);
-    l->dialogue = bottom(&rest, 2);
+    l->dialogue = bottom(&rest, dialogue_rows(&rest, 1, 2, talk));
     l->pane[view] = rest;
 }
 
-static void one(struct cr_layout *l, struct cr_rect rest, enum cr_area view) {
+static void one(struct cr_layout *l, struct cr_rect rest, enum cr_area view, int talk) {
     l->keys = bottom(&rest, 1);
     if (rest.h >= 30) {
         l->hint = bottom(&rest, 1);
     }
     l->prompt = bottom(&rest, 1);
-    l->dialogue = bottom(&rest, rest.h >= 32 ? 4 : 2);
-    l->spark = bottom(&rest, 2);
+    l->dialogue = bottom(&rest, dialogue_rows(&rest, 1, rest.h >= 32 ? 4 : 2, talk));
+    if (talk == 0) {
+        l->spark = bottom(&rest, 2);
+    }
     /* beside a picture or a curve; texts take the whole width */
     if (view <= CR_AREA_ENERGY) {
         l->results = right(&rest, RESULTS_W);
@@ -106,17 +116,17 @@ static void one(struct cr_layout *l, struct cr_rect rest, enum cr_area view) {
 }
 
 /* the scene and results above, the chosen view (or the pulse) below */
-static void two(struct cr_layout *l, struct cr_rect rest, enum cr_area view) {
+static void two(struct cr_layout *l, struct cr_rect rest, enum cr_area view, int talk) {
     l->keys = bottom(&rest, 1);
     l->hint = bottom(&rest, 1);
     l->prompt = bottom(&rest, 1);
-    l->dialogue = bottom(&rest, 3);
+    l->dialogue = bottom(&rest, dialogue_rows(&rest, 2, 3, talk));
     l->pane[view == CR_AREA_SCENE ? CR_AREA_PULSE : view] = bottom(&rest, rest.h * 3 / 8);
     l->results = right(&rest, RESULTS_W);
     l->pane[CR_AREA_SCENE] = rest;
 }
 
-static void all(struct cr_layout *l, struct cr_rect rest) {
+static void all(struct cr_layout *l, struct cr_rect rest, int talk) {
     l->keys = bottom(&rest, 1);
     l->hint = bottom(&rest, 1);
     l->prompt = bottom(&rest, 1);
@@ -125,12 +135,18 @@ static void all(struct cr_layout *l, struct cr_rect rest) {
     l->pane[CR_AREA_SCENE] = rest;
     l->pane[CR_AREA_PULSE] = left(&plots, (plots.w + 1) / 2);
     l->pane[CR_AREA_ENERGY] = plots;
-    l->pane[CR_AREA_TABLE] = top(&side, side.h * 46 / 100);
-    l->pane[CR_AREA_SWEEP] = top(&side, side.h * 45 / 100);
+    int table = side.h * 46 / 100, sweep = (side.h - table) * 45 / 100;
+    int log = dialogue_rows(&side, 2, side.h - table - sweep, talk > 0 ? talk + 2 : 0);
+    if (log > side.h - table - sweep) { /* the log comes forward, the others share the rest */
+        table = (side.h - log + 1) / 2;
+        sweep = side.h - log - table;
+    }
+    l->pane[CR_AREA_TABLE] = top(&side, table);
+    l->pane[CR_AREA_SWEEP] = top(&side, sweep);
     l->pane[CR_AREA_LOG] = side;
 }
 
-struct cr_layout cr_layout_of(int w, int h, enum cr_area view, bool zoomed) {
+struct cr_layout cr_layout_of(int w, int h, enum cr_area view, bool zoomed, int talk) {
     struct cr_layout l = {.kind = CR_LAYOUT_PROMPT};
     struct cr_rect rest = {0, 0, w < 1 ? 1 : w, h < 1 ? 1 : h};
     if (w < PROMPT_W || h < PROMPT_H) {
@@ -140,16 +156,16 @@ struct cr_layout cr_layout_of(int w, int h, enum cr_area view, bool zoomed) {
     l.title = top(&rest, 1);
     if (zoomed || w < ONE_W || h < ONE_H) {
         l.kind = CR_LAYOUT_NARROW;
-        narrow(&l, rest, view);
+        narrow(&l, rest, view, talk);
     } else if (w >= ALL_W && h >= ALL_H) {
         l.kind = CR_LAYOUT_ALL;
-        all(&l, rest);
+        all(&l, rest, talk);
     } else if (w >= TWO_W && h >= TWO_H) {
         l.kind = CR_LAYOUT_TWO;
-        two(&l, rest, view);
+        two(&l, rest, view, talk);
     } else {
         l.kind = CR_LAYOUT_ONE;
-        one(&l, rest, view);
+        one(&l, rest, view, talk);
     }
     return l;
 }

@@ -41,9 +41,9 @@ struct cr_layout {
     struct cr_rect keys;
 };
 
-/* Layout of a terminal of w x h cells (at least 1 x 1) showing this view; zoomed: the view alone.
- */
-struct cr_layout cr_layout_of(int w, int h, enum cr_area view, bool zoomed);
+/* Layout of a terminal of w x h cells (at least 1 x 1) showing this view; zoomed: the view alone;
+ * talk: rows of dialogue to be in view as far as there is room (a lesson), 0: the usual. */
+struct cr_layout cr_layout_of(int w, int h, enum cr_area view, bool zoomed, int talk);
 
 /* "Scene", and the word of the command; -1 for a word that is none. */
 const char *cr_area_title(enum cr_area pane);

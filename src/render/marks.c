@@ -8,6 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { REACH = 12 }; /* cells by which marks give way to what is crushed */
+
 struct ink {
     struct cr_pic *pic;
     struct cr_cells *cells;
@@ -25,6 +27,13 @@ static void put(const struct ink *ink, int x, int y, enum cr_role role, uint32_t
         cr_cells_put(ink->cells, x, y, role, ch);
         cr_cells_at(ink->cells, x, y)->bg = bg;
     }
+}
+
+/* Is something shown here that the picture is looked at for? No mark may hide it. */
+static bool precious(const struct ink *ink, int x, int y) {
+    const struct cr_cell *cell = cr_cells_at(ink->cells, x, y);
+    return cell != NULL && (cell->role == CR_ROLE_CRUSHED || cell->role == CR_ROLE_INDUCED ||
+                            cell->role == CR_ROLE_BAD);
 }
 
 /* piece of a shaft between two neighbouring cells */
@@ -52,13 +61,21 @@ static void arrow(const struct ink *ink, struct cr_vec2 from, struct cr_vec2 alo
     for (int i = 1; i <= steps; i++) {
         int x = x0 + (int)lround((double)(x1 - x0) * i / steps);
         int y = y0 + (int)lround((double)(y1 - y0) * i / steps);
-        if (i < steps) {
+        if (i < steps && !precious(ink, x, y)) {
             put(ink, x, y, role, shaft(x - px, y - py, ink->look->ascii));
         }
         px = x;
         py = y;
     }
-    put(ink, x1, y1, role, cr_glyph_head(atan2(along.y, along.x), ink->look->ascii));
+    /* the head is seen, if need be a little farther on */
+    for (int i = 0; i <= REACH; i++) {
+        int x = x1 + (int)lround((double)(x1 - x0) * i / steps);
+        int y = y1 + (int)lround((double)(y1 - y0) * i / steps);
+        if (!precious(ink, x, y)) {
+            put(ink, x, y, role, cr_glyph_head(atan2(along.y, along.x), ink->look->ascii));
+            return;
+        }
+    }
 }
 
 static void draw_velocity(const struct ink *ink, const struct cr_pic_body *b) {
@@ -90,6 +107,21 @@ static void draw_coe(const struct ink *ink) {
     }
 }
 
+/* the column nearest to x at which a letter with its arrow hides nothing that is crushed */
+static int beside_crush(const struct ink *ink, int x, int y) {
+    for (int k = 0; k <= 2 * REACH; k++) {
+        int at = x + (k % 2 == 0 ? k / 2 : -(k + 1) / 2);
+        bool hides = false;
+        for (int i = -2; i <= 2; i++) {
+            hides = hides || precious(ink, at + i, y);
+        }
+        if (!hides) {
+            return at;
+        }
+    }
+    return x;
+}
+
 /* letter at the CG with the heading on its front side: " A> " or " <B " */
 static void draw_letter(const struct ink *ink, const struct cr_pic_body *b, bool selected) {
     struct cr_vec2 p = cr_pic_to_cell(ink->pic, b->now.pos);
@@ -98,6 +130,7 @@ static void draw_letter(const struct ink *ink, const struct cr_pic_body *b, bool
         return;
     }
     bool leftward = b->c < -0.01;
+    x = beside_crush(ink, x, y);
     int from = leftward ? x - 2 : x - 1;
     for (int i = 0; i < 4; i++) {
         put(ink, from + i, y, b->role, ' ');

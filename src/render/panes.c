@@ -71,6 +71,7 @@ static const struct {
     enum cr_role role;
 } STATES[CR_TITLE_STATES] = {
     [CR_TITLE_EMPTY] = {"EMPTY", CR_ROLE_DIM},
+    [CR_TITLE_UNSOLVED] = {"UNSOLVED", CR_ROLE_WARN},
     [CR_TITLE_EDITED] = {"EDITED", CR_ROLE_WARN},
     [CR_TITLE_SOLVING] = {"SOLVING", CR_ROLE_KEY},
     [CR_TITLE_SOLVED] = {"SOLVED", CR_ROLE_GOOD},

@@ -14,6 +14,7 @@ struct cr_rect cr_render_frame(struct cr_cells *cells, struct cr_rect at,
 
 enum cr_title_state {
     CR_TITLE_EMPTY,
+    CR_TITLE_UNSOLVED,
     CR_TITLE_EDITED,
     CR_TITLE_SOLVING,
     CR_TITLE_SOLVED,
@@ -37,15 +38,17 @@ struct cr_title {
 void cr_render_title(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
                      const struct cr_title *title);
 
-/* The quantities that matter most, in 26 columns and more; stale dims them. time NaN: final. */
-void cr_render_results(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
-                       const struct cr_result *result, double time, bool stale);
+/* The quantities that matter most, in 26 columns and more. time NaN: final; selected: a
+ * participant that must be among those there is room for, -1: the first ones are. */
+void cr_render_results(struct cr_cells *cells, struct cr_rect at, const struct cr_result *result,
+                       double time, int selected);
 
-/* |a| of the first moving participants, a row each, with its peak; cursor: time of the scene. */
+/* |a| of moving participants, a row each, with its peak: the first ones, and the one selected.
+ * view: its time is where the cursor stands. */
 CR_MUST_CHECK enum cr_err cr_render_sparks(struct cr_cells *cells, struct cr_rect at,
                                            const struct cr_look *look,
-                                           const struct cr_result *result, double cursor,
-                                           struct cr_error *err);
+                                           const struct cr_result *result,
+                                           const struct cr_scene_view *view, struct cr_error *err);
 /* Time of the scene (s) that a column of a spark line stands for; NaN outside of it. */
 double cr_render_spark_time(struct cr_rect at, const struct cr_result *result, int column);
 

@@ -34,7 +34,7 @@ static void init_body(struct cr_pic_body *b, int i, const struct cr_compiled *co
     const struct cr_participant *part = &scene->part[i];
     *b = (struct cr_pic_body){.id = part->id, .role = cr_render_role_of(i), .face = CR_FACES};
     b->type = part->kind == CR_KIND_VEHICLE ? cr_type_word(part->type) : "";
-    b->letter = part->id[0] > 32 && part->id[0] < 127 ? part->id[0] : (char)('A' + i % 26);
+    b->letter = cr_render_mark(scene, i);
     b->mass = compiled->cs.body[i].mass;
     b->moves = b->mass > 0;
     b->grid = &compiled->cs.body[i].grid;
@@ -48,6 +48,7 @@ static void init_body(struct cr_pic_body *b, int i, const struct cr_compiled *co
         double t0 = result->solution->t_contact;
         struct cr_sample before = cr_render_state(compiled, result, i, t0);
         b->speed_before = signed_speed(&before);
+        b->start = before.pos;
         b->turned = b->now.heading - before.heading;
         b->left = o->left;
         b->t_crushed = o->t_crushed;

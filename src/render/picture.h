@@ -15,6 +15,7 @@ struct cr_pic_body {
     struct cr_sample now;           /* pose, velocity, force at the time of the picture */
     double c, s;                    /* cosine and sine of the heading */
     double speed_before, speed_now; /* m/s, < 0: backwards */
+    struct cr_vec2 start;           /* m, where it was at the first contact */
     double turned;                  /* change of heading since the first contact, rad */
     const struct cr_grid *grid;     /* nx = 0: rigid, with outline */
     const double *ees;              /* [ny * nx] km/h, NULL unless that is the field */

@@ -63,8 +63,7 @@ static double value(const struct cr_solution *sol, int sample, int body,
 }
 
 static void set_name(char name[2], const struct cr_result *result, int body) {
-    const char *id = result->resolved.part[body].id;
-    name[0] = id[0] > 32 && id[0] < 127 ? id[0] : (char)('A' + body % 26);
+    name[0] = cr_render_mark(&result->resolved, body);
     name[1] = '\0';
 }
 

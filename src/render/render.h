@@ -103,6 +103,7 @@ struct cr_scene_view {
     double m_per_col; /* scale; 0: the best round one that shows all */
     struct cr_vec2 centre; /* world point in the middle; NaN: the bodies' middle */
     bool vectors;          /* velocity and force arrows */
+    bool ghost;            /* outlines of the bodies at the first contact */
     int selected;          /* participant to mark, -1: none */
 };
 
@@ -115,6 +116,9 @@ CR_MUST_CHECK enum cr_err cr_render_scene(struct cr_cells *cells, struct cr_rect
                                           const struct cr_result *result,
                                           const struct cr_scene_view *view, struct cr_error *err);
 
+/* The one character that stands for a participant in pictures, plots and lines: the first of its
+ * name that no earlier one has, else a letter or digit that is free. */
+char cr_render_mark(const struct cr_scene *scene, int body);
 /* Role (colour) of a participant, and whether it can move at all. */
 enum cr_role cr_render_role_of(int body);
 bool cr_render_moves(const struct cr_result *result, int body);

@@ -138,32 +138,43 @@ static void write_foot(struct spot *p, const struct cr_result *result, double ti
     }
 }
 
-void cr_render_results(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
-                       const struct cr_result *result, double time, bool stale) {
+/* of n bodies the first that is shown where there is room for `most` */
+static int first_shown(const int *body, int n, int most, int selected) {
+    for (int k = most; k < n; k++) {
+        if (body[k] == selected) {
+            return k - most + 1;
+        }
+    }
+    return 0;
+}
+
+void cr_render_results(struct cr_cells *cells, struct cr_rect at, const struct cr_result *result,
+                       double time, int selected) {
     int body[CR_BODY_MAX] = {0};
-    (void)look;
     if (result == NULL || result->solution->samples == 0) {
         cr_cells_print(cells, at.x, at.y, at.w, CR_ROLE_DIM, "not solved yet: F5");
         return;
     }
     int n = cr_table_bodies(result, body), most = (at.w - LABEL - UNIT) / COLUMN;
     most = most < 1 ? 1 : most;
-    struct spot p = {cells, at, at.y, n < most ? n : most, body};
+    int first = first_shown(body, n, most, selected);
+    struct spot p = {cells, at, at.y, n < most ? n : most, body + first};
     if (n > most) {
-        char more[24];
-        snprintf(more, sizeof more, "+%d more", n - most);
+        char more[48];
+        snprintf(more, sizeof more, "%d-%d of %d:n", first + 1, first + p.n, n);
         cr_cells_print(cells, at.x, at.y, LABEL, CR_ROLE_DIM, more);
     }
     for (int k = 0; k < p.n; k++) {
-        cr_cells_print_right(cells, column_end(&p, k), p.y, COLUMN - 1, cr_render_role_of(body[k]),
-                             result->resolved.part[body[k]].id);
+        int x = column_end(&p, k), b = p.body[k];
+        cr_cells_print_right(cells, x, p.y, COLUMN - 1, cr_render_role_of(b),
+                             result->resolved.part[b].id);
+        if (b == selected) {
+            cr_cells_flag(cells, x - COLUMN + 1, p.y, COLUMN - 1, CR_CELL_REVERSE);
+        }
     }
     p.y++;
     write_rows(&p, result, time);
     write_foot(&p, result, time);
-    for (int y = at.y; stale && y < at.y + at.h; y++) {
-        cr_cells_flag(cells, at.x, y, at.w, CR_CELL_DIM);
-    }
 }
 
 /* ---- pulses as lines ---- */
@@ -192,7 +203,7 @@ static void draw_spark(struct cr_cells *cells, struct cr_rect at, const struct c
     const struct cr_solution *sol = result->solution;
     int columns = spark_columns(at), peak = 0;
     char text[64];
-    snprintf(text, sizeof text, "%.1s |a|", result->resolved.part[body].id);
+    snprintf(text, sizeof text, "%c |a|", cr_render_mark(&result->resolved, body));
     cr_cells_print(cells, at.x, at.y, SPARK_HEAD, cr_render_role_of(body), text);
     for (int i = 0; i < n; i++) {
         peak = y[i] > y[peak] ? i : peak;
@@ -214,15 +225,19 @@ static void draw_spark(struct cr_cells *cells, struct cr_rect at, const struct c
 }
 
 enum cr_err cr_render_sparks(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
-                             const struct cr_result *result, double cursor, struct cr_error *err) {
+                             const struct cr_result *result, const struct cr_scene_view *view,
+                             struct cr_error *err) {
     const struct cr_solution *sol = result->solution;
-    int n = cr_render_samples(sol), columns = spark_columns(at), rows = 0;
-    int body[CR_BODY_MAX];
-    for (int b = 0; b < sol->bodies && rows < at.h; b++) {
+    int n = cr_render_samples(sol), columns = spark_columns(at), rows = 0, moving = 0;
+    int all[CR_BODY_MAX];
+    double cursor = view->time;
+    for (int b = 0; b < sol->bodies; b++) {
         if (cr_render_moves(result, b)) {
-            body[rows++] = b;
+            all[moving++] = b;
         }
     }
+    rows = moving < at.h ? moving : at.h;
+    const int *body = all + first_shown(all, moving, rows, view->selected);
     if (n < 2 || rows == 0 || columns < 4) {
         return CR_ERR_OK;
     }

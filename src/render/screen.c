@@ -17,17 +17,25 @@ static bool solved(const struct cr_screen *s) {
 }
 
 static void say(const struct stage *st, struct cr_rect in, const char *text) {
-    cr_cells_print(st->cells, in.x + 1, in.y + in.h / 2, in.w - 1, CR_ROLE_DIM, text);
+    int y = in.y + in.h / 2;
+    if (st->screen->stale) {
+        cr_cells_print(st->cells, in.x + 1, y, in.w - 1, CR_ROLE_WARN,
+                       "the scene has changed since the solve");
+        cr_cells_print(st->cells, in.x + 1, y + 1, in.w - 1, CR_ROLE_DIM,
+                       "F5 solves it as it is now");
+        return;
+    }
+    cr_cells_print(st->cells, in.x + 1, y, in.w - 1, CR_ROLE_DIM, text);
 }
 
 static enum cr_err draw_scene(const struct stage *st, struct cr_rect in) {
     const struct cr_screen *s = st->screen;
     struct cr_scene_view view = s->scene_view;
-    if (s->stale) { /* what was solved is no longer this scene */
+    if (s->result == NULL) { /* what was solved, if anything, is no longer this scene */
         view.time = (double)NAN;
     }
-    return cr_render_scene(st->cells, in, st->look, s->compiled, s->scene,
-                           s->stale ? NULL : s->result, &view, st->err);
+    return cr_render_scene(st->cells, in, st->look, s->compiled, s->scene, s->result, &view,
+                           st->err);
 }
 
 static enum cr_err draw_pulse(const struct stage *st, struct cr_rect in) {
@@ -86,8 +94,9 @@ static enum cr_err draw_sweep(const struct stage *st, struct cr_rect in) {
 
 static enum cr_err draw_log(const struct stage *st, struct cr_rect in) {
     const struct cr_screen *s = st->screen;
+    int talk_back = s->talk > 0 ? s->talk - in.h - s->talk_down : s->log_back;
     cr_render_log(st->cells, (struct cr_rect){in.x + 1, in.y, in.w - 1, in.h}, st->look, s->log,
-                  s->log_n, s->log_back);
+                  s->log_n, talk_back > 0 ? talk_back : 0);
     return CR_ERR_OK;
 }
 
@@ -120,8 +129,8 @@ static void draw_results(const struct stage *st, const struct cr_layout *l) {
     if (l->results.w > 0) {
         struct cr_rect in =
             cr_render_frame(st->cells, l->results, st->look, "Results", CR_AREA_SCENE, false, true);
-        cr_render_results(st->cells, in, st->look, solved(s) ? s->result : NULL, s->scene_view.time,
-                          s->stale);
+        cr_render_results(st->cells, in, solved(s) ? s->result : NULL, s->scene_view.time,
+                          s->scene_view.selected);
     }
 }
 
@@ -137,10 +146,12 @@ static enum cr_err draw_all(const struct stage *st, const struct cr_layout *l) {
     enum cr_err code = draw_panes(st, l);
     draw_results(st, l);
     if (code == CR_ERR_OK && l->spark.h > 0 && solved(screen)) {
-        code = cr_render_sparks(st->cells, l->spark, st->look, screen->result,
-                                screen->scene_view.time, st->err);
+        code = cr_render_sparks(st->cells, l->spark, st->look, screen->result, &screen->scene_view,
+                                st->err);
     }
-    cr_render_log(st->cells, l->dialogue, st->look, screen->log, screen->log_n, 0);
+    int talk_back = screen->talk - l->dialogue.h - screen->talk_down;
+    cr_render_log(st->cells, l->dialogue, st->look, screen->log, screen->log_n,
+                  talk_back > 0 ? talk_back : 0);
     if (l->hint.w > 0 && screen->hint != NULL) {
         cr_cells_print(st->cells, l->hint.x, l->hint.y, l->hint.w, CR_ROLE_DIM, screen->hint);
     }
@@ -166,7 +177,7 @@ enum cr_err cr_render_screen(struct cr_cells *cells, const struct cr_look *look,
         shown.stale = false;
     }
     const struct stage st = {cells, look, &shown, err};
-    *layout = cr_layout_of(cells->w, cells->h, screen->view, screen->zoomed);
+    *layout = cr_layout_of(cells->w, cells->h, screen->view, screen->zoomed, screen->talk);
     cr_cells_clear(cells);
     enum cr_err code = draw_all(&st, layout);
     free(live);

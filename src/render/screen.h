@@ -13,13 +13,15 @@ struct cr_screen {
     const struct cr_result *result;       /* NULL: not solved yet */
     const struct cr_solution *live;       /* a solve under way, NULL: none; takes the place of */
     const struct cr_case *live_case;      /* compiled and result, with the case it belongs to */
-    bool stale;                           /* the scene has changed since */
+    bool stale;                           /* there was one, of the scene as it was before */
     struct cr_scene_view scene_view;      /* its time is that of all panes */
     const struct cr_reference *reference; /* measured values for the table, NULL: none */
     enum cr_quantity quantity;            /* of the pulse pane, CR_QUANTITIES: |a| */
     const struct cr_sheet *sweep;         /* NULL: none yet */
     const struct cr_render_line *log;
     int log_n, log_back; /* lines, and how many of them further up */
+    int talk, talk_down; /* the last of them that are to be read now (a lesson), and how many of
+                            these are scrolled past; 0: none in particular */
     int table_down;      /* rows the table is scrolled down */
     const char *hint;    /* help for the command being typed, NULL: none */
     const struct cr_render_key *key;

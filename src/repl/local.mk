@@ -2,6 +2,7 @@ noinst_LIBRARIES += librepl.a
 librepl_a_SOURCES = \
 	src/repl/interrupt.c \
 	src/repl/main.c \
+	src/repl/options.c \
 	src/repl/prompt.c \
 	src/repl/repl.h src/repl/repl_priv.h \
 	src/repl/terminal.c

@@ -34,81 +34,6 @@ const char *cr_repl_state_dir(char *buf, int size) {
     return buf;
 }
 
-/* ---- options ---- */
-
-struct options {
-    bool prompt, ascii;
-    const char *color;
-    int sources; /* files and -e among the arguments */
-    int max_seconds, max_megabytes;
-};
-
-static const char usage[] = "crumple --help tells the options";
-
-int cr_repl_takes(const char *arg) {
-    size_t n = strlen(arg);
-    return strcmp(arg, "-") == 0 || strcmp(arg, "-e") == 0 || strcmp(arg, "-i") == 0 ||
-           strcmp(arg, "--repl") == 0 || strcmp(arg, "--ascii") == 0 ||
-           strncmp(arg, "--color", 7) == 0 || strncmp(arg, "--max-", 6) == 0 ||
-           (arg[0] != '-' &&
-            (strchr(arg, '/') != NULL || (n > 8 && strcmp(arg + n - 8, ".crumple") == 0) ||
-             access(arg, F_OK) == 0));
-}
-
-static int fail(const char *what, const char *arg) {
-    char shown[256];
-    fprintf(stderr, "crumple: error: %s '%s'. %s\n", what, cr_show(arg, shown, sizeof shown),
-            usage);
-    return 2;
-}
-
-static bool is_color(const char *word) {
-    return strcmp(word, "always") == 0 || strcmp(word, "auto") == 0 || strcmp(word, "never") == 0;
-}
-
-static bool read_limit(const char *arg, struct options *o) {
-    const char *equals = strchr(arg, '=');
-    bool seconds = strncmp(arg, "--max-seconds=", 14) == 0;
-    char *end = NULL;
-    long n = equals != NULL ? strtol(equals + 1, &end, 10) : 0;
-    if ((!seconds && strncmp(arg, "--max-memory=", 13) != 0) || *end != '\0' || n < 1 ||
-        n > 1000000) {
-        return false;
-    }
-    *(seconds ? &o->max_seconds : &o->max_megabytes) = (int)n;
-    return true;
-}
-
-static int read_options(int argc, char **argv, struct options *o) {
-    *o = (struct options){.color = "auto"};
-    for (int i = 1; i < argc; i++) {
-        const char *arg = argv[i];
-        if (strcmp(arg, "-i") == 0 || strcmp(arg, "--repl") == 0) {
-            o->prompt = true;
-        } else if (strcmp(arg, "--ascii") == 0) {
-            o->ascii = true;
-        } else if (strncmp(arg, "--max-", 6) == 0) {
-            if (!read_limit(arg, o)) {
-                return fail("want --max-seconds=N or --max-memory=MB, not", arg);
-            }
-        } else if (strncmp(arg, "--color=", 8) == 0 && is_color(arg + 8)) {
-            o->color = arg + 8;
-        } else if (strncmp(arg, "--color", 7) == 0) {
-            return fail("--color takes always, auto or never, not", arg);
-        } else if (strcmp(arg, "-e") == 0) {
-            if (++i == argc) {
-                return fail("a command must follow", arg);
-            }
-            o->sources++;
-        } else if (arg[0] == '-' && arg[1] != '\0') {
-            return fail("unknown option", arg);
-        } else {
-            o->sources++;
-        }
-    }
-    return 0;
-}
-
 /* ---- sources ---- */
 
 static enum cr_err say_error(const struct cr_error *err) {
@@ -160,18 +85,9 @@ static enum cr_err run_stream(struct cr_session *s) {
     return code;
 }
 
-/* "share/tutorial/..." works wherever the program is run, as it does for source */
-static const char *find_file(const char *path, const char *data_dir, char *buf, int size) {
-    if (access(path, F_OK) != 0 && path[0] != '/' && data_dir[0] != '\0') {
-        cr_file_part(data_dir, path, buf, (size_t)size);
-        return access(buf, F_OK) == 0 ? buf : path;
-    }
-    return path;
-}
-
 static enum cr_err run_file(struct cr_session *s, const char *name, const char *data_dir) {
     char buf[4096];
-    const char *path = find_file(name, data_dir, buf, sizeof buf);
+    const char *path = cr_repl_find_file(name, data_dir, buf, sizeof buf);
     struct cr_error err;
     char *text;
     size_t len;
@@ -187,10 +103,10 @@ static enum cr_err run_file(struct cr_session *s, const char *name, const char *
         cr_err_place(&err, path, 1, 1);
         code = say_error(&err);
     } else if (text[strspn(text, " \t\r\n")] == '{') {
-        cr_err_set(&err, CR_ERR_USAGE, "a scene is no command file");
-        cr_err_hint(&err, "crumple run solves it, crumple -e 'load FILE' -i opens it");
-        cr_err_place(&err, path, 0, 0);
-        code = say_error(&err);
+        struct cr_str line = {0};
+        cr_repl_add_line(&line, name);
+        code = cr_session_script(s, cr_str_get(&line), name, 1);
+        cr_str_fini(&line);
     } else {
         code = cr_session_script(s, text, name, 1);
     }
@@ -219,11 +135,11 @@ static void greet(struct cr_session *s, const char *state_dir) {
 }
 
 int cr_repl_main(int argc, char **argv, const char *data_dir) {
-    struct options o;
+    struct cr_repl_options o;
     struct cr_error err;
     char state_dir[1024] = "";
     struct cr_session *s;
-    int status = read_options(argc, argv, &o);
+    int status = cr_repl_read_options(argc, argv, &o);
     if (status != 0) {
         return status;
     }

@@ -2,12 +2,29 @@
 #ifndef CR_REPL_REPL_H
 #define CR_REPL_REPL_H
 
+#include "base/str.h"
+
+#include <stdbool.h>
+
 /* `crumple [OPTION ...] [FILE.crumple ...]`: command files, - for standard input and -e COMMAND in
  * order; without any of them the commands come from standard input, with a prompt on a terminal.
  * -i or --repl gives the prompt afterwards; --ascii and --color=always|auto|never say how pictures
  * look. argv[0] is not looked at. data_dir: folder of models/ and share/, "" if there is none.
  * Returns the exit status of the program (crumple(1)). */
 int cr_repl_main(int argc, char **argv, const char *data_dir);
+
+/* How the full screen begins when the same words lead to it. */
+struct cr_repl_start {
+    bool ascii;
+    const char *color;              /* "always", "never", "auto" */
+    int max_seconds, max_megabytes; /* as in struct cr_session_opts */
+    struct cr_str lines;            /* commands to be run first, a line each; cr_str_fini */
+};
+/* Do the words ask for a full screen: a scene alone, or -i? False also when they are not right or
+ * a file is not there, which who runs them says. */
+bool cr_repl_wants_screen(int argc, char **argv, const char *data_dir, struct cr_repl_start *out);
+/* Is it one scene and nothing that makes it a session, so that `run` can have the line? */
+bool cr_repl_one_scene(int argc, char **argv);
 
 /* Is this argument one of those above, so that the line is for cr_repl_main? */
 int cr_repl_takes(const char *arg);

@@ -7,6 +7,21 @@
 
 #include <signal.h>
 
+struct cr_repl_options {
+    bool prompt, plain, ascii; /* plain: --repl, no full screen */
+    const char *color;
+    int sources;         /* files and -e among the arguments */
+    int scenes, streams; /* of these, scenes and "-" */
+    int max_seconds, max_megabytes;
+};
+/* The options of a line for cr_repl_main; 0, or the exit status after a message. */
+int cr_repl_read_options(int argc, char **argv, struct cr_repl_options *o);
+bool cr_repl_is_scene(const char *path); /* by its suffix */
+/* "share/tutorial/..." works wherever the program is run, as it does for source. */
+const char *cr_repl_find_file(const char *path, const char *data_dir, char *buf, int size);
+/* The line that opens a file: "load" for a scene, "source" for commands. */
+void cr_repl_add_line(struct cr_str *out, const char *path);
+
 enum { CR_PROMPT_WIDTH = 9 };
 #define CR_PROMPT "crumple> "
 

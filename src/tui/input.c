@@ -5,12 +5,12 @@
 #include <stdio.h>
 #include <wctype.h>
 
-/* a participant by the first letter of its name, where the letter has no other meaning */
+/* a participant by its mark, where that letter has no other meaning */
 static bool choose_letter(struct cr_tui *t, wint_t code) {
     const struct cr_scene *scene = cr_session_scene(t->session);
     char line[CR_NAME_MAX + 20];
     for (int i = 0; i < scene->n; i++) {
-        if (towlower(code) == towlower((wint_t)(unsigned char)scene->part[i].id[0])) {
+        if (towlower(code) == towlower((wint_t)(unsigned char)cr_render_mark(scene, i))) {
             snprintf(line, sizeof line, "show select=%s", scene->part[i].id);
             cr_tui_run_key(t, line);
             return true;
@@ -43,10 +43,19 @@ void cr_tui_input(struct cr_tui *t, const struct cr_input *in) {
         return; /* signals tell it */
     }
     if (in->function && in->code == CR_KEY_PASTE) {
-        cr_tui_paste(t, cr_term_pasted());
+        const char *text = cr_term_pasted();
+        if (!t->paused) {
+            cr_tui_paste(t, text);
+        }
         return;
     }
     if (t->overlay != CR_OVERLAY_NONE && cr_overlay_input(t, in)) {
+        return;
+    }
+    if (t->paused) { /* a lesson waits: it is read, looked at, and left */
+        if (!cr_lesson_key(t, in)) {
+            cr_tui_key(t, in);
+        }
         return;
     }
     if (in->function && in->code == KEY_MOUSE) {

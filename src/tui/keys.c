@@ -100,6 +100,28 @@ static void play(struct cr_tui *t, int arg) {
     cr_play_toggle(t);
 }
 
+static void loop(struct cr_tui *t, int arg) {
+    (void)arg;
+    cr_tui_run_key(t, cr_session_view(t->session)->loop ? "play loop=off" : "play loop=on");
+}
+
+/* < and > while it plays: its rate; else the speed of who is chosen */
+static void slower_faster(struct cr_tui *t, int step) {
+    const char *who = cr_session_view(t->session)->selected;
+    char line[CR_NAME_MAX + 40];
+    if (t->play.on || t->paused || who[0] == '\0') {
+        cr_play_rate(t, step);
+        return;
+    }
+    snprintf(line, sizeof line, "move %s speed=%dkm/h", who, step);
+    cr_tui_run_key(t, line);
+}
+
+static void ghost(struct cr_tui *t, int arg) {
+    (void)arg;
+    cr_tui_run_key(t, cr_session_view(t->session)->ghost ? "show ghost=off" : "show ghost=on");
+}
+
 static void ask_for(struct cr_tui *t, const char *line) {
     cr_prompt_set(line);
     cr_tui_focus(t, CR_AREAS);
@@ -376,9 +398,13 @@ static const struct key keys[] = {
     {ALSO(SCENE, FUNCTION, KEY_SF), .act = arrow, .arg = KEY_SF},
     {ROW("r R", "turn", "by 1 deg", SCENE, CHARACTER, 'r'), .command = "move $ turn=1deg"},
     {ALSO(SCENE, CHARACTER, 'R'), .command = "move $ turn=-1deg"},
-    {ROW("< >", "speed", "slower, faster by 1 km/h", SCENE, CHARACTER, '<'),
-     .command = "move $ speed=-1km/h"},
-    {ALSO(SCENE, CHARACTER, '>'), .command = "move $ speed=1km/h"},
+    {ROW("< >", "speed", "who is chosen; playing", SCENE, CHARACTER, '<'), .act = slower_faster,
+     .arg = -1},
+    {ALSO(SCENE, CHARACTER, '>'), .act = slower_faster, .arg = 1},
+    {ALSO(PANES, CHARACTER, '<'), .act = cr_play_rate, .arg = -1},
+    {ALSO(PANES, CHARACTER, '>'), .act = cr_play_rate, .arg = 1},
+    {ROW("o", NULL, "play over and over", PANES, CHARACTER, 'o'), .act = loop},
+    {ROW("i", NULL, "outlines of the start", SCENE, CHARACTER, 'i'), .act = ghost},
     {ROW("v", NULL, "type the speed", SCENE, CHARACTER, 'v'), .act = change_speed},
     {ROW("u U", "undo", "undo, redo", PANES, CHARACTER, 'u'), .command = "undo"},
     {ALSO(PANES, CHARACTER, 'U'), .command = "redo"},
@@ -472,7 +498,10 @@ static void press(struct cr_tui *t, const struct key *k) {
     if (k->act != tab) {
         t->tabbed_at = -1;
     }
-    if (k->act != play && k->act != redraw && k->act != suspend && k->act != open_overlay) {
+    bool goes_on = k->act == play || k->act == redraw || k->act == suspend ||
+                   k->act == open_overlay || k->act == slower_faster || k->act == cr_play_rate ||
+                   k->act == loop || k->act == ghost;
+    if (!goes_on) {
         cr_play_stop(t);
     }
     if (k->command != NULL) {
@@ -482,9 +511,26 @@ static void press(struct cr_tui *t, const struct key *k) {
     }
 }
 
+/* changes nothing but what is seen */
+static bool looks(const struct cr_tui *t, const struct key *k) {
+    static void (*const changing[])(struct cr_tui * t, int arg) = {
+        solve, save, cancel, change_speed, take_run, export_run};
+    if (k->command != NULL) {
+        return strncmp(k->command, "show ", 5) == 0 || strcmp(k->command, "explain") == 0;
+    }
+    for (size_t i = 0; i < sizeof changing / sizeof *changing; i++) {
+        if (k->act == changing[i]) {
+            return false;
+        }
+    }
+    bool moves = k->act == arrow && t->focus == CR_AREA_SCENE &&
+                 cr_session_view(t->session)->selected[0] != '\0';
+    return !moves && !(k->act == open_overlay && k->arg == CR_OVERLAY_PALETTE);
+}
+
 bool cr_tui_key(struct cr_tui *t, const struct cr_input *in) {
     const struct key *k = find(t, in);
-    if (k != NULL) {
+    if (k != NULL && (!t->paused || looks(t, k))) {
         press(t, k);
     }
     return k != NULL;
@@ -502,6 +548,9 @@ void cr_tui_press(struct cr_tui *t, const char *name) {
 
 int cr_tui_bar(const struct cr_tui *t, struct cr_render_key *out, int max) {
     int n = 0;
+    if (t->paused) {
+        return cr_lesson_bar(out, max);
+    }
     /* in a pane its own keys come first */
     for (int pass = 0; pass < 2; pass++) {
         for (int i = 0; i < KEYS && n < max; i++) {

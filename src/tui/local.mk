@@ -6,6 +6,7 @@ libtui_a_SOURCES = \
 	src/tui/history.c \
 	src/tui/input.c \
 	src/tui/keys.c \
+	src/tui/lesson.c \
 	src/tui/log.c \
 	src/tui/look.c \
 	src/tui/main.c \

@@ -31,16 +31,37 @@ static void act_on_signals(struct cr_tui *t) {
 
 /* ---- the session's output ---- */
 
+static void on_echo(struct cr_tui *t, const char *line) {
+    struct cr_str text = {0};
+    const char *words = line + strspn(line, " \t");
+    if (t->lesson_from < 0) {
+        t->lesson_from = t->log.n;
+    }
+    if (*words == '#') {
+        words += 1 + (words[1] == ' ');
+        cr_dialogue_add(&t->log, CR_ROLE_TITLE, words);
+    } else if (*words != '\0') {
+        cr_str_addf(&text, "crumple> %s", line);
+        cr_dialogue_add(&t->log, CR_ROLE_KEY, cr_str_get(&text));
+    }
+    cr_str_fini(&text);
+}
+
 static void on_text(void *user, enum cr_tone tone, const char *line) {
     static const enum cr_role roles[] = {[CR_TONE_ANSWER] = CR_ROLE_TEXT,
                                          [CR_TONE_WARN] = CR_ROLE_WARN,
                                          [CR_TONE_ERROR] = CR_ROLE_BAD,
                                          [CR_TONE_ECHO] = CR_ROLE_KEY};
     struct cr_tui *t = user;
-    if (!t->mute || tone == CR_TONE_WARN) {
-        cr_dialogue_add(&t->log, roles[tone], line);
-        t->dirty = true;
+    if (t->mute && tone != CR_TONE_WARN) {
+        return;
     }
+    if (tone == CR_TONE_ECHO) { /* of a command file: what it says, and what it runs */
+        on_echo(t, line);
+    } else {
+        cr_dialogue_add(&t->log, roles[tone], line);
+    }
+    t->dirty = true;
 }
 
 static void on_fault(void *user, const struct cr_fault *fault) {
@@ -120,16 +141,6 @@ static void on_size(void *user, int *width, int *height) {
     *height = t->h;
 }
 
-static struct cr_out out_of(struct cr_tui *t) {
-    return (struct cr_out){.user = t,
-                           .text = on_text,
-                           .fault = on_fault,
-                           .progress = on_progress,
-                           .cancel = on_cancel,
-                           .ask = on_ask,
-                           .size = on_size};
-}
-
 /* ---- the loop ---- */
 
 static void show_stderr(struct cr_tui *t) {
@@ -157,23 +168,71 @@ static void take_keys(struct cr_tui *t) {
     }
 }
 
+/* One turn: sleeps until a key, a signal or the next frame. False: the terminal is gone. */
+static bool turn(struct cr_tui *t) {
+    act_on_signals(t);
+    cr_play_obey(t);
+    cr_play_tick(t);
+    int ms = t->pendings > 0 ? 0 : cr_tui_draw_due(t);
+    if (t->play.on && (ms < 0 || ms > 1000 / FRAMES_PER_S)) {
+        int due = cr_tui_frame_due(t);
+        ms = due > 0 ? due : 1000 / FRAMES_PER_S;
+    }
+    bool there = cr_term_wait(ms);
+    take_keys(t);
+    show_stderr(t);
+    return there;
+}
+
 static void loop(struct cr_tui *t) {
     bool there = true;
     while (there && !cr_session_over(t->session) && !cr_tui_ending && !t->broken) {
-        act_on_signals(t);
-        cr_play_tick(t);
-        int ms = t->pendings > 0 ? 0 : cr_tui_draw_due(t);
-        if (t->play.on && (ms < 0 || ms > 1000 / FRAMES_PER_S)) {
-            int due = cr_tui_frame_due(t);
-            ms = due > 0 ? due : 1000 / FRAMES_PER_S;
-        }
-        there = cr_term_wait(ms);
-        take_keys(t);
-        show_stderr(t);
+        there = turn(t);
     }
     if (!there && !cr_tui_ending) {
         cr_tui_ending = SIGHUP;
     }
+}
+
+/* ---- a command file that waits ---- */
+
+static int on_pause(void *user) {
+    struct cr_tui *t = user;
+    bool there = true;
+    if (t->paused || t->mute) {
+        return 0;
+    }
+    t->paused = t->dirty = true;
+    t->given_up = false;
+    t->progress = NULL;
+    t->lesson_down = 0;
+    while (t->paused && there && !cr_tui_ending && !t->broken) {
+        there = turn(t);
+    }
+    cr_play_stop(t);
+    t->paused = false;
+    t->sheet_from = -1;
+    t->lesson_from = t->log.n;
+    t->dirty = true;
+    return !there || cr_tui_ending || t->given_up;
+}
+
+static void on_play(void *user, bool on) {
+    struct cr_tui *t = user;
+    t->play_asked = true;
+    t->play_on = on;
+}
+
+static struct cr_out out_of(struct cr_tui *t) {
+    return (struct cr_out){.user = t,
+                           .text = on_text,
+                           .fault = on_fault,
+                           .progress = on_progress,
+                           .cancel = on_cancel,
+                           .ask = on_ask,
+                           .size = on_size,
+                           .pause = on_pause,
+                           .play = on_play};
 }
 
 void cr_tui_greet(struct cr_tui *t, const char *state_dir) {
@@ -190,7 +249,7 @@ static void say(const struct cr_error *err) {
     fprintf(stderr, "crumple: %s\n", cr_err_format(err, line, sizeof line));
 }
 
-enum cr_err cr_tui_new(const char *data_dir, const char *state_dir, struct cr_tui **out,
+enum cr_err cr_tui_new(const struct cr_tui_start *start, struct cr_tui **out,
                        struct cr_error *err) {
     struct cr_tui *t = calloc(1, sizeof *t);
     *out = NULL;
@@ -198,11 +257,14 @@ enum cr_err cr_tui_new(const char *data_dir, const char *state_dir, struct cr_tu
         return cr_err_set(err, CR_ERR_MEMORY, "out of memory");
     }
     t->focus = CR_AREAS;
-    t->sheet_from = t->taken = t->dragged = -1;
+    t->sheet_from = t->lesson_from = t->taken = t->dragged = -1;
     t->tabbed_at = -1;
-    struct cr_session_opts opts = {.data_dir = data_dir,
+    const char *state_dir = start->state_dir;
+    struct cr_session_opts opts = {.data_dir = start->data_dir,
                                    .state_dir = state_dir[0] != '\0' ? state_dir : NULL,
                                    .ask = true,
+                                   .max_seconds = start->max_seconds,
+                                   .max_megabytes = start->max_megabytes,
                                    .out = out_of(t)};
     enum cr_err code = cr_session_new(&opts, &t->session, err);
     if (code != CR_ERR_OK) {
@@ -223,17 +285,31 @@ void cr_tui_free(struct cr_tui *t) {
     free(t);
 }
 
-static int run_screen(struct cr_tui *t, const char *state_dir) {
+/* what the command line asked for: shown before it is begun, since it may take its time */
+static void run_first(struct cr_tui *t, const char *lines) {
+    char *text = strdup(lines);
+    size_t len = strlen(lines);
+    if (text != NULL && len > 0) {
+        text[text[len - 1] == '\n' ? len - 1 : len] = '\0';
+        cr_tui_draw(t);
+        cr_tui_run(t, text);
+    }
+    free(text);
+}
+
+static int run_screen(struct cr_tui *t, const struct cr_tui_start *start) {
     struct cr_error err;
     if (cr_term_open(&err) != CR_ERR_OK) {
         say(&err);
         return cr_err_status(err.code);
     }
-    struct cr_look look = {.ascii = cr_term_ascii(), .color = cr_term_color()};
+    struct cr_look look = {.ascii = start->ascii || cr_term_ascii(), .color = cr_term_color()};
+    look.color = strcmp(start->color, "never") == 0 ? CR_COLOR_NONE : look.color;
     cr_session_set_look(t->session, &look);
-    cr_prompt_open(t, state_dir);
+    cr_prompt_open(t, start->state_dir);
     cr_term_resize(&t->w, &t->h);
-    cr_tui_greet(t, state_dir);
+    cr_tui_greet(t, start->state_dir);
+    run_first(t, start->lines);
     t->dirty = true;
     loop(t);
     cr_prompt_close();
@@ -246,14 +322,14 @@ static int run_screen(struct cr_tui *t, const char *state_dir) {
     return t->broken ? cr_err_status(CR_ERR_MEMORY) : 0;
 }
 
-int cr_tui_main(const char *data_dir, const char *state_dir) {
+int cr_tui_main(const struct cr_tui_start *start) {
     struct cr_error err;
     struct cr_tui *t;
-    if (cr_tui_new(data_dir, state_dir, &t, &err) != CR_ERR_OK) {
+    if (cr_tui_new(start, &t, &err) != CR_ERR_OK) {
         say(&err);
         return cr_err_status(err.code);
     }
-    int status = run_screen(t, state_dir);
+    int status = run_screen(t, start);
     cr_tui_free(t);
     return status;
 }

@@ -18,16 +18,31 @@ enum { ROWS_MAX = 96, KEY_W = 11, HELP_W = 50, PALETTE_W = 76, NAME_W = 12 };
 static void draw_help(struct cr_tui *t) {
     struct cr_help_row row[ROWS_MAX];
     struct cr_look look = cr_tui_look(t);
-    int n = cr_tui_help_rows(t, row, ROWS_MAX);
+    int n = cr_tui_help_rows(t, row, ROWS_MAX), heads = 0, second = 0;
     int room = t->h - 4 > 1 ? t->h - 4 : 1;
     int columns = n > room && t->w >= 76 ? 2 : 1, rows = (n + columns - 1) / columns;
+    for (int i = 0; i < n; i++) {
+        heads += row[i].heading;
+        second = heads == 2 && row[i].heading ? i : second;
+    }
+    /* one column is what works anywhere, the other what works here, if each fits whole */
+    int longer = second > n - second ? second : n - second;
+    if (columns == 2 && longer <= room) {
+        rows = longer;
+    } else {
+        second = rows;
+    }
     int w = KEY_W + HELP_W;
     w = w * columns + 2 > t->w - 4 ? (t->w - 6) / columns : w;
     rows = rows > room ? room : rows;
     struct cr_rect in =
         cr_render_overlay(&t->cells, &look, w * columns + 2, rows + 1, "Keys   (any key closes)");
-    for (int i = 0; i < n && i < rows * columns; i++) {
-        int x = in.x + 1 + i / rows * w, y = in.y + i % rows;
+    for (int i = 0; i < n && (columns == 2 || i < rows); i++) {
+        bool right = columns == 2 && i >= second;
+        int x = in.x + 1 + (right ? w : 0), y = in.y + i - (right ? second : 0);
+        if (y >= in.y + rows) {
+            continue;
+        }
         if (row[i].heading) {
             cr_cells_print(&t->cells, x, y, w - 1, CR_ROLE_TITLE, row[i].key);
         } else {

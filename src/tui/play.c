@@ -39,8 +39,7 @@ void cr_play_start(struct cr_tui *t, int frame) {
         return;
     }
     double since = frame > 0 ? sol->t[frame - 1] - sol->t_contact : 0;
-    double now = cr_tui_clock();
-    t->play = (struct cr_play){true, now - since * slowness(sol), now};
+    t->play = (struct cr_play){true, since, cr_tui_clock()};
     set_frame(t, frame, false);
 }
 
@@ -69,18 +68,42 @@ void cr_play_tick(struct cr_tui *t) {
         t->play.on = false;
         return;
     }
+    const struct cr_view *view = cr_session_view(t->session);
     double now = cr_tui_clock();
-    t->play.began += fmax(now - t->play.ticked - LEAP_S, 0);
+    t->play.at += fmin(now - t->play.ticked, LEAP_S) * view->rate / slowness(sol);
     t->play.ticked = now;
-    double time = (now - t->play.began) / slowness(sol);
-    int frame = cr_session_view(t->session)->frame, last = sol->samples;
-    while (frame < last && sol->t[frame] - sol->t_contact <= time) {
+    int frame = view->frame, last = sol->samples;
+    while (frame < last && sol->t[frame] - sol->t_contact <= t->play.at) {
         frame++;
     }
-    if (frame != cr_session_view(t->session)->frame) {
+    if (frame != view->frame) {
         set_frame(t, frame, false);
     }
-    if (frame >= last) {
+    if (frame >= last && cr_session_view(t->session)->loop) {
+        cr_play_start(t, 0);
+    } else if (frame >= last) {
         cr_play_stop(t);
+    }
+}
+
+void cr_play_rate(struct cr_tui *t, int step) {
+    static const double rates[] = {0.1, 0.25, 0.5, 1, 2, 4};
+    enum { N = sizeof rates / sizeof *rates };
+    char line[40];
+    int i = 0;
+    while (i < N - 1 && rates[i] < cr_session_view(t->session)->rate - 1e-9) {
+        i++;
+    }
+    i += step;
+    snprintf(line, sizeof line, "play rate=%g", rates[i < 0 ? 0 : i >= N ? N - 1 : i]);
+    cr_tui_run_key(t, line);
+}
+
+void cr_play_obey(struct cr_tui *t) {
+    if (t->play_asked) {
+        t->play_asked = false;
+        if (t->play_on != t->play.on) {
+            cr_play_toggle(t);
+        }
     }
 }

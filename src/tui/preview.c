@@ -135,7 +135,13 @@ static void write_preview(struct cr_tui *t, struct cr_rect at, const struct cr_c
     }
     snprintf(text, sizeof text, "angle       %8.0f deg", cr_deg(p->turn));
     y = write_line(t, at, y, CR_ROLE_TEXT, text);
-    write_line(t, at, y + 1, CR_ROLE_DIM, "F5 solves it");
+    int back = t->dragged < 0 ? cr_session_way_back(t->session) : 0;
+    write_line(t, at, y + 1, CR_ROLE_DIM, back != 0 ? "F5 solves it anew" : "F5 solves it");
+    if (back != 0) {
+        snprintf(text, sizeof text, "%s %d: back to the result", back > 0 ? "undo" : "redo",
+                 abs(back));
+        write_line(t, at, y + 2, CR_ROLE_DIM, text);
+    }
 }
 
 void cr_preview_draw(struct cr_tui *t, const struct cr_compiled *compiled) {

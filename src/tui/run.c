@@ -24,6 +24,7 @@ static void run(struct cr_tui *t, const char *line) {
                        .undos = cr_session_undos(t->session),
                        .lines = t->log.n};
     t->cancel = false;
+    t->lesson_from = t->paused ? t->lesson_from : -1;
     t->log_back = 0;
     t->sheet_from = -1;
     t->sheet_down = 0;
@@ -31,7 +32,8 @@ static void run(struct cr_tui *t, const char *line) {
     cr_preview_forget(t);
     t->failed = cr_session_run(t->session, line) != CR_ERR_OK;
     t->progress = NULL;
-    if (t->log.n > b.lines && (t->failed || !changed(t, &b))) {
+    bool reads = strncmp(line, "solve --step", 12) == 0 || strncmp(line, "explain", 7) == 0;
+    if (t->log.n > b.lines && t->lesson_from < 0 && (t->failed || reads || !changed(t, &b))) {
         t->sheet_from = b.lines - 1; /* with the command itself */
         t->sheet_down = t->failed ? CR_SHEET_END : 0;
     }
@@ -72,11 +74,16 @@ void cr_tui_run(struct cr_tui *t, const char *line) {
 }
 
 void cr_tui_run_key(struct cr_tui *t, const char *line) {
-    cr_dialogue_key(&t->log, line);
-    cr_history_add(line, false);
+    bool looks = strncmp(line, "show ", 5) == 0 || strncmp(line, "view ", 5) == 0 ||
+                 strncmp(line, "play ", 5) == 0;
+    if (!t->paused) { /* else it would stand in the words of the lesson */
+        cr_dialogue_key(&t->log, line);
+    }
+    if (!looks) { /* nobody wants a hundred frames back by Up */
+        cr_history_add(line, false);
+    }
     /* the title bar and the panes show what these change */
-    t->mute = strncmp(line, "show ", 5) == 0 || strncmp(line, "move ", 5) == 0 ||
-              strncmp(line, "view ", 5) == 0;
+    t->mute = looks || strncmp(line, "move ", 5) == 0;
     run(t, line);
     t->mute = false;
 }

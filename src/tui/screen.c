@@ -33,10 +33,13 @@ static void set_work(struct cr_title *title, const struct cr_progress *p) {
 }
 
 static struct cr_title title_of(const struct cr_tui *t) {
-    static const enum cr_title_state states[] = {
-        [CR_STATE_EDITED] = CR_TITLE_EDITED, [CR_STATE_SOLVING] = CR_TITLE_SOLVING,
-        [CR_STATE_SOLVED] = CR_TITLE_SOLVED, [CR_STATE_STALE] = CR_TITLE_STALE,
-        [CR_STATE_FAILED] = CR_TITLE_FAILED, [CR_STATE_INTERRUPTED] = CR_TITLE_INTERRUPTED};
+    static const enum cr_title_state states[] = {[CR_STATE_UNSOLVED] = CR_TITLE_UNSOLVED,
+                                                 [CR_STATE_EDITED] = CR_TITLE_EDITED,
+                                                 [CR_STATE_SOLVING] = CR_TITLE_SOLVING,
+                                                 [CR_STATE_SOLVED] = CR_TITLE_SOLVED,
+                                                 [CR_STATE_STALE] = CR_TITLE_STALE,
+                                                 [CR_STATE_FAILED] = CR_TITLE_FAILED,
+                                                 [CR_STATE_INTERRUPTED] = CR_TITLE_INTERRUPTED};
     const struct cr_session *s = t->session;
     const struct cr_scene *scene = cr_session_scene(s);
     const struct cr_view *view = cr_session_view(s);
@@ -55,7 +58,9 @@ static struct cr_title title_of(const struct cr_tui *t) {
     for (int i = 0; i < scene->n; i++) {
         *(scene->part[i].kind == CR_KIND_VEHICLE ? &title.vehicles : &title.objects) += 1;
     }
-    if (result != NULL && result->solution->samples > 0) {
+    enum cr_solve_state state = cr_session_state(s);
+    bool fits = state == CR_STATE_SOLVED || state == CR_STATE_INTERRUPTED;
+    if (fits && result->solution->samples > 0) {
         const struct cr_solution *sol = result->solution;
         title.time = cr_session_time(s) - sol->t_contact;
         title.t_end = sol->t[sol->samples - 1] - sol->t_contact;
@@ -78,7 +83,7 @@ static enum cr_err make_cells(struct cr_tui *t, struct cr_error *err) {
 
 static int log_width(const struct cr_tui *t) {
     const struct cr_view *view = cr_session_view(t->session);
-    struct cr_layout l = cr_layout_of(t->w, t->h, (enum cr_area)view->pane, view->zoom);
+    struct cr_layout l = cr_layout_of(t->w, t->h, (enum cr_area)view->pane, view->zoom, 0);
     return l.pane[CR_AREA_LOG].w > 0 && l.kind != CR_LAYOUT_PROMPT ? l.pane[CR_AREA_LOG].w - 4
                                                                    : t->w;
 }
@@ -140,7 +145,9 @@ static void draw_prompt(struct cr_tui *t, int *cursor_x) {
     struct cr_rect at = t->layout.prompt;
     *cursor_x = -1;
     wipe(&t->cells, at);
-    if (t->question != NULL) {
+    if (t->paused && t->progress == NULL) {
+        cr_lesson_prompt(t, at);
+    } else if (t->question != NULL) {
         int n = cr_cells_print(&t->cells, at.x, at.y, at.w, CR_ROLE_WARN, t->question);
         *cursor_x = at.x + (n + 1 < at.w ? n + 1 : at.w - 1);
     } else if (t->progress != NULL) {
@@ -162,8 +169,10 @@ static void describe(struct cr_tui *t, struct cr_screen *s, const struct cr_comp
     s->title = title_of(t);
     s->scene = cr_session_scene(t->session);
     s->result = cr_session_result(t->session);
+    /* values of another solve stand beside nothing: who looks at them takes them for this one's */
     bool fits = state == CR_STATE_SOLVED || state == CR_STATE_INTERRUPTED;
     s->stale = s->result != NULL && (!fits || moved != NULL);
+    s->result = s->stale ? NULL : s->result;
     s->reference = cr_session_reference(t->session);
     s->scene_view = cr_session_scene_view(t->session);
     if (view->frame >= cr_session_frames(t->session)) {
@@ -182,7 +191,7 @@ static void describe(struct cr_tui *t, struct cr_screen *s, const struct cr_comp
     }
     if (moved != NULL) {
         s->compiled = moved;
-    } else if (t->progress == NULL && s->scene->n > 0 && (s->result == NULL || s->stale)) {
+    } else if (t->progress == NULL && s->scene->n > 0 && s->result == NULL) {
         s->compiled = cr_session_compiled(t->session, &err);
     }
 }
@@ -226,6 +235,8 @@ static enum cr_err compose(struct cr_tui *t, const struct cr_look *look, struct 
     }
     describe(t, &s, dragged(t, room));
     cr_dialogue_fold(&t->log, t->log.n - LOG_ROOM - t->log_back, log_width(t), &folded);
+    s.talk = cr_lesson_lines(t, log_width(t));
+    s.talk_down = t->lesson_down;
     s.log = folded.line;
     s.log_n = folded.n;
     hint_of(t, &hint, lines);

@@ -2,13 +2,24 @@
 #ifndef CR_TUI_TUI_H
 #define CR_TUI_TUI_H
 
+#include <stdbool.h>
+
 /* Why the full screen cannot be used here: one clause for a message, "" when standard input or
  * output is no terminal at all, so that nothing need be said; NULL when it can. */
 const char *cr_tui_refusal(void);
 
-/* The full screen until quit. data_dir: folder of models/ and share/, "" if there is none;
- * state_dir: folder of history and autosave, "" if there is none. Returns the exit status of
- * crumple(1); a fatal signal ends the process by itself once the terminal is given back. */
-int cr_tui_main(const char *data_dir, const char *state_dir);
+/* How it begins. */
+struct cr_tui_start {
+    const char *data_dir;  /* folder of models/ and share/, "" if there is none */
+    const char *state_dir; /* folder of history and autosave, "" if there is none */
+    bool ascii;
+    const char *color;              /* "never": none; else what the terminal has */
+    int max_seconds, max_megabytes; /* of one solve, 0: any (struct cr_session_opts) */
+    const char *lines;              /* commands to run first, a line each; "" for none */
+};
+
+/* The full screen until quit. Returns the exit status of crumple(1); a fatal signal ends the
+ * process by itself once the terminal is given back. */
+int cr_tui_main(const struct cr_tui_start *start);
 
 #endif

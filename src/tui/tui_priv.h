@@ -147,7 +147,7 @@ enum { CR_FILTER_MAX = 40, CR_PENDING = 256, CR_SHEET_END = 1 << 20 };
 
 struct cr_play {
     bool on;
-    double began;  /* s of the clock at which frame 0 was, or would have been, shown */
+    double at;     /* s since the first contact that is shown now */
     double ticked; /* s of the clock at the last look at it */
 };
 
@@ -165,6 +165,11 @@ struct cr_tui {
     double keys_at;     /* s of the clock at which the keys being acted on had arrived */
     double tabbed_at;   /* likewise of Tab on the empty prompt, -1: something else since */
     int log_back, table_down, sweep_row;
+    /* a lesson: a command file that pauses */
+    bool paused, given_up;    /* waits for Enter; ^C was pressed then */
+    int lesson_from, told;    /* first line since the last pause, -1: none; lines of it as shown */
+    int lesson_down;          /* of these, scrolled past */
+    bool play_asked, play_on; /* by the command: acted on when it has ended */
     struct cr_play play;
     /* sheet above the prompt: an answer that is too long for the dialogue, or candidates */
     int sheet_from, sheet_down;      /* first line of the answer, -1: none; rows scrolled */
@@ -191,8 +196,8 @@ struct cr_tui {
 double cr_tui_clock(void); /* s, monotonic */
 
 /* A session with this screen as its output; nothing touches the terminal yet. */
-CR_MUST_CHECK enum cr_err cr_tui_new(const char *data_dir, const char *state_dir,
-                                     struct cr_tui **out, struct cr_error *err);
+CR_MUST_CHECK enum cr_err cr_tui_new(const struct cr_tui_start *start, struct cr_tui **out,
+                                     struct cr_error *err);
 void cr_tui_free(struct cr_tui *t);
 /* The first lines of the dialogue. */
 void cr_tui_greet(struct cr_tui *t, const char *state_dir);
@@ -248,7 +253,17 @@ void cr_mouse(struct cr_tui *t, const struct cr_input *in);
 void cr_play_toggle(struct cr_tui *t);
 void cr_play_start(struct cr_tui *t, int frame);
 void cr_play_stop(struct cr_tui *t);
-void cr_play_tick(struct cr_tui *t); /* shows the frame that is due */
+void cr_play_tick(struct cr_tui *t);           /* shows the frame that is due */
+void cr_play_rate(struct cr_tui *t, int step); /* faster (1) or slower (-1) */
+void cr_play_obey(struct cr_tui *t);           /* what the command `play` has asked for */
+
+/* ---- lesson.c: a command file that waits ---- */
+/* Is this key for a lesson that waits? Then it has been acted on; other keys that change anything
+ * are refused meanwhile. */
+bool cr_lesson_key(struct cr_tui *t, const struct cr_input *in);
+int cr_lesson_bar(struct cr_render_key *out, int max);
+int cr_lesson_lines(struct cr_tui *t, int width); /* rows that its words take, 0: none */
+void cr_lesson_prompt(struct cr_tui *t, struct cr_rect at);
 
 /* ---- preview.c: the predicted first contact of a scene that is not solved ---- */
 void cr_preview_draw(struct cr_tui *t, const struct cr_compiled *compiled);

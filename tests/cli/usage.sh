@@ -14,6 +14,25 @@ undocumented() {
 run --version
 same "--version succeeds" "$status" 0
 has "--version names the program and its libraries" "$out" '^built with ncurses .*readline .*cJSON'
+for word in -v -V version; do
+    run $word
+    has "$word names the version" "$out" '^crumple [0-9]'
+done
+run help
+has "crumple help is the help" "$out" '^usage: crumple '
+run help run
+has "of a word too" "$out" '^usage: crumple run '
+run help sweep
+has "or of a command" "$out" 'sweep: solve for'
+run help nothing
+has "help of nothing" "$errs" "there is no command 'nothing'"
+run "$SRC/share/scenes/q7-fiat500.json"
+same "a scene into a pipe is solved" "$status" 0
+by_run=$(printf '%s' "$out" | cksum)
+run run "$SRC/share/scenes/q7-fiat500.json"
+same "as run does" "$by_run" "$(printf '%s' "$out" | cksum)"
+run "$SRC/share/scenes/q7-fiat500.json" -e list
+has "with commands behind it it is opened" "$out" 'A: suv'
 run --help
 same "--help succeeds" "$status" 0
 has "--help names run" "$out" 'crumple run SCENE.json'

@@ -60,6 +60,10 @@ keys F5
 shows "F5 solves" "SOLVED"
 keys C-c "undo 2" Enter
 shows "undo of two" "undone: vehicle B speed=60km/h"
+shows "and the way back to what was solved" "redo 2: back to the result"
+keys F5
+shows "this scene anew" "SOLVED"
+keys C-c
 
 set -- $(find "2 Pulse")
 click "$1" "$2"
@@ -87,8 +91,8 @@ other_scale() {
 old_mouse 65 20 10
 until_ok other_scale
 report $? "also when it is told in the old way"
-set -- $(find "F5 solve")
-click "$1" "$2"
+set -- $(find "  F5 solve") # of the bar, not of the pane with the prediction
+click "$(($1 + 2))" "$2"
 shows "a click in the key bar is the key" "SOLVED"
 
 keys C-c

@@ -55,7 +55,7 @@ shows "a shell" "^shell>$"
 keys "\"$CRUMPLE\"" Enter
 shows "the screen from a shell" "$ready"
 keys "load crash.json" Enter
-shows "a scene is loaded" "crash.json  EDITED"
+shows "a scene is loaded" "crash.json  UNSOLVED"
 keys C-z
 shows "^Z goes back to the shell" "^shell>$"
 same "with the terminal as a shell needs it" \
@@ -64,7 +64,7 @@ keys "echo a line" Enter
 shows "which works" "^a line"
 screen resize-window -x 100 -y 30
 keys fg Enter
-shows "fg brings the screen back" "crash.json  EDITED"
+shows "fg brings the screen back" "crash.json  UNSOLVED"
 shows "in the new size" "^F1 help.*F10 quit"
 same "with the mouse" "$(screen display -p '#{alternate_on} #{mouse_any_flag}')" "1 1"
 keys F10

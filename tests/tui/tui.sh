@@ -5,7 +5,9 @@ cp "$SRC/share/scenes/q7-fiat500.json" crash.json
 program="XDG_STATE_HOME='$tmp/state' HOME='$tmp' INPUTRC=/dev/null LC_ALL=C.UTF-8 \
     CRUMPLE_DATA='$SRC' ASAN_OPTIONS=abort_on_error=1"
 
-# start WIDTH HEIGHT [SETTING=VALUE ...]: the program, then its status and the terminal's modes
+# start WIDTH HEIGHT [SETTING=VALUE ...]: the program with $words, then its status and the
+# terminal's modes
+words=
 start() {
     w=$1
     h=$2
@@ -14,7 +16,7 @@ start() {
     cat >start.sh <<END
 cd '$tmp'
 stty -a >before
-sh -c 'echo \$\$ >pid; exec "\$@"' sh env TERM=screen-256color $program $* '$CRUMPLE'
+sh -c 'echo \$\$ >pid; exec "\$@"' sh env TERM=screen-256color $program $* '$CRUMPLE' $words
 echo status \$?
 stty -a >after
 cmp before after && echo modes kept

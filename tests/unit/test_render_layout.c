@@ -57,7 +57,20 @@ static int shown(const struct cr_layout *l) {
     return n;
 }
 
-static void check_sizes(const struct cr_layout *l, int w, int h, enum cr_area view, bool zoomed) {
+/* the words of a lesson are in view as far as the panes can spare the rows */
+static void check_talk(const struct cr_layout *l, int talk) {
+    int rows = l->kind == CR_LAYOUT_ALL ? l->pane[CR_AREA_LOG].h - 2 : l->dialogue.h;
+    bool least = false;
+    for (int i = 0; i < CR_AREAS; i++) {
+        least = least || (l->pane[i].w > 0 && l->pane[i].h <= 13);
+    }
+    if (talk > 0 && l->kind != CR_LAYOUT_PROMPT) {
+        assert_true(rows >= talk || least);
+    }
+}
+
+static void check_sizes(const struct cr_layout *l, int w, int h, enum cr_area view, bool zoomed,
+                        int talk) {
     assert_int_equal(l->prompt.w, w);
     assert_int_equal(l->prompt.h, 1);
     if (w < 40 || h < 12) {
@@ -73,7 +86,7 @@ static void check_sizes(const struct cr_layout *l, int w, int h, enum cr_area vi
         assert_int_equal(p->w, w); /* texts take the whole width */
     } else if (w >= 80 && h >= 24 && !zoomed && l->kind != CR_LAYOUT_ALL) {
         assert_int_equal(l->results.w, 30);
-        assert_true(l->results.h >= 12);
+        assert_true(l->results.h >= (talk > 0 ? 10 : 12));
     }
     assert_int_equal(shown(l), zoomed || l->kind < CR_LAYOUT_TWO ? 1
                                : l->kind == CR_LAYOUT_TWO        ? 2
@@ -86,9 +99,11 @@ static void test_all_sizes(void **state) {
         for (int w = 20; w <= W; w++) {
             enum cr_area view = (enum cr_area)((w + h) % CR_AREAS);
             for (int zoomed = 0; zoomed < 2; zoomed++) {
-                struct cr_layout l = cr_layout_of(w, h, view, zoomed);
+                int talk = (w + 2 * h) % 3 * 9; /* 0, 9, 18 rows */
+                struct cr_layout l = cr_layout_of(w, h, view, zoomed, talk);
                 check_tiles(&l, w, h);
-                check_sizes(&l, w, h, view, zoomed);
+                check_sizes(&l, w, h, view, zoomed, talk);
+                check_talk(&l, talk);
             }
         }
     }
@@ -96,14 +111,14 @@ static void test_all_sizes(void **state) {
 
 static void test_kinds(void **state) {
     (void)state;
-    assert_int_equal(cr_layout_of(39, 50, CR_AREA_SCENE, false).kind, CR_LAYOUT_PROMPT);
-    assert_int_equal(cr_layout_of(79, 24, CR_AREA_SCENE, false).kind, CR_LAYOUT_NARROW);
-    assert_int_equal(cr_layout_of(80, 24, CR_AREA_SCENE, false).kind, CR_LAYOUT_ONE);
-    assert_int_equal(cr_layout_of(120, 36, CR_AREA_SCENE, false).kind, CR_LAYOUT_TWO);
-    assert_int_equal(cr_layout_of(160, 44, CR_AREA_SCENE, false).kind, CR_LAYOUT_ALL);
-    assert_int_equal(cr_layout_of(160, 43, CR_AREA_SCENE, false).kind, CR_LAYOUT_TWO);
+    assert_int_equal(cr_layout_of(39, 50, CR_AREA_SCENE, false, 0).kind, CR_LAYOUT_PROMPT);
+    assert_int_equal(cr_layout_of(79, 24, CR_AREA_SCENE, false, 0).kind, CR_LAYOUT_NARROW);
+    assert_int_equal(cr_layout_of(80, 24, CR_AREA_SCENE, false, 0).kind, CR_LAYOUT_ONE);
+    assert_int_equal(cr_layout_of(120, 36, CR_AREA_SCENE, false, 0).kind, CR_LAYOUT_TWO);
+    assert_int_equal(cr_layout_of(160, 44, CR_AREA_SCENE, false, 0).kind, CR_LAYOUT_ALL);
+    assert_int_equal(cr_layout_of(160, 43, CR_AREA_SCENE, false, 0).kind, CR_LAYOUT_TWO);
     /* nothing is too small to answer */
-    struct cr_layout tiny = cr_layout_of(1, 1, CR_AREA_SCENE, false);
+    struct cr_layout tiny = cr_layout_of(1, 1, CR_AREA_SCENE, false, 0);
     assert_int_equal(tiny.prompt.h, 1);
     check_tiles(&tiny, 1, 1);
 }

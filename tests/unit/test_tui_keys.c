@@ -4,6 +4,7 @@
 
 #include <curses.h>
 #include <locale.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -113,7 +114,6 @@ static void test_play_goes_on_where_it_was(void **state) {
     int last = cr_session_frames(d.t->session);
     tui_double_type(&d, "<Space>");
     assert_true(d.t->play.on);
-    d.t->play.began -= 100;
     d.t->play.ticked -= 100;
     cr_play_tick(d.t);
     int frame = cr_session_view(d.t->session)->frame;
@@ -121,6 +121,76 @@ static void test_play_goes_on_where_it_was(void **state) {
     assert_true(d.t->play.on);
     tui_double_type(&d, "<Space>");
     assert_false(d.t->play.on);
+    tui_double_fini(&d);
+}
+
+/* The time that a look at the clock brings goes by the rate; < and > change that, not the scene. */
+static void test_playing_has_a_rate(void **state) {
+    (void)state;
+    struct tui_double d;
+    tui_double_init(&d, 80, 24, true, false);
+    struct cr_tui *t = d.t;
+    tui_double_type(&d, "<F6>a<Space>");
+    double at[3] = {0};
+    int undos = cr_session_undos(t->session);
+    for (int i = 0; i < 3; i++) { /* 1, 1/2, 1/4 */
+        t->play.ticked = cr_tui_clock() - 10;
+        double before = t->play.at;
+        cr_play_tick(t);
+        at[i] = t->play.at - before;
+        tui_double_type(&d, "<");
+    }
+    assert_true(fabs(at[1] / at[0] - 0.5) < 1e-9 && fabs(at[2] / at[0] - 0.25) < 1e-9);
+    assert_true(t->play.on);
+    assert_int_equal(cr_session_undos(t->session), undos);
+    assert_true(cr_session_view(t->session)->rate == 0.1);
+    tui_double_type(&d, ">>>>>>>>");
+    assert_true(cr_session_view(t->session)->rate == 4);
+    tui_double_type(&d, "o"); /* over and over */
+    for (int i = 0; i < 60; i++) {
+        t->play.ticked = cr_tui_clock() - 10;
+        cr_play_tick(t);
+        assert_true(t->play.on);
+    }
+    tui_double_type(&d, "<Space>");
+    assert_false(t->play.on);
+    tui_double_type(&d, ">"); /* now it is the speed of A */
+    assert_string_equal(tui_double_command(&d), "move A speed=1km/h");
+    assert_int_equal(cr_session_undos(t->session), undos + 1);
+    tui_double_fini(&d);
+}
+
+/* Up brings back what was typed, not the frames that keys have shown */
+static void test_looking_leaves_no_history(void **state) {
+    (void)state;
+    struct tui_double d;
+    int point;
+    tui_double_init(&d, 80, 24, true, false);
+    tui_double_type(&d, "list<Enter><F7><F7><F8><M-2><M-1><Up>");
+    assert_string_equal(cr_prompt_line(&point), "list");
+    tui_double_fini(&d);
+}
+
+/* what a lesson that waits lets through, and what not */
+static void test_a_lesson_waits(void **state) {
+    (void)state;
+    struct tui_double d;
+    tui_double_init(&d, 80, 24, true, false);
+    int undos = cr_session_undos(d.t->session), frame = cr_session_view(d.t->session)->frame;
+    d.t->paused = true;
+    tui_double_type(&d, "<F7>");
+    assert_int_equal(cr_session_view(d.t->session)->frame, frame - 1);
+    tui_double_type(&d, "list<F5>u<F2><F10>");
+    assert_true(d.t->paused);
+    assert_false(cr_session_over(d.t->session));
+    assert_int_equal(cr_session_undos(d.t->session), undos);
+    assert_true(cr_prompt_empty());
+    tui_double_type(&d, "<Enter>");
+    assert_false(d.t->paused || d.t->given_up);
+    d.t->paused = true;
+    tui_double_type(&d, "<C-c>");
+    assert_false(d.t->paused);
+    assert_true(d.t->given_up);
     tui_double_fini(&d);
 }
 
@@ -300,6 +370,9 @@ int main(void) {
         cmocka_unit_test(test_keys_that_begin_a_line),
         cmocka_unit_test(test_tab_twice_is_told_by_arrival),
         cmocka_unit_test(test_play_goes_on_where_it_was),
+        cmocka_unit_test(test_playing_has_a_rate),
+        cmocka_unit_test(test_looking_leaves_no_history),
+        cmocka_unit_test(test_a_lesson_waits),
         cmocka_unit_test(test_clicks_are_commands),
         cmocka_unit_test(test_a_drag_is_a_move),
         cmocka_unit_test(test_a_drag_follows_the_pointer),

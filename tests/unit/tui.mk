@@ -45,6 +45,7 @@ tui_golden = tests/golden/tui/compared-100x30.txt \
 	tests/golden/tui/frame-200x50.txt \
 	tests/golden/tui/frame-80x24-ascii.txt \
 	tests/golden/tui/frame-80x24.txt \
+	tests/golden/tui/ghost-100x30.txt \
 	tests/golden/tui/help-200x50.txt \
 	tests/golden/tui/help-80x24.txt \
 	tests/golden/tui/interrupted-80x24.txt \
@@ -56,6 +57,8 @@ tui_golden = tests/golden/tui/compared-100x30.txt \
 	tests/golden/tui/question-80x24.txt \
 	tests/golden/tui/sheet-80x24.txt \
 	tests/golden/tui/solving-80x24.txt \
+	tests/golden/tui/stale-200x50.txt \
+	tests/golden/tui/stale-80x24.txt \
 	tests/golden/tui/start-80x24.txt \
 	tests/golden/tui/sweep-80x24.txt \
 	tests/golden/tui/sweeping-200x50.txt \

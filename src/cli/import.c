@@ -1,0 +1,168 @@
+/* `crumple import`: files of other programs, databases and test houses as scenes, one per line. */
+#include "cli/cli.h"
+#include "cli/word.h"
+
+#include "base/units.h"
+#include "import/import.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char about[] =
+    "Makes scenes of crashes that other programs, databases and test houses have written, one per\n"
+    "line (JSON Lines), for crumple stack. A case that cannot be converted gives an error object\n"
+    "in its place. The format is recognised by the content of a file. crumple-import(1) tells the\n"
+    "formats and the map. Exit status: 0 all converted; 1 a case was not; 2 usage or file system;\n"
+    "3 a file has no known format or is broken; 130 interrupted.\n";
+
+struct work {
+    FILE *out;
+    const char *name;   /* of out */
+    struct cr_str text; /* what goes into the file of -o, whole or not at all */
+    bool whole, gone;
+};
+
+static enum cr_err take(void *user, const struct cr_str *line, struct cr_error *err) {
+    struct work *w = user;
+    if (w->whole) {
+        cr_str_addn(&w->text, line->s, line->len);
+        return w->text.failed ? cr_err_set(err, CR_ERR_MEMORY, "no memory for the scenes")
+                              : CR_ERR_OK;
+    }
+    if (fwrite(line->s, 1, line->len, stdout) == line->len && fflush(stdout) == 0) {
+        return CR_ERR_OK;
+    }
+    w->gone = errno == EPIPE;
+    cr_err_set(err, CR_ERR_IO, "cannot write: %s", strerror(errno));
+    cr_err_place(err, "standard output", 0, 0);
+    return CR_ERR_IO;
+}
+
+static void failed(void *user, const struct cr_error *why) {
+    (void)user;
+    (void)cr_cli_fail(why);
+}
+
+/* "3,17" into its parts, in place */
+static enum cr_err split(char *list, struct cr_import_cases *cases, struct cr_error *err) {
+    for (char *p = list; p != NULL;) {
+        char *comma = strchr(p, ',');
+        if (comma != NULL) {
+            *comma = '\0';
+        }
+        if (*p == '\0' || cases->n == CR_IMPORT_CASES_MAX) {
+            return cr_err_set(err, CR_ERR_USAGE, "--case takes 1 to %d ids with commas between",
+                              CR_IMPORT_CASES_MAX);
+        }
+        cases->id[cases->n++] = p;
+        p = comma != NULL ? comma + 1 : NULL;
+    }
+    return CR_ERR_OK;
+}
+
+static enum cr_err read_before(const char *text, double *out, struct cr_error *err) {
+    enum cr_err code = cr_unit_parse(text, CR_DIM_TIME, NULL, out, NULL, err);
+    if (code == CR_ERR_OK && !(*out > 0 && *out <= 3600)) {
+        code = cr_err_set(err, CR_ERR_RANGE, "more than 0 s, up to 3600 s, not %.40s", text);
+    }
+    if (code != CR_ERR_OK) {
+        cr_err_place(err, "--before", 0, 0);
+        err->code = CR_ERR_USAGE;
+    }
+    return code == CR_ERR_OK ? CR_ERR_OK : CR_ERR_USAGE;
+}
+
+static enum cr_err unseen(const struct cr_import_cases *cases, struct cr_error *err) {
+    for (int i = 0; i < cases->n; i++) {
+        if (!cases->seen[i]) {
+            return cr_err_set(err, CR_ERR_NAME, "--case: there is no case %.60s", cases->id[i]);
+        }
+    }
+    return CR_ERR_OK;
+}
+
+static enum cr_err convert(struct cr_import_opts *opts, char *const *path, int n,
+                           struct cr_import_count *count, struct cr_error *err) {
+    enum cr_err code = CR_ERR_OK;
+    for (int i = 0; i < n && code == CR_ERR_OK; i++) {
+        code = cr_import_file(opts, path[i], count, err);
+    }
+    return code == CR_ERR_OK ? unseen(opts->cases, err) : code;
+}
+
+struct options {
+    struct cr_import_opts import;
+    int point; /* 0: auto */
+    const char *list, *before, *out;
+};
+
+static enum cr_err set_up(struct options *o, char *ids, struct cr_error *err) {
+    enum cr_err code = ids != NULL ? split(ids, o->import.cases, err) : CR_ERR_OK;
+    o->import.point = o->point - 1;
+    return code == CR_ERR_OK && o->before != NULL ? read_before(o->before, &o->import.before, err)
+                                                  : code;
+}
+
+static int run(struct options *o, char *const *path, int n) {
+    struct work work = {.whole = o->out != NULL && strcmp(o->out, "-") != 0};
+    struct cr_cli_shared shared = {0};
+    struct cr_import_count count = {0};
+    struct cr_error err = {0};
+    char *ids = o->list != NULL ? strdup(o->list) : NULL;
+    enum cr_err code = set_up(o, ids, &err);
+    code = code == CR_ERR_OK ? cr_cli_open(&shared, CR_CLI_NEEDED, &err) : code;
+    if (code == CR_ERR_OK) {
+        o->import.models = shared.models;
+        o->import.user = &work;
+        code = convert(&o->import, path, n, &count, &err);
+    }
+    if (code == CR_ERR_OK && work.whole) {
+        code = cr_cli_emit(o->out, &work.text, &err);
+    }
+    int status = code == CR_ERR_OK || work.gone ? count.errors > 0 : cr_cli_fail(&err);
+    cr_str_fini(&work.text);
+    free(ids);
+    cr_cli_close(&shared);
+    return status;
+}
+
+/* an option with a text as its value */
+#define TEXT(n, c, a, field, h)                                                                    \
+    { .name = n, .letter = c, .arg = a, .text = &(field), .help = h }
+#define WORD(n, c, a, field, h)                                                                    \
+    { .name = n, .letter = c, .arg = a, .number = &(field), .help = h }
+
+int cr_cli_import(int argc, char **argv) {
+    struct cr_import_cases cases = {0};
+    struct options o = {.import = {.cases = &cases,
+                                   .before = 2,
+                                   .cancel = cr_cli_cancelled,
+                                   .take = take,
+                                   .failed = failed}};
+    const struct cr_option table[] = {
+        WORD("format", 'f', cr_import_formats(), o.import.format, "instead of recognising it"),
+        TEXT("case", 0, "ID,ID", o.list, "only these cases"),
+        TEXT("map", 0, "FILE", o.import.map,
+             "names of columns; vehicles and objects: what the file lacks (JSON)"),
+        WORD("reference", 0, "auto|" CR_POINTS, o.point,
+             "point of a vehicle that places are of (auto: as the format has it)"),
+        TEXT("before", 0, "TIME", o.before, "what is kept before the outlines meet (2s)"),
+        TEXT("output", 'o', "FILE", o.out, "write to FILE, whole or not at all"),
+    };
+    const struct cr_usage usage = {.word = "import",
+                                   .operands = "FILE ...",
+                                   .about = about,
+                                   .option = table,
+                                   .options = sizeof table / sizeof *table,
+                                   .least = 1,
+                                   .most = -1};
+    int operands, status = cr_cli_options(&usage, argc, argv, &operands);
+    if (status >= 0) {
+        return status;
+    }
+    cr_cli_catch();
+    return run(&o, argv + 1, operands);
+}

@@ -1,0 +1,189 @@
+/* crumple import of one file or folder: which format it has, its SHA-256, the user's map, and the
+ * lines of its cases. */
+#include "import/import_priv.h"
+
+#include "base/file.h"
+#include "base/json.h"
+
+#include <cjson/cJSON.h>
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static const struct format {
+    const char *name;
+    bool (*is)(const struct cr_import_head *head);
+    enum cr_err (*read)(struct cr_import *im, struct cr_error *err);
+} formats[] = {
+#define X(name) {#name, cr_import_##name##_is, cr_import_##name##_read},
+    CR_FORMAT_LIST(X)
+#undef X
+};
+enum { FORMATS = sizeof formats / sizeof formats[0] };
+
+const char *cr_import_formats(void) {
+#define X(name) "|" #name
+    return "auto" CR_FORMAT_LIST(X);
+#undef X
+}
+
+/* ---- the user's map ---- */
+
+static enum cr_err map_fault(const char *path, const char *text, struct cr_error *err) {
+    cr_err_set(err, CR_ERR_TYPE, "%s", text);
+    cr_err_place(err, path, 0, 0);
+    cr_err_hint(err, "see crumple-import(1), MAP");
+    return CR_ERR_TYPE;
+}
+
+static enum cr_err check_map(const cJSON *map, const char *path, struct cr_error *err) {
+    const cJSON *vehicles = cJSON_GetObjectItemCaseSensitive(map, "vehicles");
+    if (!cJSON_IsObject(map)) {
+        return map_fault(path, "a map is a JSON object", err);
+    }
+    if (vehicles != NULL && !cJSON_IsObject(vehicles)) {
+        return map_fault(path, "\"vehicles\" of a map is an object: id and keys of a vehicle", err);
+    }
+    for (const cJSON *v = vehicles != NULL ? vehicles->child : NULL; v != NULL; v = v->next) {
+        if (!cJSON_IsObject(v)) {
+            return map_fault(path, "\"vehicles\" of a map has something that is no object", err);
+        }
+    }
+    return CR_ERR_OK;
+}
+
+static enum cr_err read_map(const char *path, cJSON **map, struct cr_error *err) {
+    char *text = NULL;
+    size_t len;
+    *map = NULL;
+    if (path == NULL) {
+        return CR_ERR_OK;
+    }
+    enum cr_err code = cr_file_read_regular(path, &text, &len, err);
+    code = code == CR_ERR_OK ? cr_json_check(text, len, path, err) : code;
+    if (code == CR_ERR_OK && cr_json_large(text, len)) {
+        code = map_fault(path, "a map of millions of values", err);
+    }
+    if (code == CR_ERR_OK && (*map = cJSON_ParseWithLength(text, len)) == NULL) {
+        code = cr_err_set(err, CR_ERR_MEMORY, "no memory for the map");
+    }
+    free(text);
+    return code == CR_ERR_OK ? check_map(*map, path, err) : code;
+}
+
+/* ---- the file ---- */
+
+static enum cr_err io_fault(const char *shown, const char *what, struct cr_error *err) {
+    cr_err_set(err, CR_ERR_IO, "cannot %s: %s", what, strerror(errno));
+    cr_err_place(err, shown, 0, 0);
+    return CR_ERR_IO;
+}
+
+static enum cr_err read_head(const char *path, const char *shown, struct cr_import_head *head,
+                             char text[CR_IMPORT_HEAD + 1], struct cr_error *err) {
+    struct stat st;
+    const char *slash = strrchr(path, '/');
+    *head = (struct cr_import_head){
+        .path = path, .name = slash != NULL ? slash + 1 : path, .text = text};
+    text[0] = '\0';
+    if (stat(path, &st) != 0) {
+        return io_fault(shown, "open", err);
+    }
+    head->folder = S_ISDIR(st.st_mode);
+    enum cr_err code = head->folder ? CR_ERR_OK : cr_file_check_regular(path, err);
+    if (code != CR_ERR_OK || head->folder) {
+        return code;
+    }
+    FILE *file = fopen(path, "rb");
+    if (file == NULL) {
+        return io_fault(shown, "open", err);
+    }
+    head->len = fread(text, 1, CR_IMPORT_HEAD, file);
+    text[head->len] = '\0';
+    fclose(file);
+    return CR_ERR_OK;
+}
+
+static enum cr_err choose_format(const struct cr_import *im, const struct cr_import_head *head,
+                                 const struct format **out, struct cr_error *err) {
+    *out = im->opts->format > 0 ? &formats[im->opts->format - 1] : NULL;
+    for (int i = 0; i < FORMATS && *out == NULL; i++) {
+        *out = formats[i].is(head) ? &formats[i] : NULL;
+    }
+    if (*out == NULL) {
+        cr_err_set(err, CR_ERR_SYNTAX, "no format that import knows");
+        cr_err_place(err, im->shown, 0, 0);
+        cr_err_hint(err, "--format is one of %s; a long table needs a --map",
+                    cr_import_formats() + strlen("auto|"));
+    }
+    return *out != NULL ? CR_ERR_OK : CR_ERR_SYNTAX;
+}
+
+static enum cr_err import(struct cr_import *im, cJSON **map, struct cr_error *err) {
+    struct cr_import_head head;
+    const struct format *format = NULL;
+    char *text = malloc(CR_IMPORT_HEAD + 1);
+    if (text == NULL) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory to read the file");
+    }
+    enum cr_err code = read_map(im->opts->map, map, err);
+    im->map = *map;
+    code = code == CR_ERR_OK ? read_head(im->path, im->shown, &head, text, err) : code;
+    code = code == CR_ERR_OK ? choose_format(im, &head, &format, err) : code;
+    code = code == CR_ERR_OK && !head.folder ? cr_import_also(im, im->path, err) : code;
+    free(text);
+    if (code == CR_ERR_OK) {
+        cr_import_format(im, "%s", format->name);
+        code = format->read(im, err);
+    }
+    cr_import_case_free(im->at);
+    im->at = NULL;
+    return code;
+}
+
+/* Standard input goes into a file, so that it can be recognised, hashed and read; it has a name
+ * only until it is open. */
+static enum cr_err spool(char path[32], struct cr_error *err) {
+    char piece[1 << 16];
+    size_t n;
+    snprintf(path, 32, "/tmp/crumple-import-XXXXXX");
+    int fd = mkstemp(path);
+    FILE *file = fd >= 0 ? fdopen(fd, "wb") : NULL;
+    if (file == NULL) {
+        return io_fault("standard input", "make a copy of it in /tmp", err);
+    }
+    bool done = true;
+    while (done && (n = fread(piece, 1, sizeof piece, stdin)) > 0) {
+        done = fwrite(piece, 1, n, file) == n;
+    }
+    done = fclose(file) == 0 && done && ferror(stdin) == 0;
+    return done ? CR_ERR_OK : io_fault("standard input", "make a copy of it in /tmp", err);
+}
+
+enum cr_err cr_import_file(const struct cr_import_opts *opts, const char *path,
+                           struct cr_import_count *count, struct cr_error *err) {
+    struct cr_import im = {.opts = opts, .path = path, .shown = path, .count = count};
+    struct cr_error own;
+    char copy[32] = "";
+    cJSON *map = NULL;
+    enum cr_err code = CR_ERR_OK;
+    err = err != NULL ? err : &own;
+    if (strcmp(path, "-") == 0) {
+        code = spool(copy, err);
+        im.path = copy;
+        im.shown = "standard input";
+    }
+    code = code == CR_ERR_OK ? import(&im, &map, err) : code;
+    if (copy[0] != '\0') {
+        unlink(copy);
+    }
+    if (code != CR_ERR_OK && strcmp(err->src, im.path) == 0) {
+        cr_err_place(err, im.shown, err->line, err->col);
+    }
+    cr_str_fini(&im.files);
+    cJSON_Delete(map);
+    return code;
+}

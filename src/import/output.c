@@ -1,0 +1,103 @@
+/* What a reader says of its file, and the line that a case becomes: a scene or an error object. */
+#include "config.h"
+
+#include "import/import_priv.h"
+
+#include "base/json.h"
+#include "base/tree.h"
+#include "result/result.h"
+
+#include <cjson/cJSON.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+void cr_import_format(struct cr_import *im, const char *fmt, ...) {
+    va_list args;
+    va_start(args, fmt);
+    vsnprintf(im->format, sizeof im->format, fmt, args);
+    va_end(args);
+}
+
+enum cr_err cr_import_also(struct cr_import *im, const char *path, struct cr_error *err) {
+    char hex[CR_HASH_SIZE];
+    const char *slash = strrchr(path, '/');
+    enum cr_err code = cr_hash_file(path, hex, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    cr_str_addf(&im->files, "%s  %s\n", hex, slash != NULL ? slash + 1 : path);
+    if (im->files.failed) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for the names of files");
+    }
+    memcpy(im->sha256, hex, sizeof hex);
+    if (++im->hashed > 1) {
+        cr_hash_hex(im->files.s, im->files.len, im->sha256);
+    }
+    return CR_ERR_OK;
+}
+
+bool cr_import_wants(const struct cr_import *im, const char *id) {
+    struct cr_import_cases *cases = im->opts->cases;
+    bool wanted = cases == NULL || cases->n == 0;
+    for (int i = 0; cases != NULL && i < cases->n; i++) {
+        if (strcmp(cases->id[i], id) == 0) {
+            cases->seen[i] = wanted = true;
+        }
+    }
+    return wanted;
+}
+
+/* an error object as of a stack, with the source as far as it is known */
+static enum cr_err write_error(struct cr_import *im, const struct cr_error *fault,
+                               struct cr_str *line, struct cr_error *err) {
+    const struct cr_result_opts form = {0};
+    struct cr_error told = *fault;
+    if (told.src[0] == '\0' || strcmp(told.src, im->path) == 0) {
+        cr_err_place(&told, im->shown, told.line, told.col);
+    }
+    cJSON *json = cr_result_error_tree(im->at->name, &told, &form);
+    cJSON *source = cr_tree_object(json, "source");
+    cr_tree_text(source, "format", im->format);
+    cr_tree_text(source, "file", im->shown);
+    cr_tree_text(source, "sha256", im->sha256);
+    cr_tree_text(source, "case", im->at->id);
+    cr_tree_text(source, "converter", PACKAGE_STRING);
+    cr_str_clear(line);
+    bool done = cr_json_add(json, false, line);
+    cr_str_add(line, "\n");
+    im->count->errors++;
+    if (im->opts->failed != NULL) {
+        im->opts->failed(im->opts->user, &told);
+    }
+    return done && !line->failed ? CR_ERR_OK
+                                 : cr_err_set(err, CR_ERR_MEMORY, "no memory for an error object");
+}
+
+enum cr_err cr_import_end(struct cr_import *im, const struct cr_error *fault,
+                          struct cr_error *err) {
+    struct cr_str line = {0};
+    struct cr_error own = {0};
+    enum cr_err code = CR_ERR_OK;
+    if (fault == NULL) {
+        code = cr_import_scene(im, &line, &own);
+        fault = code != CR_ERR_OK ? &own : NULL;
+    }
+    bool fatal =
+        fault != NULL && (fault->code == CR_ERR_MEMORY || fault->code == CR_ERR_INTERRUPTED);
+    if (fatal) {
+        code = fault->code;
+        if (err != NULL) {
+            *err = *fault;
+        }
+    } else if (fault != NULL) {
+        code = write_error(im, fault, &line, err);
+    } else {
+        im->count->scenes++;
+    }
+    code = code == CR_ERR_OK ? im->opts->take(im->opts->user, &line, err) : code;
+    cr_str_fini(&line);
+    cr_import_case_free(im->at);
+    im->at = NULL;
+    return code;
+}

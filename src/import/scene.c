@@ -1,0 +1,193 @@
+/* Case -> scene: which participants and rows, where they are from, the line of JSON. */
+#include "config.h"
+
+#include "import/import_priv.h"
+
+#include "base/json.h"
+#include "base/number.h"
+#include "base/show.h"
+#include "base/tree.h"
+#include "scene/keys.h"
+
+#include <cjson/cJSON.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Participants of the scene: all, or where these are too many those that meet. */
+static void choose(struct cr_import *im, struct cr_import_part **chosen, int *n) {
+    struct cr_import_case *c = im->at;
+    bool all = c->parts <= CR_BODY_MAX;
+    *n = 0;
+    for (int i = 0; i < c->parts && *n < CR_BODY_MAX; i++) {
+        if (all || c->part[i]->hit) {
+            chosen[(*n)++] = c->part[i];
+        }
+    }
+    if (!all) {
+        cr_import_note(im, "%d of %d participants, which meet first", *n, c->parts);
+    }
+}
+
+static enum cr_err trim(struct cr_import *im, struct cr_error *err) {
+    struct cr_import_case *c = im->at;
+    enum cr_err code = CR_ERR_OK;
+    if (!c->started) {
+        return CR_ERR_OK;
+    }
+    if (c->unordered) {
+        code = cr_import_search(c, err);
+    } else if (!c->met) {
+        cr_import_look(c, c->now);
+    }
+    double to = c->met ? c->t_met : c->now;
+    bool was_cut = c->cut;
+    c->cut = false;
+    cr_import_cut(c, to - im->opts->before, to);
+    if (c->cut || was_cut) {
+        cr_import_note(im, "only the last %.4g s before %s", im->opts->before,
+                       c->met ? "the outlines meet" : "its end");
+    }
+    if (!c->met) {
+        cr_import_note(im, "the outlines do not meet in the file");
+    }
+    return code;
+}
+
+static enum cr_err need_two(const struct cr_import *im, struct cr_error *err) {
+    const struct cr_import_case *c = im->at;
+    if (c->parts >= 2) {
+        return CR_ERR_OK;
+    }
+    cr_err_set(err, CR_ERR_MISSING, "a crash needs two participants, the case has %s",
+               c->parts == 0 ? "none" : c->part[0]->source_id);
+    cr_err_place(err, im->shown, 0, 0);
+    return CR_ERR_MISSING;
+}
+
+/* the walls and poles that the map adds to every case */
+static enum cr_err add_objects(struct cr_import *im, struct cr_error *err) {
+    const cJSON *all = cJSON_GetObjectItemCaseSensitive(im->map, "objects");
+    enum cr_err code = CR_ERR_OK;
+    for (const cJSON *o = all != NULL ? all->child : NULL; o != NULL && code == CR_ERR_OK;
+         o = o->next) {
+        struct cr_participant *p;
+        if (cr_import_find(im, o->string) == NULL) {
+            code = cr_import_add(im, o->string, CR_KIND_OBJECT, &p, err);
+        }
+    }
+    return code;
+}
+
+static void put_source(const struct cr_import *im, struct cr_scene *scene) {
+    const struct cr_import_case *c = im->at;
+    const char *slash = strrchr(im->shown, '/');
+    static const char *const point[] = {
+#define X(name, word) word,
+        CR_POINT_LIST(X)
+#undef X
+    };
+    char(*s)[CR_SOURCE_MAX] = scene->source;
+    int taken = im->opts->point >= 0 ? im->opts->point : (int)c->point;
+    snprintf(s[CR_SOURCE_FORMAT], CR_SOURCE_MAX, "%s", im->format);
+    snprintf(s[CR_SOURCE_FILE], CR_SOURCE_MAX, "%.250s", slash != NULL ? slash + 1 : im->shown);
+    snprintf(s[CR_SOURCE_SHA256], CR_SOURCE_MAX, "%s", im->sha256);
+    snprintf(s[CR_SOURCE_CASE], CR_SOURCE_MAX, "%s", c->id);
+    snprintf(s[CR_SOURCE_CONVERTER], CR_SOURCE_MAX, "%s", PACKAGE_STRING);
+    snprintf(s[CR_SOURCE_REFERENCE], CR_SOURCE_MAX, "%s", point[taken]);
+    cr_show(cr_str_get(&c->note), s[CR_SOURCE_NOTE], CR_SOURCE_MAX);
+}
+
+/* a participant as it goes into the scene; the rows are lent */
+static void put_part(struct cr_import_part *part, struct cr_participant *out) {
+    int n = part->n - part->first;
+    *out = part->p;
+    if (n == 1) {
+        out->pos = part->row[part->first].pos;
+        out->heading = part->row[part->first].heading;
+        out->speed = part->row[part->first].speed;
+    } else if (n > 1) {
+        out->waypoints = n;
+        out->waypoint = part->row + part->first;
+        out->speed = out->heading = 0;
+        out->pos = cr_vec2(0, 0);
+    }
+}
+
+static void give_road_friction(double mu, struct cr_settings *set) {
+    int n;
+    const struct cr_key *row = cr_scene_keys(CR_KEYS_SETTINGS, &n);
+    if (isnan(mu)) {
+        return;
+    }
+    set->road_friction = mu;
+    for (int i = 0; i < n; i++) {
+        set->given |= strcmp(row[i].name, "road_friction") == 0 ? 1U << i : 0;
+    }
+}
+
+/* the tree of the scene, read again so that nothing comes out that does not go in */
+static enum cr_err check(const struct cr_import *im, const cJSON *json, struct cr_error *err) {
+    struct cr_scene *scene = malloc(sizeof *scene);
+    if (scene == NULL) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for a scene");
+    }
+    enum cr_err code = cr_scene_from_json(json, scene, err);
+    if (code == CR_ERR_OK) {
+        cr_scene_fini(scene);
+    } else {
+        cr_err_place(err, im->shown, 0, 0);
+    }
+    free(scene);
+    return code;
+}
+
+static enum cr_err write_scene(struct cr_import *im, struct cr_scene *scene, struct cr_str *line,
+                               struct cr_error *err) {
+    struct cr_import_case *c = im->at;
+    struct cr_import_part *chosen[CR_BODY_MAX];
+    cr_scene_init(scene);
+    choose(im, chosen, &scene->n);
+    snprintf(scene->name, sizeof scene->name, "%s", c->name);
+    put_source(im, scene);
+    give_road_friction(c->road_friction, &scene->set);
+    for (int i = 0; i < scene->n; i++) {
+        put_part(chosen[i], &scene->part[i]);
+    }
+    cJSON *json = cr_scene_to_json(scene, false);
+    if (json == NULL || !cr_import_lay_over(json, c->extra)) {
+        cJSON_Delete(json);
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for a scene");
+    }
+    enum cr_err code = check(im, json, err);
+    if (code != CR_ERR_OK) {
+        cJSON_Delete(json);
+        return code;
+    }
+    bool done = cr_json_add(json, false, line);
+    cr_str_add(line, "\n");
+    return done && !line->failed ? CR_ERR_OK
+                                 : cr_err_set(err, CR_ERR_MEMORY, "no memory for a scene");
+}
+
+enum cr_err cr_import_scene(struct cr_import *im, struct cr_str *line, struct cr_error *err) {
+    struct cr_import_case *c = im->at;
+    enum cr_err code = add_objects(im, err);
+    code = code == CR_ERR_OK ? need_two(im, err) : code;
+    code = code == CR_ERR_OK ? cr_import_settle(im, false, err) : code;
+    code = code == CR_ERR_OK ? trim(im, err) : code;
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    if (c->origin.x != 0 || c->origin.y != 0) {
+        cr_import_note(im, "places less (%.0f, %.0f) m", c->origin.x, c->origin.y);
+    }
+    struct cr_scene *scene = malloc(sizeof *scene);
+    if (scene == NULL) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for a scene");
+    }
+    code = write_scene(im, scene, line, err);
+    free(scene); /* what it holds is the case's */
+    return code;
+}

@@ -1,0 +1,48 @@
+# shellcheck shell=sh
+# Long tables: with the columns' own names, with a map, and what each lacks; sourced by import.sh.
+sample long "$data/long.csv"
+run import "$data/long.csv"
+printf '%s\n' "$out" >"$tmp/long.jsonl"
+run stack "$tmp/long.jsonl"
+same "the scene solves" "$status" 0
+# (the input of a test is closed)
+out=$("$CRUMPLE" import - <"$data/long.csv")
+same "standard input gives the same but for the name" \
+    "$(printf '%s\n' "$out" | sed 's/standard input/long.csv/')" "$(cat "$data/long.jsonl")"
+
+# other names, units and axes say the same crash
+{
+    echo 'Zeit;Wer;Ost;Nord;Kurs;v;L;B'
+    sed 1d "$data/long.csv" | awk -F, -v OFS=';' '{ $1 = $1 * 1000; $5 = 90 - $5 } 1' | tr . ,
+} >"$tmp/other.csv"
+cat >"$tmp/map.json" <<'END'
+{ "time": { "column": "Zeit", "unit": "ms" }, "participant": "Wer", "name": "csv",
+  "x": { "column": "Ost", "unit": "m" }, "y": { "column": "Nord", "unit": "m" },
+  "heading": { "column": "Kurs", "unit": "deg", "clockwise": true, "zero": "north" },
+  "speed": { "column": "v", "unit": "kph" },
+  "length": { "column": "L", "unit": "m" }, "width": { "column": "B", "unit": "m" } }
+END
+run import --map "$tmp/map.json" "$tmp/other.csv"
+parts='s/.*"participants"//'
+same "a map of the user's own names and axes: the same participants" \
+    "$(printf '%s\n' "$out" | sed "$parts")" "$(sed "$parts" "$data/long.jsonl")"
+
+for column in 'time:time \[s\]' 'participant:id' 'x:x \[m\]' 'y:y \[m\]' 'heading:heading \[deg\]' \
+    'speed:speed \[km.h\]'; do
+    sed "1s/${column#*:}/other/" "$data/long.csv" >"$tmp/less.csv"
+    refused "without its ${column%%:*}" 3 "less.csv:1:.*known to be the ${column%%:*}.*--map" \
+        "$tmp/less.csv"
+done
+sed '1s/ \[deg\]//' "$data/long.csv" >"$tmp/unit.csv"
+refused "a heading without unit" 3 'unit.csv:1:.*"heading" has no unit.*heading \[deg\]' \
+    "$tmp/unit.csv"
+sed '4s/1.5/oops/' "$data/long.csv" >"$tmp/text.csv"
+refused "a text for a number" 1 'text.csv:4:7: error: .*oops' "$tmp/text.csv"
+has "gives an error object in its place" "$out" '^\{"crumple_result":2,.*"where":".*text.csv:4:7:'
+sed '6s/0.2/0.1/' "$data/long.csv" >"$tmp/time.csv"
+refused "a time that does not rise" 1 'time.csv:6:.*must rise.*0.1 s after 0.1 s' "$tmp/time.csv"
+refused "an unknown --case" 3 'no case 7' "$data/long.csv" --case 7
+refused "a --before of nothing" 2 '--before.*more than 0 s' "$data/long.csv" --before 0
+printf 'nothing of the kind\n' >"$tmp/what.txt"
+refused "no format" 3 'what.txt: error: no format' "$tmp/what.txt"
+refused "no file" 2 'nowhere.csv: error: cannot open' "$tmp/nowhere.csv"

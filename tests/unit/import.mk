@@ -1,0 +1,3 @@
+# tests of src/import
+TESTS += tests/cli/import.sh
+EXTRA_DIST += tests/cli/import.sh tests/cli/import_csv.sh tests/data
