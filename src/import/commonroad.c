@@ -54,7 +54,8 @@ static enum cr_err value(struct road *r, const struct cr_xml_node *node, const c
         r->intervals = r->intervals || exact == NULL;
         return CR_ERR_OK;
     }
-    return cr_xml_fault(r->shown, at, err, CR_ERR_TYPE, "neither a number nor an interval: \"%.60s\"",
+    return cr_xml_fault(r->shown, at, err, CR_ERR_TYPE,
+                        "neither a number nor an interval: \"%.60s\"",
                         exact != NULL ? exact->text : "");
 }
 
@@ -69,7 +70,8 @@ static enum cr_err pose(struct road *r, const struct cr_xml_node *state, struct 
         return CR_ERR_MISSING;
     }
     code = value(r, cr_xml_find(position, "point"), "x", &out->pos.x, err);
-    code = code == CR_ERR_OK ? value(r, cr_xml_find(position, "point"), "y", &out->pos.y, err) : code;
+    code =
+        code == CR_ERR_OK ? value(r, cr_xml_find(position, "point"), "y", &out->pos.y, err) : code;
     return code == CR_ERR_OK ? value(r, state, "orientation", &out->heading, err) : code;
 }
 
@@ -143,7 +145,8 @@ static enum cr_err add_object(struct road *r, const struct cr_xml_node *obstacle
     p->pos = at.pos;
     p->heading = at.heading;
     p->shape = circle != NULL ? CR_OBJECT_POLE : CR_OBJECT_BOX;
-    return circle != NULL ? value(r, circle, "radius", &p->radius, err) : sizes(r, obstacle, p, err);
+    return circle != NULL ? value(r, circle, "radius", &p->radius, err)
+                          : sizes(r, obstacle, p, err);
 }
 
 static enum cr_err add_obstacle(struct road *r, const struct cr_xml_node *o, struct cr_error *err) {
@@ -158,9 +161,10 @@ static enum cr_err add_obstacle(struct road *r, const struct cr_xml_node *o, str
     if (one_of(type, still ? "parkedVehicle car taxi" : "car taxi priorityVehicle unknown")) {
         return add_car(r, o, still, err);
     }
-    bool round_or_square = cr_xml_find(o, "shape/rectangle") != NULL ||
-                           cr_xml_find(o, "shape/circle") != NULL;
-    if (still && round_or_square && one_of(type, "pillar building roadBoundary medianStrip unknown")) {
+    bool round_or_square =
+        cr_xml_find(o, "shape/rectangle") != NULL || cr_xml_find(o, "shape/circle") != NULL;
+    if (still && round_or_square &&
+        one_of(type, "pillar building roadBoundary medianStrip unknown")) {
         return add_object(r, o, err);
     }
     cr_import_note(r->im, "obstacle %.20s left out: %.30s", id, type);
@@ -218,7 +222,8 @@ static enum cr_err read_case(struct road *r, struct cr_error *err) {
         code = cr_xml_fault(r->shown, r->root, err, CR_ERR_RANGE, "timeStepSize must be above 0");
     }
     cr_import_point(r->im, CR_POINT_CENTRE);
-    for (const struct cr_xml_node *o = r->root->child; o != NULL && code == CR_ERR_OK; o = o->next) {
+    for (const struct cr_xml_node *o = r->root->child; o != NULL && code == CR_ERR_OK;
+         o = o->next) {
         if (one_of(o->name, "dynamicObstacle staticObstacle obstacle")) {
             code = add_obstacle(r, o, err);
         }

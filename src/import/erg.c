@@ -71,8 +71,9 @@ static enum cr_err lacks(const struct carmaker *cm, const char *id, const char *
                          struct cr_error *err) {
     cr_err_set(err, CR_ERR_MISSING, "%.60s: no quantity %.60s", id, what);
     cr_err_place(err, cm->info, 0, 0);
-    cr_err_hint(err, "record it, or name another in a map: {\"participants\": {\"%.30s\": {\"x\": "
-                     "\"QUANTITY\"}}}",
+    cr_err_hint(err,
+                "record it, or name another in a map: {\"participants\": {\"%.30s\": {\"x\": "
+                "\"QUANTITY\"}}}",
                 id);
     return CR_ERR_MISSING;
 }
@@ -171,7 +172,7 @@ static enum cr_err give_row(struct carmaker *cm, struct moving *m, const unsigne
                             long number, struct cr_error *err) {
     double v[CHANNELS];
     for (int ch = 0; ch < CHANNELS; ch++) {
-        v[ch] = m->at[ch] >= 0 ? si(cm, m->at[ch], record, channels[ch].dim) : NAN;
+        v[ch] = m->at[ch] >= 0 ? si(cm, m->at[ch], record, channels[ch].dim) : (double)NAN;
     }
     const struct cr_waypoint row = {.t = si(cm, cm->time, record, CR_DIM_TIME),
                                     .pos = cr_vec2(v[CH_X], v[CH_Y]),
@@ -195,8 +196,8 @@ static enum cr_err read_records(struct carmaker *cm, FILE *file, unsigned char *
     for (long k = 1; code == CR_ERR_OK && n > 0 && !cr_import_met(cm->im); k++) {
         n = fread(record, 1, whole, file);
         if (n > 0 && n < whole) {
-            cr_err_set(err, CR_ERR_SYNTAX, "record %ld has %zu bytes, not the %zu of its description",
-                       k, n, whole);
+            cr_err_set(err, CR_ERR_SYNTAX,
+                       "record %ld has %zu bytes, not the %zu of its description", k, n, whole);
             cr_err_place(err, cm->data, 0, 0);
             cr_err_hint(err, "the file was cut, or is of another test run than its .info");
             code = CR_ERR_SYNTAX;

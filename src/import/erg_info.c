@@ -15,10 +15,10 @@ static const struct {
     enum cr_erg_kind kind;
     int bytes;
 } types[] = {
-    {"Float", CR_ERG_FLOAT, 4},      {"Double", CR_ERG_FLOAT, 8},     {"LongLong", CR_ERG_SIGNED, 8},
-    {"ULongLong", CR_ERG_UNSIGNED, 8}, {"Long", CR_ERG_SIGNED, 4},    {"ULong", CR_ERG_UNSIGNED, 4},
-    {"Int", CR_ERG_SIGNED, 4},       {"UInt", CR_ERG_UNSIGNED, 4},    {"Short", CR_ERG_SIGNED, 2},
-    {"UShort", CR_ERG_UNSIGNED, 2},  {"Char", CR_ERG_SIGNED, 1},      {"UChar", CR_ERG_UNSIGNED, 1},
+    {"Float", CR_ERG_FLOAT, 4},        {"Double", CR_ERG_FLOAT, 8},  {"LongLong", CR_ERG_SIGNED, 8},
+    {"ULongLong", CR_ERG_UNSIGNED, 8}, {"Long", CR_ERG_SIGNED, 4},   {"ULong", CR_ERG_UNSIGNED, 4},
+    {"Int", CR_ERG_SIGNED, 4},         {"UInt", CR_ERG_UNSIGNED, 4}, {"Short", CR_ERG_SIGNED, 2},
+    {"UShort", CR_ERG_UNSIGNED, 2},    {"Char", CR_ERG_SIGNED, 1},   {"UChar", CR_ERG_UNSIGNED, 1},
 };
 enum { TYPES = sizeof types / sizeof types[0], LINE = 1024 };
 
@@ -94,9 +94,9 @@ static enum cr_err at_line(struct cr_erg *erg, const struct line *l, struct cr_e
     long n = strtol(l->key + strlen("File.At."), &end, 10);
     if (strcmp(end, ".Name") == 0) {
         bool whole = erg->n == 0 || erg->quantity[erg->n - 1].bytes > 0;
-        return n == erg->n + 1 && whole
-                   ? add(erg, l, err)
-                   : fault(l, err, CR_ERR_SYNTAX, "quantities must be counted up, each with a type");
+        return n == erg->n + 1 && whole ? add(erg, l, err)
+                                        : fault(l, err, CR_ERR_SYNTAX,
+                                                "quantities must be counted up, each with a type");
     }
     if (strcmp(end, ".Type") == 0) {
         return n == erg->n && n > 0 && erg->quantity[n - 1].bytes == 0
@@ -166,8 +166,8 @@ enum cr_err cr_erg_parse(const char *text, const char *shown, struct cr_erg *out
         }
         p = *end != '\0' ? end + 1 : end;
     }
-    const char *lacks = !ordered      ? "File.ByteOrder"
-                        : out->n == 0 ? "File.At.1.Name"
+    const char *lacks = !ordered                               ? "File.ByteOrder"
+                        : out->n == 0                          ? "File.At.1.Name"
                         : out->quantity[out->n - 1].bytes == 0 ? "type of its last quantity"
                                                                : NULL;
     if (code == CR_ERR_OK && lacks != NULL) {

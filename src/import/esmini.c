@@ -46,8 +46,7 @@ static enum cr_err dat_row(struct cr_import *im, const struct cr_csv *csv, const
     for (int i = 0; i < DATS && code == CR_ERR_OK; i++) {
         code = out[i] != NULL ? cr_csv_number(csv, at[i], out[i], err) : CR_ERR_OK;
         if (code == CR_ERR_OK && out[i] != NULL && isnan(*out[i])) {
-            code = cr_csv_fault(csv, at[i], err, CR_ERR_MISSING, "no %s",
-                                cr_csv_name(csv, at[i]));
+            code = cr_csv_fault(csv, at[i], err, CR_ERR_MISSING, "no %s", cr_csv_name(csv, at[i]));
         }
     }
     if (code == CR_ERR_OK && name[0] == '\0') {
@@ -99,11 +98,16 @@ enum log_column {
     LOG_HEADING,
     LOG_COLUMNS
 };
-static const char *const log_names[LOG_COLUMNS] = {
-    "Entity_Name [-]", "Current_Speed [m/s]", "bb_x [m]",
-    "bb_y [m]",        "bb_length [m]",       "bb_width [m]",
-    "bb_height [m]",   "World_Position_X [m]", "World_Position_Y [m]",
-    "World_Heading_Angle [rad]"};
+static const char *const log_names[LOG_COLUMNS] = {"Entity_Name [-]",
+                                                   "Current_Speed [m/s]",
+                                                   "bb_x [m]",
+                                                   "bb_y [m]",
+                                                   "bb_length [m]",
+                                                   "bb_width [m]",
+                                                   "bb_height [m]",
+                                                   "World_Position_X [m]",
+                                                   "World_Position_Y [m]",
+                                                   "World_Heading_Angle [rad]"};
 
 struct entity {
     int number, at[LOG_COLUMNS];

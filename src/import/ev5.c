@@ -79,7 +79,8 @@ static enum cr_err add_vehicle(struct test *t, const struct cr_ev5_record *r,
         {V_MASS, "the test mass is not recorded", offsetof(struct cr_participant, mass), 1, true},
         {V_KERB, "", offsetof(struct cr_participant, kerb_mass), 1, false},
         {V_WHEELBASE, "", offsetof(struct cr_participant, wheelbase), 1e-3, false},
-        {V_LENGTH, "the length is not recorded", offsetof(struct cr_participant, length), 1e-3, true},
+        {V_LENGTH, "the length is not recorded", offsetof(struct cr_participant, length), 1e-3,
+         true},
         {V_WIDTH, "the width is not recorded", offsetof(struct cr_participant, width), 1e-3, true},
         {V_CG, "", offsetof(struct cr_participant, cg_behind_front_axle), 1e-3, false},
     };
@@ -161,7 +162,8 @@ static enum cr_err arrange(struct test *t, struct cr_error *err) {
     double deg, mm, crab = NAN;
     enum cr_err code = cr_ev5_number(&t->ev5, t->test, T_ANGLE, true, &deg, err);
     code = code == CR_ERR_OK ? cr_ev5_number(&t->ev5, t->test, T_OFFSET, true, &mm, err) : code;
-    code = code == CR_ERR_OK ? cr_ev5_number(&t->ev5, t->vehicle[0], V_CRAB, false, &crab, err) : code;
+    code =
+        code == CR_ERR_OK ? cr_ev5_number(&t->ev5, t->vehicle[0], V_CRAB, false, &crab, err) : code;
     if (code != CR_ERR_OK) {
         return code;
     }

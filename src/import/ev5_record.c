@@ -103,6 +103,6 @@ enum cr_err cr_ev5_number(const struct cr_ev5 *ev5, const struct cr_ev5_record *
     if (!cr_csv_scan(text, false, out)) {
         return cr_ev5_fault(ev5, r, i, err, CR_ERR_TYPE, "no number");
     }
-    *out = *out == 0 && !zero ? NAN : *out;
+    *out = *out == 0 && !zero ? (double)NAN : *out;
     return CR_ERR_OK;
 }

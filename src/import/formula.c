@@ -54,10 +54,10 @@ static const struct function {
     double (*of1)(double);
     double (*of2)(double, double);
 } functions[] = {
-    {"abs", fabs, NULL},    {"sign", sign_of, NULL}, {"round", round, NULL}, {"floor", floor, NULL},
-    {"ceil", ceil, NULL},   {"sqrt", sqrt, NULL},    {"pow", NULL, pow},     {"min", NULL, fmin},
-    {"max", NULL, fmax},    {"sin", sin, NULL},      {"cos", cos, NULL},     {"tan", tan, NULL},
-    {"asin", asin, NULL},   {"acos", acos, NULL},    {"atan", atan, NULL},   {"atan2", NULL, atan2},
+    {"abs", fabs, NULL},  {"sign", sign_of, NULL}, {"round", round, NULL}, {"floor", floor, NULL},
+    {"ceil", ceil, NULL}, {"sqrt", sqrt, NULL},    {"pow", NULL, pow},     {"min", NULL, fmin},
+    {"max", NULL, fmax},  {"sin", sin, NULL},      {"cos", cos, NULL},     {"tan", tan, NULL},
+    {"asin", asin, NULL}, {"acos", acos, NULL},    {"atan", atan, NULL},   {"atan2", NULL, atan2},
 };
 
 static double call(struct formula *f, const struct function *fn) {

@@ -20,8 +20,8 @@
 #include <strings.h>
 
 enum { OBJECTS = 9, CHANNELS_MAX = 5000 };
-static const double before = 0.2;      /* s before the outlines meet, about */
-static const double pole = 0.254;      /* m, of the usual rigid pole */
+static const double before = 0.2;       /* s before the outlines meet, about */
+static const double pole = 0.254;       /* m, of the usual rigid pole */
 static const double whole_crash = 0.05; /* s that a channel must reach beyond 0 */
 
 struct object {
@@ -30,7 +30,7 @@ struct object {
     bool barrier, pole;
     char side; /* of the impact: F, R (rear), L, I (right); 0: not told */
     struct cr_participant *p;
-    char id[16];
+    char id[24];
 };
 
 struct test {
@@ -97,8 +97,8 @@ static enum cr_err find_file(struct test *t, struct cr_error *err) {
     }
     forget(entry, n);
     if (n != 1) {
-        cr_err_set(err, CR_ERR_MISSING, n > 1 ? "more than one .mme file in the folder"
-                                              : "no .mme file in the folder");
+        cr_err_set(err, CR_ERR_MISSING,
+                   n > 1 ? "more than one .mme file in the folder" : "no .mme file in the folder");
         cr_err_place(err, t->im->shown, 0, 0);
         return CR_ERR_MISSING;
     }
@@ -151,12 +151,12 @@ static enum cr_err quantity(const struct test *t, const char *key, int number, e
 }
 
 static char side_of(const char *word) {
-    return word == NULL                          ? '\0'
-           : strncasecmp(word, "FR", 2) == 0     ? 'F'
-           : strncasecmp(word, "RE", 2) == 0     ? 'R'
-           : strncasecmp(word, "LE", 2) == 0     ? 'L'
-           : strncasecmp(word, "RI", 2) == 0     ? 'I'
-                                                 : '?';
+    return word == NULL                      ? '\0'
+           : strncasecmp(word, "FR", 2) == 0 ? 'F'
+           : strncasecmp(word, "RE", 2) == 0 ? 'R'
+           : strncasecmp(word, "LE", 2) == 0 ? 'L'
+           : strncasecmp(word, "RI", 2) == 0 ? 'I'
+                                             : '?';
 }
 
 static void look_at(struct test *t, int number) {
@@ -192,8 +192,9 @@ static enum cr_err add_vehicle(struct test *t, struct object *o, struct cr_error
     code = code == CR_ERR_OK
                ? quantity(t, "Velocity lat test object", o->number, CR_DIM_SPEED, &lateral, err)
                : code;
-    code = code == CR_ERR_OK ? quantity(t, "Mass test object", o->number, CR_DIM_MASS, &o->p->mass, err)
-                             : code;
+    code = code == CR_ERR_OK
+               ? quantity(t, "Mass test object", o->number, CR_DIM_MASS, &o->p->mass, err)
+               : code;
     if (code == CR_ERR_OK && isnan(o->p->speed)) {
         code = lacks(t, o, "Velocity test object", err);
     }
@@ -246,8 +247,8 @@ static enum cr_err before_barrier(struct test *t, struct object *car, struct obj
     if (car->side == '\0' || car->side == '?') {
         cr_import_note(t->im, "impact taken to be frontal");
     }
-    enum cr_err code = cr_import_add(t->im, barrier != NULL ? barrier->id : "barrier", CR_KIND_OBJECT,
-                                     &p, err);
+    enum cr_err code =
+        cr_import_add(t->im, barrier != NULL ? barrier->id : "barrier", CR_KIND_OBJECT, &p, err);
     if (code != CR_ERR_OK) {
         return code;
     }
@@ -255,7 +256,8 @@ static enum cr_err before_barrier(struct test *t, struct object *car, struct obj
     p->shape = is_pole ? CR_OBJECT_POLE : CR_OBJECT_WALL;
     p->radius = is_pole ? pole / 2 : p->radius;
     double far = gap(car);
-    p->pos = cr_vec2(cr_round_decimals(far * cos(bearing), 3), cr_round_decimals(far * sin(bearing), 3));
+    p->pos =
+        cr_vec2(cr_round_decimals(far * cos(bearing), 3), cr_round_decimals(far * sin(bearing), 3));
     p->heading = is_pole ? 0 : cr_angle_wrap(bearing + CR_PI);
     if (bearing != 0) {
         car->p->course = bearing;
@@ -300,11 +302,11 @@ static enum cr_err arrange(struct test *t, struct cr_error *err) {
             take_size(t, o);
         }
     }
-    const char *type = barrier != NULL ? of_object(t, "Type of test object", barrier->number, NULL)
-                                       : NULL;
-    bool mobile = barrier != NULL && (says(barrier->name, "mobile") || says(barrier->name, "MPDB") ||
-                                      says(barrier->name, "MDB") ||
-                                      (type != NULL && strcmp(type, "M") == 0));
+    const char *type =
+        barrier != NULL ? of_object(t, "Type of test object", barrier->number, NULL) : NULL;
+    bool mobile =
+        barrier != NULL && (says(barrier->name, "mobile") || says(barrier->name, "MPDB") ||
+                            says(barrier->name, "MDB") || (type != NULL && strcmp(type, "M") == 0));
     if (code != CR_ERR_OK) {
         return code;
     }
@@ -315,9 +317,9 @@ static enum cr_err arrange(struct test *t, struct cr_error *err) {
         return front_to_front(t, car[0], car[1], err);
     }
     cr_err_set(err, CR_ERR_TYPE, "a test of %d vehicles%s has no scene", cars,
-               mobile           ? " and a mobile barrier, of which there is no model,"
+               mobile            ? " and a mobile barrier, of which there is no model,"
                : barrier != NULL ? " and a barrier"
-                                : "");
+                                 : "");
     cr_err_place(err, t->file, 0, 0);
     return CR_ERR_TYPE;
 }
@@ -392,7 +394,8 @@ static enum cr_err read_case(struct test *t, struct cr_error *err) {
     double n;
     enum cr_err code = cr_mme_number(&t->mme, t->file, "Number of test objects", &n, err);
     if (code == CR_ERR_OK && !(n >= 1 && n <= OBJECTS)) {
-        code = cr_err_set(err, CR_ERR_MISSING, "no \"Number of test objects\" from 1 to %d", OBJECTS);
+        code =
+            cr_err_set(err, CR_ERR_MISSING, "no \"Number of test objects\" from 1 to %d", OBJECTS);
         cr_err_place(err, t->file, 0, 0);
     }
     for (int i = 1; code == CR_ERR_OK && i <= (int)n; i++) {

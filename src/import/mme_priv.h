@@ -16,7 +16,7 @@ struct cr_mme {
     struct cr_mme_line {
         const char *key, *value;
         int line;
-    } *item;
+    } * item;
 };
 
 /* Read the descriptors at the begin of a text, up to the first line that has no colon. cr_mme_fini

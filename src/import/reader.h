@@ -41,7 +41,15 @@
 struct cJSON;
 
 /* X(name): the word of --format and part of the names of its functions */
-#define CR_FORMAT_LIST(X) X(csv)
+#define CR_FORMAT_LIST(X)                                                                          \
+    X(xosc)                                                                                        \
+    X(sumo)                                                                                        \
+    X(commonroad)                                                                                  \
+    X(esmini)                                                                                      \
+    X(erg)                                                                                         \
+    X(ev5)                                                                                         \
+    X(mme)                                                                                         \
+    X(csv)
 
 /* Begin of a file, for recognition. */
 struct cr_import_head {

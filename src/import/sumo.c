@@ -56,8 +56,8 @@ static enum cr_err place(const struct sumo *s, const struct cr_xml_node *node, c
     bool done = m > 0 && m < 60 && cr_csv_scan(x, false, &out->x);
     snprintf(x, sizeof x, "%.*s", (int)(m < 60 ? m : 60), m > 0 ? text + n + 1 : "");
     if (!done || !cr_csv_scan(x, false, &out->y)) {
-        return cr_xml_fault(s->im->shown, node, err, CR_ERR_TYPE, "%s is no place \"x,y\": \"%.60s\"",
-                            name, text);
+        return cr_xml_fault(s->im->shown, node, err, CR_ERR_TYPE,
+                            "%s is no place \"x,y\": \"%.60s\"", name, text);
     }
     return CR_ERR_OK;
 }
@@ -87,8 +87,8 @@ static enum cr_err add_car(struct sumo *s, const struct cr_xml_node *node, const
     type = cr_xml_attr(node, type_name);
     struct cr_vec2 axis = cr_vec2_sub(front, rear);
     double length = cr_vec2_len(axis);
-    if (length < shortest || (type != NULL && (strstr(type, "PEDTYPE") != NULL ||
-                                               strstr(type, "BIKETYPE") != NULL))) {
+    if (length < shortest ||
+        (type != NULL && (strstr(type, "PEDTYPE") != NULL || strstr(type, "BIKETYPE") != NULL))) {
         return not_a_car(s, node, id, err);
     }
     code = cr_import_add(s->im, id, CR_KIND_VEHICLE, &p, err);

@@ -107,7 +107,8 @@ enum cr_err cr_xml_number(const char *shown, const struct cr_xml_node *node, con
     const char *text;
     enum cr_err code = cr_xml_need(shown, node, name, &text, err);
     if (code == CR_ERR_OK && !cr_csv_scan(text, false, out)) {
-        code = cr_xml_fault(shown, node, err, CR_ERR_TYPE, "%s is no number: \"%.60s\"", name, text);
+        code =
+            cr_xml_fault(shown, node, err, CR_ERR_TYPE, "%s is no number: \"%.60s\"", name, text);
     }
     return code;
 }

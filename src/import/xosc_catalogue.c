@@ -134,8 +134,9 @@ enum cr_err cr_xosc_entry(struct cr_xosc *x, const struct cr_xml_node *ref,
     }
     cr_xml_fault(x->shown, ref, err, CR_ERR_NAME, "no \"%.60s\" in a catalogue \"%.60s\"", name,
                  catalogue);
-    cr_err_hint(err, "%s", x->catalogues > 0 ? "look at the folders under CatalogLocations"
-                                             : "no file of a catalogue lies in the folders of "
-                                               "CatalogLocations");
+    cr_err_hint(err, "%s",
+                x->catalogues > 0 ? "look at the folders under CatalogLocations"
+                                  : "no file of a catalogue lies in the folders of "
+                                    "CatalogLocations");
     return CR_ERR_NAME;
 }

@@ -22,7 +22,8 @@ struct box {
 static enum cr_err read_box(struct cr_xosc *x, const struct cr_xml_node *thing, struct box *box,
                             struct cr_error *err) {
     const struct cr_xml_node *b = cr_xml_find(thing, "BoundingBox");
-    const struct cr_xml_node *centre = cr_xml_find(b, "Center"), *dim = cr_xml_find(b, "Dimensions");
+    const struct cr_xml_node *centre = cr_xml_find(b, "Center"),
+                             *dim = cr_xml_find(b, "Dimensions");
     if (b == NULL || centre == NULL || dim == NULL) {
         return cr_xml_fault(x->shown, b != NULL ? b : thing, err, CR_ERR_MISSING, "no <%s>",
                             b == NULL        ? "BoundingBox"
@@ -105,7 +106,7 @@ static bool one_of(const char *word, const char *const *list) {
 static enum cr_err add_object(struct cr_xosc *x, const struct cr_xml_node *o,
                               struct cr_xosc_entity *e, struct cr_error *err) {
     static const char *const poles[] = {"pole", "tree", "streetLamp", NULL};
-    static const char *const boxes[] = {"barrier",     "building",      "obstacle", "railing",
+    static const char *const boxes[] = {"barrier",      "building",      "obstacle", "railing",
                                         "soundBarrier", "trafficIsland", NULL};
     const char *category;
     struct box box;

@@ -4,9 +4,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const double step = 0.05;     /* s between rows */
-static const double goes_on = 10;    /* s after the last action */
-static const double longest = 3600;  /* s */
+static const double step = 0.05;    /* s between rows */
+static const double goes_on = 10;   /* s after the last action */
+static const double longest = 3600; /* s */
 static const double never = INFINITY;
 
 /* How an entity moves at a time. */
@@ -93,8 +93,7 @@ static void follow_length(struct runner *r, double ds) {
     r->s += ds;
     if (r->s >= end) {
         leave_path(r);
-        r->pos =
-            cr_vec2_axpy(r->pos, r->s - end, cr_vec2(cos(r->heading), sin(r->heading)));
+        r->pos = cr_vec2_axpy(r->pos, r->s - end, cr_vec2(cos(r->heading), sin(r->heading)));
         return;
     }
     while (r->seg + 2 < r->path->n && p[r->seg + 1].s <= r->s) {
@@ -250,8 +249,7 @@ enum cr_err cr_xosc_move(struct cr_xosc *x, struct cr_error *err) {
         if (e->p != NULL && (e->p->kind == CR_KIND_OBJECT || !rows)) {
             give_place(e);
         } else if (e->p != NULL) {
-            r[n++] = (struct runner){
-                .e = e, .pos = e->pos, .heading = e->heading, .v = e->speed};
+            r[n++] = (struct runner){.e = e, .pos = e->pos, .heading = e->heading, .v = e->speed};
             end = fmax(end, end_of(e) + goes_on);
         }
     }

@@ -10,7 +10,7 @@
 struct cr_xosc_scope {
     struct {
         const char *name, *value;
-    } *item;
+    } * item;
     int n, size;
     int depth; /* of parameters that are made of parameters */
     long work; /* names that were compared, which is limited */
@@ -96,8 +96,8 @@ CR_MUST_CHECK enum cr_err cr_xosc_position(struct cr_xosc *x, const struct cr_xm
                                            struct cr_vec2 *pos, double *heading,
                                            struct cr_error *err);
 /* Refuse what only a simulator can do, with the way out. */
-enum cr_err cr_xosc_refuse(struct cr_xosc *x, const struct cr_xml_node *node,
-                           struct cr_error *err, const char *what);
+enum cr_err cr_xosc_refuse(struct cr_xosc *x, const struct cr_xml_node *node, struct cr_error *err,
+                           const char *what);
 
 /* ---- xosc_catalogue.c ---- */
 

@@ -27,7 +27,8 @@ static enum cr_err dynamics(struct cr_xosc *x, const struct cr_xml_node *speed,
         return cr_xml_fault(x->shown, speed, err, CR_ERR_MISSING, "no <SpeedActionDynamics>");
     }
     enum cr_err code = cr_xosc_text(x, d, "dynamicsShape", NULL, &shape, err);
-    code = code == CR_ERR_OK ? cr_xosc_text(x, d, "dynamicsDimension", "time", &dimension, err) : code;
+    code =
+        code == CR_ERR_OK ? cr_xosc_text(x, d, "dynamicsDimension", "time", &dimension, err) : code;
     code = code == CR_ERR_OK ? cr_xosc_number(x, d, "value", 0, &a->value, err) : code;
     if (code != CR_ERR_OK) {
         return code;
@@ -52,8 +53,8 @@ static enum cr_err read_speed(struct cr_xosc *x, const struct cr_xml_node *speed
     const struct cr_xml_node *target = cr_xml_find(speed, "SpeedActionTarget");
     const struct cr_xml_node *absolute = cr_xml_find(target, "AbsoluteTargetSpeed");
     if (absolute == NULL) {
-        return cr_xosc_refuse(x, target != NULL && target->child != NULL ? target->child : speed, err,
-                              "only an AbsoluteTargetSpeed is read");
+        return cr_xosc_refuse(x, target != NULL && target->child != NULL ? target->child : speed,
+                              err, "only an AbsoluteTargetSpeed is read");
     }
     enum cr_err code = cr_xosc_number(x, absolute, "value", NAN, &a->speed, err);
     return code == CR_ERR_OK ? dynamics(x, speed, a, err) : code;
@@ -85,8 +86,8 @@ static enum cr_err teleport(struct cr_xosc *x, const struct cr_xml_node *action,
 /* A private action that begins at time t; at NaN it belongs to the begin of the scenario. */
 static enum cr_err act(struct cr_xosc *x, const struct cr_xml_node *private, double t,
                        struct cr_xosc_entity *e, struct cr_error *err) {
-    static const char *const harmless[] = {"VisibilityAction", "ControllerAction", "AppearanceAction",
-                                           "ActivateControllerAction", NULL};
+    static const char *const harmless[] = {"VisibilityAction", "ControllerAction",
+                                           "AppearanceAction", "ActivateControllerAction", NULL};
     bool init = isnan(t);
     struct cr_xosc_action a = {.t = init ? 0 : t, .node = private};
     const struct cr_xml_node *what = private->child;

@@ -25,8 +25,7 @@ enum cr_err cr_xosc_declare(struct cr_xosc *x, const char *name, const char *val
     return CR_ERR_OK;
 }
 
-enum cr_err cr_xosc_enter(struct cr_xosc *x, const struct cr_xml_node *node,
-                          struct cr_error *err) {
+enum cr_err cr_xosc_enter(struct cr_xosc *x, const struct cr_xml_node *node, struct cr_error *err) {
     static const char *const lists[] = {"ParameterDeclarations", "VariableDeclarations"};
     for (int k = 0; k < 2; k++) {
         const struct cr_xml_node *list = cr_xml_find(node, lists[k]);
@@ -151,15 +150,16 @@ enum cr_err cr_xosc_text(struct cr_xosc *x, const struct cr_xml_node *node, cons
 
 /* ---- positions ---- */
 
-enum cr_err cr_xosc_refuse(struct cr_xosc *x, const struct cr_xml_node *node,
-                           struct cr_error *err, const char *what) {
+enum cr_err cr_xosc_refuse(struct cr_xosc *x, const struct cr_xml_node *node, struct cr_error *err,
+                           const char *what) {
     cr_xml_fault(x->shown, node, err, CR_ERR_TYPE, "%s", what);
-    cr_err_hint(err, "run it: esmini --headless --csv_logger log.csv --osc FILE, and import log.csv");
+    cr_err_hint(err,
+                "run it: esmini --headless --csv_logger log.csv --osc FILE, and import log.csv");
     return CR_ERR_TYPE;
 }
 
-enum cr_err cr_xosc_position(struct cr_xosc *x, const struct cr_xml_node *node,
-                             struct cr_vec2 *pos, double *heading, struct cr_error *err) {
+enum cr_err cr_xosc_position(struct cr_xosc *x, const struct cr_xml_node *node, struct cr_vec2 *pos,
+                             double *heading, struct cr_error *err) {
     const struct cr_xml_node *position = cr_xml_find(node, "Position");
     const struct cr_xml_node *at = position != NULL ? position->child : NULL;
     if (at == NULL) {
