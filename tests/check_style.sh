@@ -37,6 +37,11 @@ empty "at most 4 levels of nesting" \
     "$(grep -nE '^ {20,}(if|for|while|switch|do|return|break|continue|goto)\b' "$@")"
 empty "a brace after every if and for" \
     "$(grep -nE '^ *(\} else )?(if|for) \(.*\)( [^{]*)?;$' "$@" | grep -vE '//|\*')"
+# what memory was out for must not be missing without a word: base/tree.h, cr_str_join, cr_say_str
+empty "no member of a JSON tree is added unchecked" \
+    "$(grep -nE '^ *(\(void\) ?)?cJSON_Add.*\);$' "$@" | grep -v '^tests/')"
+empty "no text in parts loses its failure" "$(grep -nE \
+    'cr_str_add\(.*cr_str_get|cr_say\(.*"%s", cr_str_get|cr_session_lines\(.*cr_str_get' "$@")"
 empty "no unbounded or unchecked C library calls" \
     "$(grep -nE '\b(alloca|gets|strcat|sprintf|vsprintf|atoi|atof|strtok) *\(' "$@")"
 

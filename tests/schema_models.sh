@@ -35,6 +35,13 @@ for t in "super-compact mini-compact compact station-wagon sedan suv".split():
     check(t + " knot", recipe, put(r, [1], "shape", "front_m", 0), False)
     for key in ("reference", "shape", "faces", "structures"):
         check(t + " without " + key, recipe, {k: v for k, v in r.items() if k != key}, False)
+barrier = validator("barrier")
+for b in "odb mpdb fmvss214 r95 ae-mdb".split():
+    value = json.load(open("%s/share/barriers/%s.json" % (folder, b)))
+    check(b, barrier, value, True)
+    check(b + " strength", barrier, put(value, -1, "blocks", 0, "strength_MPa"), False)
+    check(b + " unknown key", barrier, put(value, 1, "strenght"), False)
+    check(b + " without blocks", barrier, {k: v for k, v in value.items() if k != "blocks"}, False)
 for name in ("flat", "full"):
     m = json.load(open("%s/%s.json" % (out, name)))
     check(name, voxels, m, True)

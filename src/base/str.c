@@ -57,6 +57,11 @@ void cr_str_addf(struct cr_str *str, const char *fmt, ...) {
     va_end(again);
 }
 
+void cr_str_join(struct cr_str *str, const struct cr_str *part) {
+    str->failed = str->failed || part->failed;
+    cr_str_addn(str, cr_str_get(part), part->len);
+}
+
 void cr_str_number(struct cr_str *str, double x) {
     char text[CR_NUMBER_SIZE];
     cr_str_add(str, cr_number_text(x, text));

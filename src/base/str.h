@@ -18,6 +18,8 @@ struct cr_str {
 void cr_str_add(struct cr_str *str, const char *text);
 void cr_str_addn(struct cr_str *str, const char *text, size_t n);
 void cr_str_addf(struct cr_str *str, const char *fmt, ...) CR_PRINTF(2, 3);
+/* Another growing text, with its failure: what was put together in parts is whole or failed. */
+void cr_str_join(struct cr_str *str, const struct cr_str *part);
 void cr_str_number(struct cr_str *str, double x);    /* shortest exact text, base/number.h */
 void cr_str_fill(struct cr_str *str, char c, int n); /* n times c */
 /* A field of a CSV: quoted where its text needs it; what a spreadsheet would take for a formula

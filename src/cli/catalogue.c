@@ -3,6 +3,7 @@
 #include "cli/word.h"
 
 #include "base/json.h"
+#include "base/tree.h"
 #include "catalogue/catalogue.h"
 
 #include <cjson/cJSON.h>
@@ -29,14 +30,20 @@ static void number(struct cr_str *out, const char *before, double x, int decimal
 static void add_text(const struct cr_car *car, struct cr_str *out) {
     struct cr_str name = {0};
     cr_car_name(car, &name);
+    out->failed = out->failed || name.failed;
     cr_str_addf(out, "%-44.44s %-13s %5.0f kg  %.3f x %.3f m  %s\n", cr_str_get(&name), car->type,
                 car->curb, car->length, car->width, car->source);
     cr_str_fini(&name);
 }
 
 static void add_csv(const struct cr_car *car, struct cr_str *out) {
-    cr_str_addf(out, "\"%s\",\"%s\",%d,%d,%s,%s", car->make, car->model, car->from, car->to,
-                car->body, car->type);
+    cr_str_csv(out, car->make);
+    cr_str_add(out, ",");
+    cr_str_csv(out, car->model);
+    cr_str_addf(out, ",%d,%d,", car->from, car->to);
+    cr_str_csv(out, car->body);
+    cr_str_add(out, ",");
+    cr_str_csv(out, car->type);
     number(out, ",", car->curb, 0);
     const double size[] = {car->length,    car->width, car->height,
                            car->wheelbase, car->track, car->cg_behind_front_axle,
@@ -44,21 +51,23 @@ static void add_csv(const struct cr_car *car, struct cr_str *out) {
     for (size_t i = 0; i < sizeof size / sizeof size[0]; i++) {
         number(out, ",", size[i], 3);
     }
-    cr_str_addf(out, ",\"%s\"\n", car->source);
+    cr_str_add(out, ",");
+    cr_str_csv(out, car->source);
+    cr_str_add(out, "\n");
 }
 
 static void put(cJSON *to, const char *key, double x) {
-    cJSON_AddItemToObject(to, key, isfinite(x) ? cJSON_CreateNumber(x) : cJSON_CreateNull());
+    cr_tree_put(to, key, isfinite(x) ? cJSON_CreateNumber(x) : cJSON_CreateNull());
 }
 
 static cJSON *to_json(const struct cr_car *car) {
     cJSON *json = cJSON_CreateObject();
-    cJSON_AddStringToObject(json, "make", car->make);
-    cJSON_AddStringToObject(json, "model", car->model);
+    cr_tree_text(json, "make", car->make);
+    cr_tree_text(json, "model", car->model);
     put(json, "from", car->from);
     put(json, "to", car->to);
-    cJSON_AddStringToObject(json, "body", car->body);
-    cJSON_AddStringToObject(json, "type", car->type);
+    cr_tree_text(json, "body", car->body);
+    cr_tree_text(json, "type", car->type);
     put(json, "kerb_mass_kg", car->curb);
     put(json, "length_m", car->length);
     put(json, "width_m", car->width);
@@ -67,7 +76,7 @@ static cJSON *to_json(const struct cr_car *car) {
     put(json, "track_m", car->track);
     put(json, "cg_behind_front_axle_m", car->cg_behind_front_axle);
     put(json, "cg_height_m", car->cg_height);
-    cJSON_AddStringToObject(json, "source", car->source);
+    cr_tree_text(json, "source", car->source);
     return json;
 }
 
@@ -81,7 +90,7 @@ static enum cr_err write_cars(const struct cr_catalogue *c, const int *found, in
     for (int i = 0; i < n; i++) {
         const struct cr_car *car = cr_catalogue_car(c, found[i]);
         if (format == JSON) {
-            cJSON_AddItemToArray(list, to_json(car));
+            cr_tree_push(list, to_json(car));
         } else {
             (format == CSV ? add_csv : add_text)(car, out);
         }

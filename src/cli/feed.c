@@ -380,7 +380,7 @@ static bool next_document(struct cr_feed *f, struct cr_feed_item *out) {
         return false;
     }
     struct cr_str text = f->held[0];
-    cr_str_add(&text, cr_str_get(&f->held[1]));
+    cr_str_join(&text, &f->held[1]);
     memset(&f->held[0], 0, sizeof f->held[0]);
     int line = f->held_line[0];
     f->held_n = 0;

@@ -52,8 +52,8 @@ struct cr_out {
     void *user;
     void (*text)(void *user, enum cr_tone tone, const char *line); /* one line without newline */
     void (*fault)(void *user, const struct cr_fault *fault);
-    /* a picture, made for that look; NULL: none is drawn */
-    void (*cells)(void *user, const struct cr_cells *cells, const struct cr_look *look);
+    /* a picture, made for that look, false where memory is out for it; NULL: none is drawn */
+    bool (*cells)(void *user, const struct cr_cells *cells, const struct cr_look *look);
     void (*progress)(void *user, const struct cr_progress *progress); /* NULL at the end */
     int (*cancel)(void *user); /* polled while solving; non-zero stops the work */
     /* a question with one letter per answer ("sqc"); NULL: nobody is there to ask */

@@ -120,6 +120,7 @@ struct cr_session {
     struct cr_result *result;
     struct cr_reference *reference; /* NULL: nothing was compared */
     bool solving, over, echo;
+    bool lost; /* memory was out for something that was to be said: the command fails */
     struct cr_compiled *compiled; /* of compiled_rev, NULL: none */
     struct cr_view view;
     struct cr_sweep *sweep;
@@ -142,8 +143,10 @@ enum cr_err cr_session_make(const struct cr_session_opts *opts, struct cr_sessio
 void cr_say(struct cr_session *s, const char *fmt, ...) CR_PRINTF(2, 3);
 void cr_warn(struct cr_session *s, const char *fmt, ...) CR_PRINTF(2, 3);
 void cr_session_text(struct cr_session *s, enum cr_tone tone, const char *line);
-/* Text of several lines, each as cr_say does. */
-void cr_session_lines(struct cr_session *s, const char *text);
+/* A line that was put together, as cr_say does; the command fails where memory was out for it. */
+void cr_say_str(struct cr_session *s, const struct cr_str *line);
+/* Text of several lines, each likewise. */
+void cr_session_lines(struct cr_session *s, const struct cr_str *text);
 void cr_session_room(struct cr_session *s, int *width, int *height);
 enum cr_err cr_session_remember(struct cr_session *s, const char *line, struct cr_error *err);
 void cr_session_reset_view(struct cr_session *s);

@@ -172,7 +172,7 @@ static enum cr_err say_picture(struct cr_session *s, const struct cr_crush_case 
         code = cr_crush_picture(&what->car[i], rules, &how, &text, err);
     }
     if (code == CR_ERR_OK) {
-        cr_session_lines(s, cr_str_get(&text));
+        cr_session_lines(s, &text);
     }
     cr_str_fini(&text);
     return code;
@@ -219,7 +219,7 @@ static enum cr_err work_back(struct cr_call *call, const char *id, struct cr_err
         code = cr_crush_text(&what, &impact, &text, err);
     }
     if (code == CR_ERR_OK) {
-        cr_session_lines(s, cr_str_get(&text));
+        cr_session_lines(s, &text);
         code = cr_cmd_given(call, "picture") ? say_picture(s, &what, &rules, err) : code;
     }
     if (code == CR_ERR_OK) {

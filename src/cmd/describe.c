@@ -26,6 +26,9 @@ void cr_cmd_describe(const struct cr_participant *p, char *buf, int size) {
         snprintf(what, sizeof what, "%s pole %.10g m thick", mass, 2 * p->radius);
     } else if (p->shape == CR_OBJECT_BOX) {
         snprintf(what, sizeof what, "%s box %.10g m x %.10g m", mass, p->length, p->width);
+    } else if (p->shape == CR_OBJECT_BARRIER) {
+        snprintf(what, sizeof what, "barrier %s%s%s", p->barrier, isfinite(kg) ? ", " : "",
+                 isfinite(kg) ? mass : "");
     } else {
         snprintf(what, sizeof what, "%s %s", mass, p->shape == CR_OBJECT_WALL ? "wall" : "polygon");
     }

@@ -153,7 +153,7 @@ static enum cr_err tell(struct cr_call *call, const struct cr_fit *fit, struct c
     struct cr_str text = {0};
     enum cr_err code = cr_fit_text(fit, &text, err);
     if (code == CR_ERR_OK) {
-        cr_session_lines(call->s, cr_str_get(&text));
+        cr_session_lines(call->s, &text);
         code = write_file(call, fit, err);
     }
     cr_str_fini(&text);

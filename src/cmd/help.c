@@ -225,7 +225,7 @@ enum cr_err cr_cmd_help(struct cr_call *call, struct cr_error *err) {
             return cr_cmd_blame(call, "COMMAND", CR_ERR_NAME);
         }
         cr_command_help(cmd, &page);
-        cr_session_lines(call->s, cr_str_get(&page));
+        cr_session_lines(call->s, &page);
         cr_str_fini(&page);
         return CR_ERR_OK;
     }

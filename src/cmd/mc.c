@@ -195,7 +195,7 @@ static enum cr_err tell(struct cr_call *call, const struct cr_mc *mc, const stru
     bool all = !cr_cmd_given(call, "plot");
     enum cr_err code = cr_mc_text(mc, all ? NULL : plot, call->s->opts.look.ascii, &text, err);
     if (code == CR_ERR_OK) {
-        cr_session_lines(call->s, cr_str_get(&text));
+        cr_session_lines(call->s, &text);
         code = write_file(call, mc, err);
     }
     cr_str_fini(&text);

@@ -17,8 +17,8 @@ enum cr_err cr_cmd_picture(struct cr_session *s, int width, int height,
         return code;
     }
     code = draw(user, &cells, (struct cr_rect){0, 0, width, height}, err);
-    if (code == CR_ERR_OK) {
-        s->opts.out.cells(s->opts.out.user, &cells, &s->opts.look);
+    if (code == CR_ERR_OK && !s->opts.out.cells(s->opts.out.user, &cells, &s->opts.look)) {
+        code = cr_err_set(err, CR_ERR_MEMORY, "no memory for the picture");
     }
     cr_cells_fini(&cells);
     return code;

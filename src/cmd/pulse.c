@@ -79,9 +79,8 @@ static enum cr_err load_measured(struct cr_call *call, const char *path, int kin
         }
     }
     name[n] = '\0';
-    return cr_signal_load(path, name, out, NULL) == CR_ERR_OK
-               ? CR_ERR_OK
-               : cr_signal_load(path, NULL, out, err);
+    enum cr_err code = cr_signal_load(path, name, out, err);
+    return code == CR_ERR_OK || code == CR_ERR_MEMORY ? code : cr_signal_load(path, NULL, out, err);
 }
 
 /* the curve in ms and in the unit of the plot */

@@ -103,11 +103,9 @@ static void show_fault(struct cr_session *s, const struct source *src, const str
         line += src->text[i] == '\n';
     }
     int width = (int)strcspn(src->text + start, "\r\n");
-    char *text = malloc((size_t)width + 1);
-    if (text == NULL) {
-        return;
-    }
-    snprintf(text, (size_t)width + 1, "%.*s", width, src->text + start);
+    char none[] = "", *line_text = malloc((size_t)width + 1);
+    char *text = line_text != NULL ? line_text : none;
+    snprintf(text, line_text != NULL ? (size_t)width + 1 : 1, "%.*s", width, src->text + start);
     cr_show_mask(text); /* the caret stays below what it means */
     len = len < start + width - at ? len : start + width - at;
     struct cr_fault fault = {.err = *err,
@@ -130,7 +128,7 @@ static void show_fault(struct cr_session *s, const struct source *src, const str
     if (s->opts.out.fault != NULL) {
         s->opts.out.fault(s->opts.out.user, &fault);
     }
-    free(text);
+    free(line_text);
 }
 
 /* ---- statements ---- */
@@ -158,11 +156,19 @@ static enum cr_err run_call(struct cr_call *call, struct cr_error *err) {
     if (code == CR_ERR_OK) {
         code = call->cmd->run(call, err);
     }
+    if (call->s->lost && code == CR_ERR_OK) {
+        code = cr_err_set(err, CR_ERR_MEMORY, "no memory for all of the answer");
+    }
+    call->s->lost = false;
     if (code == CR_ERR_OK && call->draft != NULL) {
         char *text = statement_text(call->tokens);
-        code = cr_session_commit(call->s, call->draft, text != NULL ? text : "", err);
+        if (text == NULL) {
+            code = cr_err_set(err, CR_ERR_MEMORY, "out of memory");
+        } else {
+            code = cr_session_commit(call->s, call->draft, text, err);
+            call->draft = NULL;
+        }
         free(text);
-        call->draft = NULL;
         if (code == CR_ERR_OK && call->fresh) {
             cr_session_saved(call->s, call->file);
             cr_session_drop_result(call->s);
@@ -263,6 +269,7 @@ static void echo(struct cr_session *s, const char *text, int n) {
         return;
     }
     char *line = malloc((size_t)n + 1);
+    s->lost = s->lost || line == NULL;
     if (line != NULL) {
         snprintf(line, (size_t)n + 1, "%.*s", n, text);
         cr_session_text(s, CR_TONE_ECHO, line);

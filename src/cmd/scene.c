@@ -49,6 +49,7 @@ static enum cr_err say_keys(struct cr_call *call, const char *id, struct cr_erro
             }
             const char *text = cr_str_get(assumes && known ? &value : &given);
             double x = strtod(text, NULL);
+            s->lost = s->lost || given.failed || value.failed;
             if (key->type == CR_KEY_NUMBER && strcmp(text, "auto") != 0 && !cr_tolerance_is(text)) {
                 cr_say(s, "%-10s %.5g %s%s", arg->name, x, key->unit, assumes ? "  (assumed)" : "");
             } else {
@@ -153,7 +154,7 @@ static enum cr_err say_car(struct cr_call *call, const struct cr_participant *p,
     cr_car_name(car, &line);
     cr_str_addf(&line, ": %.0f kg kerb + %.0f driver, %.3f x %.3f m (%s)", car->curb, CR_CAR_DRIVER,
                 car->length, car->width, car->source);
-    cr_say(call->s, "%s", cr_str_get(&line));
+    cr_say_str(call->s, &line);
     cr_str_fini(&line);
     return CR_ERR_OK;
 }
@@ -247,12 +248,26 @@ static enum cr_err object_extras(struct cr_call *call, struct cr_scene *scene,
     return code == CR_ERR_OK ? code : cr_cmd_blame(call, "mass", code);
 }
 
+static enum cr_err check_barrier(struct cr_call *call, const struct cr_participant *p,
+                                 struct cr_error *err) {
+    const struct cr_barrier *b;
+    enum cr_err code = cr_session_need_models(call->s, err);
+    if (code == CR_ERR_OK) {
+        code = cr_model_barrier(call->s->models, p->barrier, &b, err);
+    }
+    return cr_cmd_given(call, "barrier") ? cr_cmd_blame(call, "barrier", code)
+                                         : cr_cmd_blame(call, "kind", code);
+}
+
 static enum cr_err check_object(struct cr_call *call, const struct cr_participant *p, bool is_new,
                                 struct cr_error *err) {
-    if (is_new && !cr_cmd_given(call, "kind")) {
+    if (is_new && !cr_cmd_given(call, "kind") && !cr_cmd_given(call, "barrier")) {
         cr_err_set(err, CR_ERR_MISSING, "object %s needs a kind", p->id);
-        cr_err_hint(err, "kind=wall, pole or box");
+        cr_err_hint(err, "kind=wall, pole, box, or barrier=odb");
         return cr_cmd_blame(call, "NAME", CR_ERR_MISSING);
+    }
+    if (p->shape == CR_OBJECT_BARRIER) {
+        return check_barrier(call, p, err);
     }
     if (p->shape == CR_OBJECT_BOX && !(isfinite(p->length) && isfinite(p->width))) {
         cr_err_set(err, CR_ERR_MISSING, "a box needs length and width");
@@ -291,6 +306,9 @@ static enum cr_err edit(struct cr_call *call, enum cr_kind kind,
         return say_keys(call, id, err);
     }
     enum cr_err code = find_or_add(call, kind, &draft, &p, &is_new, err);
+    if (code == CR_ERR_OK && kind == CR_KIND_OBJECT && cr_cmd_given(call, "barrier")) {
+        code = cr_cmd_set_text(&draft->scene, id, "shape", "barrier", err);
+    }
     if (code == CR_ERR_OK) {
         code = cr_cmd_set_keys(call, &draft->scene, id, err);
     }

@@ -136,13 +136,13 @@ static void log_add(struct cr_session *s, enum cr_tone tone, const char *line) {
         s->logs -= LOG_MAX / 2;
         memmove(s->log, s->log + LOG_MAX / 2, (size_t)s->logs * sizeof *s->log);
     }
-    if (!cr_grow(&s->log, &s->log_size, s->logs, sizeof *s->log)) {
+    char *copy = strdup(line);
+    if (copy == NULL || !cr_grow(&s->log, &s->log_size, s->logs, sizeof *s->log)) {
+        free(copy);
+        s->lost = true;
         return;
     }
-    char *copy = strdup(line);
-    if (copy != NULL) {
-        s->log[s->logs++] = (struct cr_log_line){tone, copy};
-    }
+    s->log[s->logs++] = (struct cr_log_line){tone, copy};
 }
 
 void cr_session_text(struct cr_session *s, enum cr_tone tone, const char *line) {
@@ -150,6 +150,7 @@ void cr_session_text(struct cr_session *s, enum cr_tone tone, const char *line) 
     if (!cr_show_fits(line)) { /* what a file or a name holds must not act on the terminal */
         cr_show_add(&shown, line);
         line = cr_str_get(&shown);
+        s->lost = s->lost || shown.failed;
     }
     log_add(s, tone, line);
     if (s->opts.out.text != NULL) {
@@ -167,6 +168,12 @@ void cr_say(struct cr_session *s, const char *fmt, ...) {
     cr_session_text(s, CR_TONE_ANSWER, buf);
 }
 
+void cr_say_str(struct cr_session *s, const struct cr_str *line) {
+    const char *text = cr_str_get(line);
+    s->lost = s->lost || line->failed;
+    cr_say(s, "%s", text);
+}
+
 void cr_warn(struct cr_session *s, const char *fmt, ...) {
     char buf[TEXT_MAX] = "  warning: ";
     size_t used = strlen(buf);
@@ -177,7 +184,9 @@ void cr_warn(struct cr_session *s, const char *fmt, ...) {
     cr_session_text(s, CR_TONE_WARN, buf);
 }
 
-void cr_session_lines(struct cr_session *s, const char *text) {
+void cr_session_lines(struct cr_session *s, const struct cr_str *lines) {
+    const char *text = cr_str_get(lines);
+    s->lost = s->lost || lines->failed;
     while (*text != '\0') {
         int n = (int)strcspn(text, "\n");
         cr_say(s, "%.*s", n, text);

@@ -49,6 +49,7 @@ static enum cr_err say_setting(struct cr_session *s, const struct cr_scene *scen
         cr_str_add(&help, arg->help);
     }
     if (code == CR_ERR_OK) {
+        s->lost = s->lost || help.failed || value.failed;
         cr_say(s, "%-12s %-12s %s", arg->name, text, cr_str_get(&help));
     }
     cr_str_fini(&help);
@@ -181,9 +182,9 @@ static int check_motion(struct cr_session *s, const struct cr_scene *scene) {
 static void say_assumed(struct cr_session *s, const struct cr_assumed *assumed) {
     struct cr_str line = {0};
     for (int i = 0; i < assumed->n; i++) {
-        cr_str_addf(&line, "%s%s", line.len > 0 ? ", " : "", assumed->key[i]);
-        if (line.len > 60 || i == assumed->n - 1) {
-            cr_say(s, "assumed: %s", cr_str_get(&line));
+        cr_str_addf(&line, "%s%s", line.len > 0 ? ", " : "assumed: ", assumed->key[i]);
+        if (line.len > 69 || i == assumed->n - 1) {
+            cr_say_str(s, &line);
             cr_str_clear(&line);
         }
     }

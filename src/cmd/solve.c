@@ -72,7 +72,8 @@ static void say_result(struct cr_session *s) {
             cr_str_addf(&line, " %s %.1f", r->resolved.part[i].id, cr_kmh(r->of[i].delta_v));
         }
     }
-    cr_say(s, "%s km/h", cr_str_get(&line));
+    cr_str_add(&line, " km/h");
+    cr_say_str(s, &line);
     cr_str_fini(&line);
     for (int i = 0; i < r->warnings; i++) {
         cr_warn(s, "%s", r->warning[i]);
@@ -300,7 +301,7 @@ static void say_steps_short(struct cr_session *s) {
                             cr_vec2_len(x[i].acc) / CR_G, 1e-3 * x[i].energy);
             }
         }
-        cr_say(s, "%s", cr_str_get(&line));
+        cr_say_str(s, &line);
         cr_str_fini(&line);
     }
 }

@@ -35,8 +35,9 @@ static void head(struct cr_session *s, const struct cr_sweep *sweep) {
             cr_str_addf(&units, "  %11s %7s %7s", "km/h", "km/h", "m");
         }
     }
-    cr_say(s, "%s  stop", cr_str_get(&line));
-    cr_say(s, "%s", cr_str_get(&units));
+    cr_str_add(&line, "  stop");
+    cr_say_str(s, &line);
+    cr_say_str(s, &units);
     cr_str_fini(&line);
     cr_str_fini(&units);
 }
@@ -62,10 +63,11 @@ enum cr_err cr_sweep_say(struct cr_session *s, struct cr_error *err) {
                             cr_kmh(run->of[p].delta_v), run->of[p].deformation_max);
             }
         }
-        cr_say(s, "%s  %s", cr_str_get(&line),
-               !run->done    ? "not run"
-               : run->failed ? run->message
-                             : cr_stop_word(run->stop));
+        cr_str_addf(&line, "  %s",
+                    !run->done    ? "not run"
+                    : run->failed ? run->message
+                                  : cr_stop_word(run->stop));
+        cr_say_str(s, &line);
         cr_str_fini(&line);
     }
     return CR_ERR_OK;
@@ -206,7 +208,7 @@ static void say_map(struct cr_session *s, int part, const struct cr_measure *m) 
     for (int k = 0; k < across->n; k++) {
         cr_str_addf(&line, " %8.6g ", shown(across, across->value[k]));
     }
-    cr_say(s, "%s", cr_str_get(&line));
+    cr_say_str(s, &line);
     for (int i = 0; i < down->n; i++) {
         cr_str_clear(&line);
         cr_str_addf(&line, "%10.6g", shown(down, down->value[i]));
@@ -226,7 +228,7 @@ static void say_map(struct cr_session *s, int part, const struct cr_measure *m) 
                 cr_str_add(&line, shades[shade]);
             }
         }
-        cr_say(s, "%s", cr_str_get(&line));
+        cr_say_str(s, &line);
     }
     cr_str_fini(&line);
 }

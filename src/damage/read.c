@@ -4,6 +4,7 @@
 #include "base/file.h"
 #include "base/json.h"
 #include "base/records.h"
+#include "base/tree.h"
 
 #include <cjson/cJSON.h>
 #include <math.h>
@@ -237,22 +238,22 @@ static enum cr_err take_damage(struct reader *r, const cJSON *json, struct cr_me
 
 /* the vehicles as a scene: they stand apart, which is of no account */
 static cJSON *as_scene(const cJSON *vehicles) {
-    cJSON *root = cJSON_CreateObject(), *list = cJSON_AddArrayToObject(root, "participants");
-    cJSON_AddNumberToObject(root, "crumple", 1);
+    cJSON *root = cJSON_CreateObject(), *list = cr_tree_array(root, "participants");
+    cr_tree_number(root, "crumple", 1);
     int i = 0;
     for (const cJSON *v = vehicles->child; v != NULL; v = v->next, i++) {
         cJSON *copy = cJSON_Duplicate(v, 1), *pos = cJSON_CreateArray();
         cJSON_DeleteItemFromObjectCaseSensitive(copy, "damage");
-        cJSON_AddStringToObject(copy, "kind", "vehicle");
-        cJSON_AddItemToArray(pos, cJSON_CreateNumber(50.0 * i));
-        cJSON_AddItemToArray(pos, cJSON_CreateNumber(0));
-        cJSON_AddItemToObject(copy, "position_m", pos);
-        cJSON_AddItemToArray(list, copy);
+        cr_tree_text(copy, "kind", "vehicle");
+        cr_tree_push(pos, cJSON_CreateNumber(50.0 * i));
+        cr_tree_push(pos, cJSON_CreateNumber(0));
+        cr_tree_put(copy, "position_m", pos);
+        cr_tree_push(list, copy);
     }
     if (i == 1) {
         cJSON *wall = cJSON_Parse("{\"id\":\"other-object\",\"kind\":\"object\",\"shape\":\"wall\","
                                   "\"position_m\":[100,0],\"heading_deg\":180}");
-        cJSON_AddItemToArray(list, wall);
+        cr_tree_push(list, wall);
     }
     return root;
 }
@@ -348,14 +349,14 @@ static enum cr_err copy_number(const struct cr_records *t, int row, const char *
     double x;
     enum cr_err code = cr_records_number(t, row, column, &x, err);
     if (code == CR_ERR_OK && !isnan(x)) {
-        cJSON_AddNumberToObject(to, column, x);
+        cr_tree_number(to, column, x);
     }
     return code;
 }
 
 static enum cr_err copy_stations(const struct cr_records *t, int row, cJSON *damage,
                                  struct cr_error *err) {
-    cJSON *list = cJSON_AddArrayToObject(damage, "crush_m");
+    cJSON *list = cr_tree_array(damage, "crush_m");
     for (int k = 1; k <= CR_STATIONS_MAX; k++) {
         char name[8];
         double x;
@@ -364,7 +365,7 @@ static enum cr_err copy_stations(const struct cr_records *t, int row, cJSON *dam
         if (code != CR_ERR_OK || isnan(x)) {
             return code;
         }
-        cJSON_AddItemToArray(list, cJSON_CreateNumber(x));
+        cr_tree_push(list, cJSON_CreateNumber(x));
     }
     return CR_ERR_OK;
 }
@@ -376,11 +377,11 @@ static enum cr_err row_as_json(const struct cr_records *t, int row, cJSON *vehic
     static const char *const of_damage[] = {"field_length_m", "field_offset_m",
                                             "direct_width_m", "direct_offset_m",
                                             "pdof_deg",       "crush_tolerance_m"};
-    cJSON *v = cJSON_CreateObject(), *damage = cJSON_AddObjectToObject(v, "damage");
-    cJSON_AddItemToArray(vehicles, v);
-    cJSON_AddStringToObject(v, "id", cr_records_text(t, row, "id"));
-    cJSON_AddStringToObject(v, "type", cr_records_text(t, row, "type"));
-    cJSON_AddStringToObject(damage, "face", cr_records_text(t, row, "face"));
+    cJSON *v = cJSON_CreateObject(), *damage = cr_tree_object(v, "damage");
+    cr_tree_push(vehicles, v);
+    cr_tree_text(v, "id", cr_records_text(t, row, "id"));
+    cr_tree_text(v, "type", cr_records_text(t, row, "type"));
+    cr_tree_text(damage, "face", cr_records_text(t, row, "face"));
     enum cr_err code = CR_ERR_OK;
     for (size_t i = 0; i < sizeof own / sizeof own[0] && code == CR_ERR_OK; i++) {
         code = copy_number(t, row, own[i], v, err);
@@ -395,8 +396,8 @@ static enum cr_err read_table(const char *path, struct cr_crush_file *out, struc
     struct cr_records t;
     struct reader r = {.err = err};
     cJSON *root = cJSON_CreateObject();
-    cJSON_AddNumberToObject(root, "crumple_damage", 1);
-    cJSON *vehicles = cJSON_AddArrayToObject(root, "vehicles");
+    cr_tree_number(root, "crumple_damage", 1);
+    cJSON *vehicles = cr_tree_array(root, "vehicles");
     enum cr_err code = cr_records_load(path, &t, err);
     for (int i = 0; i < t.rows && code == CR_ERR_OK; i++) {
         code = row_as_json(&t, i, vehicles, err);

@@ -3,6 +3,7 @@
 #include "damage/crush.h"
 
 #include "base/json.h"
+#include "base/tree.h"
 
 #include <cjson/cJSON.h>
 #include <math.h>
@@ -78,10 +79,10 @@ enum cr_err cr_crush_text(const struct cr_crush_case *what, const struct cr_crus
 }
 
 static void add_value(cJSON *to, const char *name, const struct cr_crush_value *v, double factor) {
-    cJSON *o = cJSON_AddObjectToObject(to, name);
-    cJSON_AddNumberToObject(o, "value", factor * v->best);
-    cJSON_AddNumberToObject(o, "low", factor * v->lo);
-    cJSON_AddNumberToObject(o, "high", factor * v->hi);
+    cJSON *o = cr_tree_object(to, name);
+    cr_tree_number(o, "value", factor * v->best);
+    cr_tree_number(o, "low", factor * v->lo);
+    cr_tree_number(o, "high", factor * v->hi);
 }
 
 static cJSON *part_json(const struct cr_crush_case *what, const struct cr_crush_impact *impact,
@@ -91,31 +92,31 @@ static cJSON *part_json(const struct cr_crush_case *what, const struct cr_crush_
     char cdc[12];
     cJSON *o = cJSON_CreateObject();
     cr_crush_cdc(car, cdc);
-    cJSON_AddStringToObject(o, "id", car->id);
-    cJSON_AddStringToObject(o, "type", cr_type_word(car->p->type));
-    cJSON_AddNumberToObject(o, "mass_kg", car->p->mass);
-    cJSON_AddStringToObject(o, "face", cr_crush_face_word(car->m.face));
-    cJSON_AddNumberToObject(o, "pdof_deg", cr_deg(part->pdof));
+    cr_tree_text(o, "id", car->id);
+    cr_tree_text(o, "type", cr_type_word(car->p->type));
+    cr_tree_number(o, "mass_kg", car->p->mass);
+    cr_tree_text(o, "face", cr_crush_face_word(car->m.face));
+    cr_tree_number(o, "pdof_deg", cr_deg(part->pdof));
     add_value(o, "ees_kmh", &part->ees, cr_kmh(1));
     add_value(o, "energy_kJ", &part->energy, 1e-3);
-    cJSON_AddNumberToObject(o, "energy_induced_kJ", part->e.induced / 1000);
+    cr_tree_number(o, "energy_induced_kJ", part->e.induced / 1000);
     if (impact->pair) {
         add_value(o, "delta_v_kmh", &part->delta_v, cr_kmh(1));
         double dv = cr_kmh(part->delta_v.best);
-        cJSON_AddNumberToObject(o, "delta_v_forward_kmh", dv * part->push.x);
-        cJSON_AddNumberToObject(o, "delta_v_left_kmh", dv * part->push.y);
+        cr_tree_number(o, "delta_v_forward_kmh", dv * part->push.x);
+        cr_tree_number(o, "delta_v_left_kmh", dv * part->push.y);
     }
     const double coe[] = {part->e.coe.x, part->e.coe.y};
-    cJSON_AddItemToObject(o, "coe_m", cJSON_CreateDoubleArray(coe, 2));
-    cJSON_AddNumberToObject(o, "arm_m", part->arm);
-    cJSON_AddNumberToObject(o, "effective_mass_kg", part->gamma * car->p->mass);
-    cJSON_AddNumberToObject(o, "force_kN", part->e.force / 1000);
-    cJSON_AddNumberToObject(o, "depth_max_m", part->e.depth);
-    cJSON_AddNumberToObject(o, "area_m2", part->e.area);
-    cJSON_AddStringToObject(o, "cdc", cdc);
-    cJSON *share = cJSON_AddObjectToObject(o, "variance_shares");
+    cr_tree_put(o, "coe_m", cJSON_CreateDoubleArray(coe, 2));
+    cr_tree_number(o, "arm_m", part->arm);
+    cr_tree_number(o, "effective_mass_kg", part->gamma * car->p->mass);
+    cr_tree_number(o, "force_kN", part->e.force / 1000);
+    cr_tree_number(o, "depth_max_m", part->e.depth);
+    cr_tree_number(o, "area_m2", part->e.area);
+    cr_tree_text(o, "cdc", cdc);
+    cJSON *share = cr_tree_object(o, "variance_shares");
     for (int s = 0; s < CR_CRUSH_SOURCES; s++) {
-        cJSON_AddNumberToObject(share, sources[s], impact->share[i][s]);
+        cr_tree_number(share, sources[s], impact->share[i][s]);
     }
     return o;
 }
@@ -123,18 +124,18 @@ static cJSON *part_json(const struct cr_crush_case *what, const struct cr_crush_
 enum cr_err cr_crush_json(const struct cr_crush_case *what, const struct cr_crush_impact *impact,
                           struct cr_str *out, struct cr_error *err) {
     cJSON *root = cJSON_CreateObject();
-    cJSON_AddStringToObject(root, "class", "damage");
-    cJSON *list = cJSON_AddArrayToObject(root, "vehicles");
+    cr_tree_text(root, "class", "damage");
+    cJSON *list = cr_tree_array(root, "vehicles");
     for (int i = 0; i < what->n; i++) {
-        cJSON_AddItemToArray(list, part_json(what, impact, i));
+        cr_tree_push(list, part_json(what, impact, i));
     }
-    cJSON_AddNumberToObject(root, "energy_kJ", impact->energy / 1000);
+    cr_tree_number(root, "energy_kJ", impact->energy / 1000);
     if (impact->pair) {
         add_value(root, "closing_speed_kmh", &impact->closing, cr_kmh(1));
-        cJSON_AddNumberToObject(root, "restitution", impact->restitution);
+        cr_tree_number(root, "restitution", impact->restitution);
     }
     if (what->n == 2) {
-        cJSON_AddNumberToObject(root, "force_ratio", impact->balance);
+        cr_tree_number(root, "force_ratio", impact->balance);
     }
     bool done = cr_json_add(root, true, out);
     cr_str_add(out, "\n");

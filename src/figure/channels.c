@@ -68,8 +68,7 @@ static void channel(const struct cr_result *r, int body, const struct cr_pulse *
                 "Time of maximum value", t_hi);
     cr_str_addf(out, "%-28s:%.8g\n%-28s:%.9g\n", "First global minimum value", lo,
                 "Time of minimum value", t_lo);
-    cr_str_add(out, cr_str_get(&rows));
-    out->failed |= rows.failed;
+    cr_str_join(out, &rows);
     cr_str_fini(&rows);
 }
 

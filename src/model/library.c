@@ -8,8 +8,10 @@
 #include "catalogue/catalogue.h"
 
 #include <assert.h>
+#include <dirent.h>
 #include <math.h>
 #include <pthread.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -48,6 +50,8 @@ struct cache {
     struct cr_model_recipe *recipe[CR_TYPES]; /* NULL: not read yet */
     struct kept kept[CR_TYPES];
     struct finished finished;
+    int barriers;
+    struct cr_barrier barrier[CR_BARRIERS];
     char *own_cars; /* folder of the user's tables */
     struct cr_catalogue *catalogue;
 };
@@ -119,6 +123,72 @@ enum cr_err cr_model_catalogue(const struct cr_model_lib *lib, const struct cr_c
     *out = cache->catalogue;
     pthread_mutex_unlock(&cache->lock);
     return code;
+}
+
+/* the names of the barriers that there are, for who misspelt one */
+static enum cr_err no_barrier(const char *dir, const char *name, struct cr_error *err) {
+    struct dirent **entry = NULL;
+    int n = scandir(dir, &entry, NULL, cr_file_by_bytes);
+    struct cr_str list = {0};
+    for (int i = 0; i < n; i++) {
+        char *dot = strrchr(entry[i]->d_name, '.');
+        if (dot != NULL && dot != entry[i]->d_name && strcmp(dot, ".json") == 0) {
+            cr_str_addf(&list, "%s%.*s", list.len > 0 ? ", " : "", (int)(dot - entry[i]->d_name),
+                        entry[i]->d_name);
+        }
+        free(entry[i]);
+    }
+    if (n >= 0) {
+        free(entry);
+    }
+    enum cr_err rc = cr_err_set(err, CR_ERR_NAME, "no barrier \"%.40s\"", name);
+    if (list.len > 0) {
+        cr_err_hint(err, "one of: %s", cr_str_get(&list));
+    }
+    cr_str_fini(&list);
+    return rc;
+}
+
+static enum cr_err read_barrier(const char *model_dir, const char *name, struct cr_barrier *out,
+                                struct cr_error *err) {
+    char data[4096], dir[4200], path[4300], *text = NULL;
+    size_t len = 0;
+    cr_file_dir(model_dir, data, sizeof data);
+    cr_file_part(data, "barriers", dir, sizeof dir);
+    snprintf(path, sizeof path, "%s/%.40s.json", dir, name);
+    if (name[0] == '\0' || strchr(name, '/') != NULL || cr_file_check_regular(path, NULL)) {
+        return no_barrier(dir, name, err);
+    }
+    enum cr_err rc = cr_file_read_regular(path, &text, &len, err);
+    if (!rc) {
+        rc = cr_barrier_read(text, len, path, out, err);
+    }
+    free(text);
+    return rc;
+}
+
+enum cr_err cr_model_barrier(const struct cr_model_lib *lib, const char *name,
+                             const struct cr_barrier **out, struct cr_error *err) {
+    struct cache *cache = lib->cache;
+    enum cr_err rc = CR_ERR_OK;
+    *out = NULL;
+    pthread_mutex_lock(&cache->lock);
+    for (int i = 0; i < cache->barriers && *out == NULL; i++) {
+        *out = strcmp(cache->barrier[i].name, name) == 0 ? &cache->barrier[i] : NULL;
+    }
+    if (*out == NULL && cache->barriers == CR_BARRIERS) {
+        rc = cr_err_set(err, CR_ERR_RANGE, "more than %d kinds of barriers", CR_BARRIERS);
+    } else if (*out == NULL) {
+        struct cr_barrier *b = &cache->barrier[cache->barriers];
+        rc = read_barrier(lib->dir, name, b, err);
+        if (!rc) {
+            snprintf(b->name, sizeof b->name, "%.31s", name); /* known by its file */
+            cache->barriers++;
+            *out = b;
+        }
+    }
+    pthread_mutex_unlock(&cache->lock);
+    return rc;
 }
 
 static const struct cr_model_recipe *recipe_of(const struct cr_model_lib *lib, enum cr_type type) {

@@ -1,5 +1,6 @@
 noinst_LIBRARIES += libmodel.a
 libmodel_a_SOURCES = \
+	src/model/barrier.c \
 	src/model/body.c \
 	src/model/curve.c \
 	src/model/grid.h \
@@ -21,9 +22,14 @@ dist_models_DATA = \
 	models/station-wagon.json models/super-compact.json models/suv.json
 
 modelschemadir = $(pkgdatadir)/schema
-dist_modelschema_DATA = share/schema/recipe.schema.json share/schema/voxel-model.schema.json
+dist_modelschema_DATA = share/schema/barrier.schema.json share/schema/recipe.schema.json \
+	share/schema/voxel-model.schema.json
 modeldocdir = $(docdir)
 dist_modeldoc_DATA = share/doc/models.md
+barriersdir = $(pkgdatadir)/barriers
+dist_barriers_DATA = \
+	share/barriers/ae-mdb.json share/barriers/fmvss214.json share/barriers/mpdb.json \
+	share/barriers/odb.json share/barriers/r95.json
 typesdir = $(pkgdatadir)/calibration
 dist_types_DATA = share/calibration/types.json
 

@@ -229,6 +229,40 @@ CR_MUST_CHECK enum cr_err cr_voxels_read(const char *path, struct cr_arena *aren
                                          struct cr_voxels *out, char hash[CR_HASH_SIZE],
                                          struct cr_error *err);
 
+/* A deformable barrier (share/barriers/NAME.json): blocks of honeycomb before something rigid. x
+ * runs from the foremost face rearward, y to the left, z from the road, m. */
+enum { CR_BARRIER_BLOCKS = 16, CR_BARRIERS = 16 };
+struct cr_barrier_block {
+    char name[32];
+    double x[2], y[2], z[2];
+    double strength[2]; /* Pa, where its crush begins and ends: it rises evenly between them */
+};
+struct cr_barrier {
+    char name[32], label[64], hash[CR_HASH_SIZE];
+    bool fixed;            /* to the ground: no mass */
+    double mass, inertia;  /* kg, kg m2 about the vertical axis */
+    double cg_behind_face; /* m; fixed: 0 */
+    double length, width;  /* m, of carriage and face together */
+    double mounting;       /* depth of what holds the blocks, m */
+    double carriage_width; /* m */
+    double z_lo, z_hi;     /* of its blocks */
+    double crushable;      /* share of a block's depth; the rest is a solid pack */
+    int blocks;
+    struct cr_barrier_block block[CR_BARRIER_BLOCKS];
+};
+/* Read one. Errors: SYNTAX, MISSING, TYPE, RANGE, KEY, MODEL with JSON pointer. */
+CR_MUST_CHECK enum cr_err cr_barrier_read(const char *text, size_t len, const char *src,
+                                          struct cr_barrier *out, struct cr_error *err);
+/* The barrier of a name, read from the folder barriers beside the recipes on first use. Errors:
+ * NAME with the nearest one, those of cr_barrier_read. */
+CR_MUST_CHECK enum cr_err cr_model_barrier(const struct cr_model_lib *lib, const char *name,
+                                           const struct cr_barrier **out, struct cr_error *err);
+/* Its voxels, body frame from its CG (a fixed one: from the middle of its face), with the strength
+ * of the blocks between two heights. Error: MEMORY. */
+CR_MUST_CHECK enum cr_err cr_barrier_grid(const struct cr_barrier *barrier, double voxel,
+                                          double z_lo, double z_hi, struct cr_arena *arena,
+                                          struct cr_grid *out, struct cr_error *err);
+
 /* A box-shaped object of uniform voxels (deformable barrier): energy per area J/m2 of plan. */
 CR_MUST_CHECK enum cr_err cr_model_block(double length, double width, double voxel,
                                          double joule_per_m2, struct cr_arena *arena,

@@ -117,9 +117,9 @@ double cr_render_t_contact(const struct cr_solution *sol);
  * contact that matters. */
 int cr_render_samples(const struct cr_solution *sol);
 /* The first n values of a quantity as plots show it (g, km/h ...), accelerations filtered with CFC
- * 60 as the reported maxima are; what cannot be filtered (no contact, no memory) is shown as it is.
- */
-void cr_render_series(const struct cr_result *result, int body, enum cr_quantity quantity, int n,
-                      double *y);
+ * 60 as the reported maxima are; what cannot be filtered (no contact) is shown as it is. False
+ * where memory is out for the filter. */
+CR_MUST_CHECK bool cr_render_series(const struct cr_result *result, int body,
+                                    enum cr_quantity quantity, int n, double *y);
 
 #endif

@@ -80,34 +80,39 @@ static double pulse_at(const struct cr_pulse *p, enum cr_quantity quantity, doub
 }
 
 /* The slices of the solver are not of one length: the filter needs the resampled pulse. */
-static bool filtered_series(const struct cr_result *result, int body, enum cr_quantity quantity,
-                            int n, double *y) {
+static enum cr_err filtered_series(const struct cr_result *result, int body,
+                                   enum cr_quantity quantity, int n, double *y) {
     const struct cr_solution *sol = result->solution;
     struct cr_pulse p;
-    const struct cr_outcome *o = &sol->body[body];
-    if (!isfinite(o->t_first) || !isfinite(o->t_last) || !cr_render_final(sol) ||
-        cr_pulse_new(sol, body, cr_vec2(1, 0), 0, &p, NULL) != CR_ERR_OK) {
-        return false;
+    enum cr_err code = cr_pulse_new(sol, body, cr_vec2(1, 0), 0, &p, NULL);
+    if (code != CR_ERR_OK) {
+        return code;
     }
-    bool ok = cr_cfc_filter(60, p.dt, p.ax, p.n, NULL) == CR_ERR_OK &&
-              cr_cfc_filter(60, p.dt, p.ay, p.n, NULL) == CR_ERR_OK;
-    for (int i = 0; ok && i < n; i++) {
+    code = cr_cfc_filter(60, p.dt, p.ax, p.n, NULL);
+    code = code == CR_ERR_OK ? cr_cfc_filter(60, p.dt, p.ay, p.n, NULL) : code;
+    for (int i = 0; code == CR_ERR_OK && i < n; i++) {
         y[i] = pulse_at(&p, quantity, sol->t[i]) * SHOWN[quantity].factor;
     }
     cr_pulse_fini(&p);
-    return ok;
+    return code;
 }
 
-void cr_render_series(const struct cr_result *result, int body, enum cr_quantity quantity, int n,
+bool cr_render_series(const struct cr_result *result, int body, enum cr_quantity quantity, int n,
                       double *y) {
+    const struct cr_outcome *o = &result->solution->body[body];
     bool acceleration =
         quantity == CR_QUANTITIES || quantity == CR_QUANTITY_AX || quantity == CR_QUANTITY_AY;
-    if (acceleration && filtered_series(result, body, quantity, n, y)) {
-        return;
+    if (acceleration && isfinite(o->t_first) && isfinite(o->t_last) &&
+        cr_render_final(result->solution)) {
+        enum cr_err code = filtered_series(result, body, quantity, n, y);
+        if (code == CR_ERR_OK || code == CR_ERR_MEMORY) {
+            return code == CR_ERR_OK;
+        }
     }
     for (int i = 0; i < n; i++) {
         y[i] = value(result->solution, i, body, quantity);
     }
+    return true;
 }
 
 static enum cr_err no_memory(struct cr_error *err) {
@@ -138,11 +143,10 @@ enum cr_err cr_plot_pulse(const struct cr_result *result, enum cr_quantity quant
             continue;
         }
         double *y = cr_arena_take(&out->arena, (size_t)n + 1, sizeof *y);
-        if (y == NULL) {
+        if (y == NULL || !cr_render_series(result, b, quantity, n, y)) {
             t = NULL;
             break;
         }
-        cr_render_series(result, b, quantity, n, y);
         set_name(out->name[b], result, b);
         out->curve[curves++] = (struct cr_curve_line){.x = t,
                                                       .y = y,

@@ -29,6 +29,7 @@ static enum cr_err summary(const struct cr_page *page, struct cr_error *err) {
             cr_str_addf(&text, "  delta-v %.1f km/h", cr_kmh(of->delta_v));
         }
     }
+    page->out->failed = page->out->failed || text.failed;
     enum cr_err code = cr_page_paragraph(page, 0, CR_ROLE_TITLE, cr_str_get(&text), err);
     cr_str_fini(&text);
     return code;
@@ -282,6 +283,7 @@ static enum cr_err notes(const struct cr_page *page, struct cr_error *err) {
     if (r->assumed.n > 0) {
         struct cr_str text = {0};
         cr_render_assumed(r, &text);
+        page->out->failed = page->out->failed || text.failed;
         code = cr_page_heading(page, "Assumed", "not given in the scene: from type and mass", err);
         const char *line = cr_str_get(&text);
         while (*line != '\0' && code == CR_ERR_OK) {
@@ -366,6 +368,7 @@ static enum cr_err tables_and_rest(const struct cr_page *page, struct cr_error *
         half.out = &text[1];
         code = write_all(&half, RIGHT, RIGHTS, err);
     }
+    page->out->failed = page->out->failed || text[0].failed || text[1].failed;
     if (code == CR_ERR_OK) {
         join(page->out, cr_str_get(&text[0]), cr_str_get(&text[1]), half.width + 2);
     }

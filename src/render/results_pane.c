@@ -246,7 +246,10 @@ enum cr_err cr_render_sparks(struct cr_cells *cells, struct cr_rect at, const st
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for the pulse lines");
     }
     for (int k = 0; k < rows; k++) {
-        cr_render_series(result, body[k], CR_QUANTITIES, n, y + k * n);
+        if (!cr_render_series(result, body[k], CR_QUANTITIES, n, y + k * n)) {
+            free(y);
+            return cr_err_set(err, CR_ERR_MEMORY, "no memory for the pulse lines");
+        }
         for (int i = 0; i < n; i++) {
             most = fmax(most, y[k * n + i]);
         }

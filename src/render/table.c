@@ -88,7 +88,9 @@ static double get_impacts(const struct source *s) {
 static void put_type(const struct source *s, char *buf, int size) {
     const struct cr_participant *part = &s->result->resolved.part[s->body];
     snprintf(buf, (size_t)size, "%s",
-             part->kind == CR_KIND_VEHICLE ? cr_type_word(part->type) : "object");
+             part->kind == CR_KIND_VEHICLE      ? cr_type_word(part->type)
+             : part->shape == CR_OBJECT_BARRIER ? "barrier"
+                                                : "object");
 }
 
 static void put_model(const struct source *s, char *buf, int size) {

@@ -68,17 +68,20 @@ static void fault(void *user, const struct cr_fault *f) {
     shown.many = f->many || CR_PROMPT_WIDTH + (int)strlen(f->text) >= width;
     cr_fault_text(&shown, t->prompt ? CR_PROMPT_WIDTH : -1, &lines);
     fflush(stdout);
-    fputs(cr_str_get(&lines), t->prompt ? stdout : stderr);
+    fputs(lines.failed ? "error: out of memory\n" : cr_str_get(&lines),
+          t->prompt ? stdout : stderr);
     cr_str_fini(&lines);
 }
 
-static void cells(void *user, const struct cr_cells *picture, const struct cr_look *look) {
+static bool cells(void *user, const struct cr_cells *picture, const struct cr_look *look) {
     struct cr_terminal *t = user;
     struct cr_str lines = {0};
     clear_progress(t);
     cr_cells_text(picture, look, &lines);
-    fputs(cr_str_get(&lines), stdout);
+    bool whole = !lines.failed;
+    fputs(whole ? cr_str_get(&lines) : "", stdout);
     cr_str_fini(&lines);
+    return whole;
 }
 
 enum { BAR = 24 };

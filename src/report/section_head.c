@@ -20,8 +20,11 @@ static int measure_index(const struct cr_measure *m) {
 static bool range_of(const struct cr_paper *p, int body, const struct cr_measure *m,
                      double range[2]) {
     struct cr_mc_stats stats;
-    if (p->s->mc == NULL ||
-        cr_mc_stats(p->s->mc, body, measure_index(m), &stats, NULL) != CR_ERR_OK || stats.n < 10) {
+    enum cr_err code = p->s->mc == NULL
+                           ? CR_ERR_MISSING
+                           : cr_mc_stats(p->s->mc, body, measure_index(m), &stats, NULL);
+    p->doc->failed = p->doc->failed || code == CR_ERR_MEMORY;
+    if (code != CR_ERR_OK || stats.n < 10) {
         return false;
     }
     const struct cr_unit *unit = cr_measure_unit(m);

@@ -56,6 +56,7 @@ static void value_row(struct cr_paper *p, const char *id, const struct cr_key *k
             row->marked = guess;
         }
     }
+    p->doc->failed = p->doc->failed || value.failed;
     cr_str_fini(&value);
 }
 

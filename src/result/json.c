@@ -76,7 +76,7 @@ static bool put_input(const struct cr_result *r, const struct cr_result_opts *op
         cr_str_fini(&s);
     }
     if (r->irf_hash[0] != '\0' && opts->version != 1) {
-        cJSON_AddStringToObject(input, "irf_sha256", r->irf_hash);
+        cr_tree_text(input, "irf_sha256", r->irf_hash);
     }
     if (!put_origin(r, input)) {
         return false;
@@ -133,6 +133,9 @@ static void put_participants(const struct cr_result *r, int version, cJSON *json
         }
         if (r->compiled.cs.body[i].mass > 0 && version > 1) {
             cr_json_totals(&r->of[i], p);
+        }
+        if (!vehicle && r->resolved.part[i].shape == CR_OBJECT_BARRIER) {
+            cr_json_barrier(r, i, p);
         }
         if (vehicle) {
             cr_json_deformation(&r->of[i], version, p);

@@ -127,6 +127,18 @@ void cr_json_injury(const struct cr_severity *s, cJSON *p) {
     }
 }
 
+/* What a deformable barrier took, also one that is fixed and so has no motion to tell. */
+void cr_json_barrier(const struct cr_result *r, int i, cJSON *p) {
+    const struct cr_severity *s = &r->of[i];
+    double plastic = r->solution->balance.plastic;
+    cJSON *one = cr_tree_object(p, "barrier");
+    cr_tree_text(one, "name", r->resolved.part[i].barrier);
+    cr_json_put(one, "energy_kJ", s->energy / 1e3);
+    cr_json_put(one, "energy_share", plastic > 0 ? s->energy / plastic : (double)NAN);
+    cr_json_put(one, "depth_m", s->face_depth_dynamic);
+    cr_json_put(one, "area_m2", s->deformation_area);
+}
+
 void cr_json_totals(const struct cr_severity *s, cJSON *p) {
     cr_json_put(p, "delta_v_net_kmh", cr_kmh(s->delta_v_net));
     cr_json_put(p, "impacts", s->impacts);

@@ -62,6 +62,9 @@ static const struct cr_sample *sample(const struct cr_solution *sol, int k, int 
 static bool swallowed(const struct cr_result *r, const struct cr_impact *k, int side) {
     const struct cr_solution *sol = r->solution;
     int i = k->body[side], other = k->body[!side];
+    if (!(r->compiled.cs.body[i].mass > 0)) { /* a fixed barrier's place is its face, not its CG */
+        return false;
+    }
     for (int n = 0; n < sol->samples; n++) {
         if (sol->t[n] < k->t_begin || sol->t[n] > k->t_end) {
             continue;

@@ -248,10 +248,10 @@ static void warn_part(struct cr_result *r) {
                    1e3 * (sol->t[sol->samples - 1] - sol->t_contact));
 }
 
-/* objects are rigid: they do not crush each other */
+/* objects but barriers are rigid: they do not crush each other */
 static enum cr_err need_vehicle(const struct cr_scene *scene, struct cr_error *err) {
     for (int i = 0; i < scene->n; i++) {
-        if (scene->part[i].kind == CR_KIND_VEHICLE) {
+        if (scene->part[i].kind == CR_KIND_VEHICLE || scene->part[i].shape == CR_OBJECT_BARRIER) {
             return CR_ERR_OK;
         }
     }

@@ -138,7 +138,7 @@ static enum cr_err check_object(struct cr_reader *r, const struct cr_participant
                  p->edge_radius, half);
         return at_key(r, "edge_radius_m", "a box rounded all over is a pole", text);
     }
-    if (isnan(p->mass)) {
+    if (isnan(p->mass) && p->shape != CR_OBJECT_BARRIER) {
         const char *hint = "give it mass_kg if it shall move";
         if (p->speed != 0) {
             return at_key(r, "speed_kmh", hint, "an object without mass is fixed and has no speed");

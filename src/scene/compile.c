@@ -243,11 +243,30 @@ static enum cr_err make_polygon(struct making *m, const struct cr_participant *p
     return CR_ERR_OK;
 }
 
+/* A barrier is voxels as a vehicle is, of the blocks in its heights. */
+static enum cr_err make_barrier(struct making *m, int i, struct cr_body *body) {
+    const struct cr_participant *p = &m->scene->part[i];
+    const struct cr_barrier *b;
+    enum cr_err code = cr_model_barrier(m->lib, p->barrier, &b, m->err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    body->mass = isnan(p->mass) ? 0 : p->mass;
+    body->inertia = p->yaw_inertia;
+    memcpy(m->out->hash[i], b->hash, sizeof m->out->hash[i]);
+    snprintf(m->out->model[i], sizeof m->out->model[i], "barrier %s", p->barrier);
+    return cr_barrier_grid(b, m->scene->set.voxel, p->z_lo, p->z_hi, &m->out->arena, &body->grid,
+                           m->err);
+}
+
 /* The solver's bodies turn about their CG: a polygon is moved to its centroid. */
 static enum cr_err make_object(struct making *m, int i, struct cr_body *body,
                                struct cr_vec2 *centre) {
     const struct cr_participant *p = &m->scene->part[i];
     double inertia;
+    if (p->shape == CR_OBJECT_BARRIER) {
+        return make_barrier(m, i, body);
+    }
     shape_moments(p, centre, &inertia);
     body->mass = isnan(p->mass) ? 0 : p->mass;
     body->inertia = inertia * body->mass;
@@ -456,7 +475,8 @@ static enum cr_err make_layers(struct making *m, int i, int k) {
  * heights in which the two meet. */
 static enum cr_err make_against(struct making *m, int i, int k) {
     bool flank = !cr_face_is_end(struck_face(m, i, k));
-    bool vehicle = m->scene->part[k].kind == CR_KIND_VEHICLE;
+    const struct cr_participant *other = &m->scene->part[k];
+    bool vehicle = other->kind == CR_KIND_VEHICLE || other->shape == CR_OBJECT_BARRIER;
     bool by_push = cr_scene_by_push(&m->scene->part[i]);
     if (vehicle && !by_push && flank && cr_face_is_end(struck_face(m, k, i))) {
         return make_flank(m, i, &m->out->cs.body[i].against[k]);

@@ -42,7 +42,7 @@
 static const char *const method_words[] = {"extended", "paper"};
 static const char *const end_words[] = {"separation", "rest"};
 static const char *const kind_words[] = {"vehicle", "object"};
-static const char *const shape_words[] = {"wall", "pole", "box", "polygon"};
+static const char *const shape_words[] = {"wall", "pole", "box", "polygon", "barrier"};
 static const char *const type_words[] = {
 #define X(name, word) word,
     CR_TYPE_LIST(X)
@@ -105,7 +105,7 @@ static const struct cr_key settings_keys[] = {
 static const struct cr_key participant_keys[] = {
     TEXT("id", ANY, cr_participant, id, CR_NAME_MAX, "name, unique"),
     WORD("kind", ANY, cr_participant, kind, kind_words, "vehicle or object"),
-    WORD("shape", O, cr_participant, shape, shape_words, "rigid outline"),
+    WORD("shape", O, cr_participant, shape, shape_words, "rigid outline, or barrier: deformable"),
     {ROW("car", CR_KEY_TEXT, V, 0, IN(cr_participant, car),
          "car of the catalogue by make, model and year, for what is not given"),
      .aux = CR_NAME_MAX},
@@ -118,7 +118,7 @@ static const struct cr_key participant_keys[] = {
            "mass the structure was built for, which its strength goes by"),
     NUMBER("load_kg", V, 0, "kg", MASS, 0, 60000, NAN, load, "occupants and cargo"),
     NUMBER("mass_kg", O, 0, "kg", MASS, 0.1, 1e7, NAN, mass,
-           "mass; without one the object is fixed to the ground"),
+           "mass; without one the object is fixed to the ground, a barrier has its own"),
     NUMBER("length_m", V, 0, "m", LENGTH, 1, 30, NAN, length, "overall length"),
     NUMBER("width_m", V, 0, "m", LENGTH, 0.4, 4, NAN, width, "overall width without mirrors"),
     NUMBER("length_m", CR_FOR_BOX, CR_FOR_BOX, "m", LENGTH, 0.01, 1000, NAN, length,
@@ -158,6 +158,9 @@ static const struct cr_key participant_keys[] = {
           "steer angle to the left, or one per wheel fl fr rl rr"),
     OTHER("locked", LOCKED, V, 0, "", NUMBER, 0, 1, locked,
           "wheels that do not turn, or one per wheel fl fr rl rr"),
+    {ROW("barrier", CR_KEY_TEXT, CR_FOR_BARRIER, CR_FOR_BARRIER, IN(cr_participant, barrier),
+         "which deformable barrier: odb, mpdb, fmvss214, r95, ae-mdb"),
+     .aux = CR_BARRIER_NAME},
     NUMBER("radius_m", CR_FOR_POLE, CR_FOR_POLE, "m", LENGTH, 0.01, 50, NAN, radius, "of the pole"),
     NUMBER("edge_radius_m", CR_FOR_BOX, 0, "m", LENGTH, 0, 50, 0, edge_radius,
            "of its upright edges"),
@@ -212,7 +215,8 @@ unsigned cr_scene_kind_mask(const struct cr_participant *part) {
 }
 
 const char *cr_scene_kind_word(unsigned mask) {
-    static const char *const words[] = {"a vehicle", "a wall", "a pole", "a box", "a polygon"};
+    static const char *const words[] = {"a vehicle", "a wall",    "a pole",
+                                        "a box",     "a polygon", "a barrier"};
     for (unsigned i = 0; i < COUNT(words); i++) {
         if (mask == 1U << i) {
             return words[i];

@@ -24,8 +24,11 @@ libscene_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)
 
 scenesdir = $(pkgdatadir)/scenes
 dist_scenes_DATA = \
+	share/scenes/mdb-62.json \
 	share/scenes/moving-box.json \
+	share/scenes/mpdb-50.json \
 	share/scenes/oblique-wall.json \
+	share/scenes/odb-64.json \
 	share/scenes/offset-car.json \
 	share/scenes/pole-side.json \
 	share/scenes/q7-fiat500.json \

@@ -42,7 +42,7 @@ int cr_scene_outline(const struct cr_participant *p, struct cr_vec2 *out, int ma
         return 0;
     }
     double front = p->front_overhang + p->cg_behind_front_axle;
-    if (p->kind == CR_KIND_VEHICLE) {
+    if (p->kind == CR_KIND_VEHICLE || p->shape == CR_OBJECT_BARRIER) {
         bool known = isfinite(front) && isfinite(p->length) && isfinite(p->width);
         return known ? rectangle(front - p->length, front, p->width / 2, out) : 0;
     }
@@ -60,6 +60,8 @@ int cr_scene_outline(const struct cr_participant *p, struct cr_vec2 *out, int ma
             out[i] = p->vertex[i];
         }
         return p->vertices <= max ? p->vertices : 0;
+    case CR_OBJECT_BARRIER:
+        break;
     }
     return 0;
 }

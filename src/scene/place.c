@@ -12,12 +12,14 @@ struct hull {
     int n;
     struct cr_vec2 corner[CORNER_MAX];
     double radius;
+    bool barrier; /* overlaps with it are shares of the other's width, as test protocols count */
 };
 
 static void hull_of(const struct cr_participant *p, struct hull *out) {
     struct cr_participant plain = *p;
     bool rounded = p->kind == CR_KIND_OBJECT && p->shape == CR_OBJECT_BOX;
     out->radius = 0;
+    out->barrier = p->kind == CR_KIND_OBJECT && p->shape == CR_OBJECT_BARRIER;
     if (p->kind == CR_KIND_OBJECT && p->shape == CR_OBJECT_POLE) {
         out->n = 1;
         out->corner[0] = cr_vec2(0, 0);
@@ -98,6 +100,7 @@ static bool bring_together(struct hull a, const struct hull *b, struct cr_vec2 t
 struct face {
     struct cr_vec2 middle, normal; /* the face's outward normal */
     double left, right;            /* its ends along perp(normal): +left, -right */
+    double counted;                /* width that an overlap is a share of, m */
     bool endless;
 };
 
@@ -145,8 +148,7 @@ static enum cr_err offset_of(const struct cr_place *how, const struct face *f, d
         return CR_ERR_OK;
     }
     /* the band of the part begins where the overlap ends, counted from the struck one's edge */
-    double narrow = 2 * fmin(half, f->left);
-    *offset = how->overlap_side * (f->left - how->overlap * narrow + half);
+    *offset = how->overlap_side * (f->left - how->overlap * f->counted + half);
     return CR_ERR_OK;
 }
 
@@ -246,6 +248,7 @@ static enum cr_err find_pose(const struct cr_participant *other, const struct hu
     struct face f = face_of(other, theirs, how->side);
     extent(mine, &front, &rear, &left, &right);
     double half = (left - right) / 2, size = hypot(front - rear, left - right);
+    f.counted = 2 * (theirs->barrier ? half : mine->barrier ? f.left : fmin(half, f.left));
     extent(theirs, &front, &rear, &left, &right);
     enum cr_err code = offset_of(how, &f, half, front, &offset, err);
     if (code != CR_ERR_OK) {

@@ -69,7 +69,7 @@ static enum cr_err read_identity(struct cr_reader *r, const cJSON *json,
     memcpy(part->id, id, sizeof id);
     code = read_ahead(r, json, "shape", part, &found);
     if (code == CR_ERR_OK && !found && !r->draft) {
-        code = missing(r, "shape", "wall, pole, box or polygon");
+        code = missing(r, "shape", "wall, pole, box, polygon or barrier");
     }
     return code;
 }

@@ -173,9 +173,38 @@ static enum cr_err resolve_vehicle(struct cr_participant *p, const struct cr_mod
     return CR_ERR_OK;
 }
 
+/* A barrier brings its sizes, and its mass where it is not fixed and none was given; its CG lies
+ * behind its front as in a vehicle, that of a fixed one in the middle of its face. */
+static enum cr_err resolve_barrier(struct cr_participant *p, const struct cr_model_lib *lib,
+                                   struct cr_error *err) {
+    const struct cr_barrier *b;
+    enum cr_err code = cr_model_barrier(lib, p->barrier, &b, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    p->length = b->length;
+    p->width = b->width;
+    p->height = b->z_hi;
+    p->front_overhang = 0;
+    p->cg_behind_front_axle = b->cg_behind_face;
+    p->z_lo = isnan(p->z_lo) ? b->z_lo : p->z_lo;
+    p->z_hi = isnan(p->z_hi) ? b->z_hi : p->z_hi;
+    p->mass = isnan(p->mass) && !b->fixed ? b->mass : p->mass;
+    p->yaw_inertia = b->fixed ? 0 : b->inertia * p->mass / b->mass;
+    if (b->fixed && !isnan(p->mass)) {
+        cr_err_set(err, CR_ERR_RANGE, "barrier %s stands fixed, it has no mass", p->barrier);
+        cr_err_hint(err, "leave mass_kg out, or take mpdb, fmvss214, r95 or ae-mdb");
+        return CR_ERR_RANGE;
+    }
+    return CR_ERR_OK;
+}
+
 /* without a height range an object is as high as a vehicle at least: 0 to 3 m */
-static enum cr_err resolve_object(struct cr_participant *p, struct cr_assuming *a,
-                                  struct cr_error *err) {
+static enum cr_err resolve_object(struct cr_participant *p, const struct cr_model_lib *lib,
+                                  struct cr_assuming *a, struct cr_error *err) {
+    if (p->shape == CR_OBJECT_BARRIER) {
+        return resolve_barrier(p, lib, err);
+    }
     if (!isnan(p->z_lo)) {
         return CR_ERR_OK;
     }
@@ -207,12 +236,14 @@ static enum cr_err resolve_part(struct cr_reader *r, struct cr_participant *p,
     }
     if (code == CR_ERR_OK) {
         code = p->kind == CR_KIND_VEHICLE ? resolve_vehicle(p, lib, a, r->err)
-                                          : resolve_object(p, a, r->err);
+                                          : resolve_object(p, lib, a, r->err);
         bool placeless = code != CR_ERR_OK && r->err != NULL && r->err->src[0] == '\0' &&
                          r->err->where[0] == '\0';
         if (placeless) { /* a car that is not in the catalogue: here is who named it */
             snprintf(r->err->where, sizeof r->err->where, "%s%s", r->path,
-                     p->car[0] != '\0' ? "/car" : "");
+                     p->car[0] != '\0'                                            ? "/car"
+                     : p->shape == CR_OBJECT_BARRIER && p->kind == CR_KIND_OBJECT ? "/barrier"
+                                                                                  : "");
         }
     }
     if (isnan(p->course) && p->waypoints == 0) {

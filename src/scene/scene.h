@@ -17,7 +17,7 @@
 
 /* names (of scenes, pairs, participants) have up to 63 characters, each of up to four bytes */
 enum { CR_NAME_CHARS = 63, CR_NAME_MAX = 4 * CR_NAME_CHARS + 1 };
-enum { CR_PATH_MAX = 512, CR_VERTEX_MAX = 64, CR_WAYPOINT_MAX = 100000 };
+enum { CR_BARRIER_NAME = 32, CR_PATH_MAX = 512, CR_VERTEX_MAX = 64, CR_WAYPOINT_MAX = 100000 };
 
 /* Where an imported scene comes from: texts, "" where nothing is known. */
 enum cr_source {
@@ -83,7 +83,13 @@ struct cr_settings {
 };
 
 enum cr_kind { CR_KIND_VEHICLE, CR_KIND_OBJECT };
-enum cr_object { CR_OBJECT_WALL, CR_OBJECT_POLE, CR_OBJECT_BOX, CR_OBJECT_POLYGON };
+enum cr_object {
+    CR_OBJECT_WALL,
+    CR_OBJECT_POLE,
+    CR_OBJECT_BOX,
+    CR_OBJECT_POLYGON,
+    CR_OBJECT_BARRIER
+};
 enum cr_model_kind { CR_MODEL_TYPE, CR_MODEL_FILE, CR_MODEL_STIFFNESS };
 enum cr_pdof_kind { CR_PDOF_AUTO, CR_PDOF_GIVEN };
 
@@ -106,7 +112,8 @@ struct cr_participant {
                                      motion by the mass, which is kerb mass and load */
     double length, width, height; /* m */
     double friction;              /* of its surface, NaN: the setting */
-    struct cr_vec2 pos;           /* CG of a vehicle, reference point of an object, m */
+    struct cr_vec2 pos;           /* CG of a vehicle or of a moving barrier, middle of the face of a
+                                     fixed one, reference point of other objects, m */
     double heading, course;       /* rad; course NaN: the heading */
     double speed, yaw_rate;       /* m/s, rad/s */
     int waypoints;                /* > 0: instead of pos, heading, speed */
@@ -121,6 +128,8 @@ struct cr_participant {
     /* object */
     enum cr_object shape;
     double radius, edge_radius;
+    char barrier[CR_BARRIER_NAME]; /* of the folder barriers; resolving gives it the sizes, and what
+                                      its mass and place of the CG are */
     int vertices;
     struct cr_vec2 vertex[CR_VERTEX_MAX];
     double z_lo, z_hi; /* height range of an object, m */

@@ -237,7 +237,7 @@ static void table_schema(struct build *b, cJSON *properties, enum cr_key_table t
 }
 
 /* position and motion, or a trajectory; what has no mass does not move */
-static void motion_rules(struct build *b, cJSON *to, bool vehicle) {
+static void motion_rules(struct build *b, cJSON *to, bool has_mass) {
     static const char *const rivals[] = {"position_m", "heading_deg", "course_deg", "speed_kmh",
                                          "yaw_rate_deg_s"};
     cJSON *all = array(b, to, "allOf"), *one = object(b, all, NULL);
@@ -247,7 +247,7 @@ static void motion_rules(struct build *b, cJSON *to, bool vehicle) {
         add(b, then, rivals[i], cJSON_CreateBool(0));
     }
     text(b, array(b, object(b, one, "else"), "required"), NULL, "position_m");
-    if (vehicle) {
+    if (has_mass) {
         return;
     }
     cJSON *two = object(b, all, NULL);
@@ -294,7 +294,7 @@ static void participant_schema(struct build *b, cJSON *defs, unsigned mask) {
             text(b, array(b, object(b, any, NULL), "required"), NULL, masses[i]);
         }
     }
-    motion_rules(b, to, vehicle);
+    motion_rules(b, to, vehicle || mask == CR_FOR_BARRIER); /* a barrier may bring its own */
 }
 
 static void top_schema(struct build *b) {
@@ -314,7 +314,7 @@ static void top_schema(struct build *b) {
     text(b, required, NULL, "participants");
     cJSON *defs = object(b, root, "$defs");
     table_schema(b, closed(b, object(b, defs, "settings")), CR_KEYS_SETTINGS, 0);
-    for (unsigned mask = CR_FOR_VEHICLE; mask <= CR_FOR_POLYGON; mask <<= 1) {
+    for (unsigned mask = CR_FOR_VEHICLE; mask <= CR_FOR_BARRIER; mask <<= 1) {
         char ref[32];
         snprintf(ref, sizeof ref, "#/$defs/%s", cr_scene_kind_word(mask) + strlen("a "));
         text(b, object(b, one, NULL), "$ref", ref);

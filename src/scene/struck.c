@@ -20,12 +20,12 @@ static const double small = 0.5;
 
 /* box of a participant about the origin of its body */
 static struct box box_of(const struct cr_participant *p) {
-    bool box = p->kind == CR_KIND_VEHICLE || p->shape == CR_OBJECT_BOX;
+    bool from_front = p->kind == CR_KIND_VEHICLE || p->shape == CR_OBJECT_BARRIER;
+    bool box = from_front || p->shape == CR_OBJECT_BOX;
     double length = box ? p->length : 2 * p->radius, width = box ? p->width : 2 * p->radius;
     length = isfinite(length) ? length : small;
     width = isfinite(width) ? width : small;
-    double front =
-        p->kind == CR_KIND_VEHICLE ? p->cg_behind_front_axle + p->front_overhang : length / 2;
+    double front = from_front ? p->cg_behind_front_axle + p->front_overhang : length / 2;
     return (struct box){{front - length, front}, {-width / 2, width / 2}};
 }
 

@@ -3,6 +3,7 @@
 
 #include "base/file.h"
 #include "base/json.h"
+#include "base/tree.h"
 
 #include <cjson/cJSON.h>
 #include <math.h>
@@ -11,17 +12,17 @@
 
 static cJSON *rules_json(const struct cr_crush_rules *r) {
     static const char *const ends[CR_MODEL_ENDS] = {"front", "side", "rear"};
-    cJSON *o = cJSON_CreateObject(), *faces = cJSON_AddObjectToObject(o, "faces");
+    cJSON *o = cJSON_CreateObject(), *faces = cr_tree_object(o, "faces");
     for (int i = 0; i < CR_MODEL_ENDS; i++) {
-        cJSON *face = cJSON_AddObjectToObject(faces, ends[i]);
-        cJSON_AddNumberToObject(face, "rise_m", round(r->rise[i] * 1e4) / 1e4);
-        cJSON_AddNumberToObject(face, "level", round(r->level[i] * 1e4) / 1e4);
-        cJSON_AddNumberToObject(face, "energy_log_sd", round(r->log_sd[i] * 1e4) / 1e4);
+        cJSON *face = cr_tree_object(faces, ends[i]);
+        cr_tree_number(face, "rise_m", round(r->rise[i] * 1e4) / 1e4);
+        cr_tree_number(face, "level", round(r->level[i] * 1e4) / 1e4);
+        cr_tree_number(face, "energy_log_sd", round(r->log_sd[i] * 1e4) / 1e4);
     }
-    cJSON_AddNumberToObject(o, "ramp_m", r->ramp);
-    cJSON_AddNumberToObject(o, "oblique", round(r->oblique * 1e4) / 1e4);
-    cJSON_AddNumberToObject(o, "recorder_drag_kmh", cr_kmh(r->drag));
-    cJSON_AddNumberToObject(o, "recorder_noise", r->noise);
+    cr_tree_number(o, "ramp_m", r->ramp);
+    cr_tree_number(o, "oblique", round(r->oblique * 1e4) / 1e4);
+    cr_tree_number(o, "recorder_drag_kmh", cr_kmh(r->drag));
+    cr_tree_number(o, "recorder_noise", r->noise);
     return o;
 }
 
@@ -34,12 +35,12 @@ enum cr_err cr_field_write(const struct cr_crush_rules *all,
     snprintf(basis, sizeof basis,
              "%d recorders of share/validation/field/crush_edr.csv (filter.csv); folds by case",
              field->n);
-    cJSON_AddNumberToObject(root, "crumple_damage_calibration", 1);
-    cJSON_AddStringToObject(root, "basis", basis);
-    cJSON_AddStringToObject(root, "made_by", "crumple calibrate-damage");
-    cJSON *list = cJSON_AddArrayToObject(root, "folds");
+    cr_tree_number(root, "crumple_damage_calibration", 1);
+    cr_tree_text(root, "basis", basis);
+    cr_tree_text(root, "made_by", "crumple calibrate-damage");
+    cJSON *list = cr_tree_array(root, "folds");
     for (int i = 0; i < CR_FIELD_FOLDS; i++) {
-        cJSON_AddItemToArray(list, rules_json(&folds[i]));
+        cr_tree_push(list, rules_json(&folds[i]));
     }
     bool done = cr_json_add(root, true, out);
     cr_str_add(out, "\n");

@@ -2,6 +2,7 @@
 #include "trial/field.h"
 
 #include "base/json.h"
+#include "base/tree.h"
 
 #include <cjson/cJSON.h>
 #include <math.h>
@@ -124,7 +125,7 @@ static cJSON *number(double x) {
 }
 
 static void add_summary(cJSON *to, const char *name, const struct cr_field_result *r) {
-    cJSON *o = cJSON_AddObjectToObject(to, name);
+    cJSON *o = cr_tree_object(to, name);
     const struct {
         const char *key;
         double value;
@@ -141,23 +142,23 @@ static void add_summary(cJSON *to, const char *name, const struct cr_field_resul
         {"winsmash_median_percent", r->smash.median},
         {"winsmash_log_sd", r->smash.log_sd},
     };
-    cJSON_AddNumberToObject(o, "n", r->own.n);
-    cJSON_AddNumberToObject(o, "winsmash_n", r->smash.n);
+    cr_tree_number(o, "n", r->own.n);
+    cr_tree_number(o, "winsmash_n", r->smash.n);
     for (size_t i = 0; i < sizeof values / sizeof values[0]; i++) {
-        cJSON_AddItemToObject(o, values[i].key, number(values[i].value));
+        cr_tree_put(o, values[i].key, number(values[i].value));
     }
 }
 
 static cJSON *row_json(const struct cr_field_row *r) {
     cJSON *o = cJSON_CreateObject();
-    cJSON_AddStringToObject(o, "case", r->name);
-    cJSON_AddNumberToObject(o, "line", r->line);
-    cJSON_AddStringToObject(o, "kind", cr_field_kind_word(r->kind));
-    cJSON_AddStringToObject(o, "type", cr_type_word(r->what.car[0].p->type));
-    cJSON_AddStringToObject(o, "face", cr_crush_face_word(r->what.car[0].m.face));
-    cJSON_AddItemToObject(o, "recorder_kmh", number(cr_kmh(r->measured)));
-    cJSON_AddItemToObject(o, "damage_kmh", number(cr_kmh(r->value)));
-    cJSON_AddItemToObject(o, "winsmash_kmh", number(cr_kmh(r->winsmash)));
+    cr_tree_text(o, "case", r->name);
+    cr_tree_number(o, "line", r->line);
+    cr_tree_text(o, "kind", cr_field_kind_word(r->kind));
+    cr_tree_text(o, "type", cr_type_word(r->what.car[0].p->type));
+    cr_tree_text(o, "face", cr_crush_face_word(r->what.car[0].m.face));
+    cr_tree_put(o, "recorder_kmh", number(cr_kmh(r->measured)));
+    cr_tree_put(o, "damage_kmh", number(cr_kmh(r->value)));
+    cr_tree_put(o, "winsmash_kmh", number(cr_kmh(r->winsmash)));
     return o;
 }
 
@@ -166,15 +167,15 @@ enum cr_err cr_field_json(const struct cr_field_table *field, const struct cr_fi
                           struct cr_error *err) {
     cJSON *root = cJSON_CreateObject();
     struct cr_field_result r;
-    cJSON_AddStringToObject(root, "class", "field");
-    cJSON_AddBoolToObject(root, "cross_validated", form->crossed);
-    cJSON_AddNumberToObject(root, "left_out_by_filter", field->dropped);
-    cJSON_AddNumberToObject(root, "recorder_noise_percent", 100 * rules->noise);
-    cJSON *rows = cJSON_AddArrayToObject(root, "rows");
+    cr_tree_text(root, "class", "field");
+    cr_tree_bool(root, "cross_validated", form->crossed);
+    cr_tree_number(root, "left_out_by_filter", field->dropped);
+    cr_tree_number(root, "recorder_noise_percent", 100 * rules->noise);
+    cJSON *rows = cr_tree_array(root, "rows");
     for (int i = 0; i < field->n; i++) {
-        cJSON_AddItemToArray(rows, row_json(&field->row[i]));
+        cr_tree_push(rows, row_json(&field->row[i]));
     }
-    cJSON *summary = cJSON_AddObjectToObject(root, "summary");
+    cJSON *summary = cr_tree_object(root, "summary");
     enum cr_err code = cr_field_result(field, -1, -1, &r, err);
     if (code == CR_ERR_OK) {
         add_summary(summary, "all", &r);
@@ -185,7 +186,7 @@ enum cr_err cr_field_json(const struct cr_field_table *field, const struct cr_fi
             add_summary(summary, cr_field_kind_word((enum cr_field_kind)k), &r);
         }
     }
-    cJSON *types = cJSON_AddObjectToObject(root, "types");
+    cJSON *types = cr_tree_object(root, "types");
     for (int t = 0; t < CR_TYPES && code == CR_ERR_OK; t++) {
         code = cr_field_result(field, -1, t, &r, err);
         if (code == CR_ERR_OK) {

@@ -4,7 +4,8 @@ crumple_bench_SOURCES = tests/bench/bench.c
 crumple_bench_CFLAGS = $(CR_CFLAGS)
 crumple_bench_LDADD = libresult.a libscene.a libsolver.a libmodel.a libbase.a $(CJSON_LIBS) \
 	$(NETTLE_LIBS)
-EXTRA_DIST += tests/bench/wall.json tests/bench/pole.json tests/bench/same.sh
+EXTRA_DIST += tests/bench/wall.json tests/bench/pole.json tests/bench/same.sh \
+	tests/bench/random.py
 CLEANFILES += crumple-bench
 
 bench: crumple$(EXEEXT) crumple-bench$(EXEEXT)

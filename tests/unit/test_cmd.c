@@ -31,11 +31,12 @@ static void hear_fault(void *user, const struct cr_fault *fault) {
     cr_fault_text(fault, 9, &h->faults);
 }
 
-static void hear_cells(void *user, const struct cr_cells *cells, const struct cr_look *look) {
+static bool hear_cells(void *user, const struct cr_cells *cells, const struct cr_look *look) {
     struct heard *h = user;
     (void)look;
     assert_true(cells->w > 0 && cells->h > 0);
     h->pictures++;
+    return true;
 }
 
 static int hear_question(void *user, const char *question, const char *answers) {

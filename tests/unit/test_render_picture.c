@@ -342,7 +342,7 @@ static void test_pulse_of_uneven_slices(void **state) {
     for (int pass = 0; pass < 2; pass++) {
         int n = cr_render_samples(&d.solution);
         assert_in_range(n, pass == 0 ? 170 : 130, pass == 0 ? 180 : 140);
-        cr_render_series(&d.result, 0, CR_QUANTITIES, n, y);
+        assert_true(cr_render_series(&d.result, 0, CR_QUANTITIES, n, y));
         for (int i = 0; i < n; i++) {
             most[pass] = fmax(most[pass], y[i]);
         }
