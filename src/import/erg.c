@@ -121,7 +121,8 @@ static enum cr_err find_channels(const struct carmaker *cm, struct moving *m, co
         code = m->at[ch] >= 0 ? check_unit(cm, m->at[ch], channels[ch].dim, err) : CR_ERR_OK;
     }
     if (code == CR_ERR_OK && m->at[CH_V] < 0 && (m->at[CH_VX] < 0 || m->at[CH_VY] < 0)) {
-        code = lacks(cm, m->id, car ? "Car.v" : "LongVel", err);
+        snprintf(name, sizeof name, "Traffic.%s.%s", m->id, channels[CH_V].traffic);
+        code = lacks(cm, m->id, car ? channels[CH_V].car[0] : name, err);
     }
     return code;
 }
@@ -134,7 +135,11 @@ static enum cr_err add_car(struct carmaker *cm, const char *id, const cJSON *own
     struct moving *m = &cm->car[cm->n++];
     snprintf(m->id, sizeof m->id, "%.127s", id);
     enum cr_err code = find_channels(cm, m, own, err);
-    return code == CR_ERR_OK ? cr_import_add(cm->im, id, CR_KIND_VEHICLE, &m->p, err) : code;
+    code = code == CR_ERR_OK ? cr_import_add(cm->im, id, CR_KIND_VEHICLE, &m->p, err) : code;
+    if (code == CR_ERR_OK) {
+        cr_import_sizeless(cm->im, m->p);
+    }
+    return code;
 }
 
 /* the car, and what has a place under "Traffic."; or those that a map names */

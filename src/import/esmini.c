@@ -56,8 +56,15 @@ static enum cr_err dat_row(struct cr_import *im, const struct cr_csv *csv, const
         return code;
     }
     struct cr_participant *p = cr_import_find(im, name);
-    code = p == NULL ? cr_import_add(im, name, CR_KIND_VEHICLE, &p, err) : CR_ERR_OK;
-    code = code == CR_ERR_OK ? cr_import_row(im, p, &row, err) : code;
+    if (p == NULL) {
+        code = cr_import_add(im, name, CR_KIND_VEHICLE, &p, err);
+        if (code != CR_ERR_OK) {
+            cr_err_place(err, im->shown, cr_csv_line(csv), 0);
+            return code;
+        }
+        cr_import_sizeless(im, p);
+    }
+    code = cr_import_row(im, p, &row, err);
     if (code != CR_ERR_OK) {
         cr_err_place(err, im->shown, cr_csv_line(csv), 0);
     }

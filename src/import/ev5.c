@@ -120,6 +120,15 @@ static double gap(const struct test *t) {
     return hypot(a->length, a->width) / 2 + a->length / 2 + before * a->speed;
 }
 
+/* m from the CG to a pole in the direction of the angle. Sideways the tyres brake (in the test the
+ * car is carried), so there it begins close to the flank. */
+static double to_pole(const struct test *t) {
+    const struct cr_participant *a = t->car[0];
+    double c = fabs(cos(t->angle)), s = fabs(sin(t->angle));
+    bool flank = a->width * c < a->length * s;
+    return flank ? (a->width / 2 + pole / 2) / s + 0.05 : gap(t);
+}
+
 static enum cr_err add_barrier(struct test *t, bool is_pole, struct cr_error *err) {
     struct cr_participant *p, *a = t->car[0];
     enum cr_err code = cr_import_add(t->im, is_pole ? "pole" : "wall", CR_KIND_OBJECT, &p, err);
@@ -130,8 +139,8 @@ static enum cr_err add_barrier(struct test *t, bool is_pole, struct cr_error *er
     p->shape = is_pole ? CR_OBJECT_POLE : CR_OBJECT_WALL;
     p->radius = is_pole ? pole / 2 : p->radius;
     if (is_pole) {
-        a->course = -t->angle;
-        p->pos = cr_vec2_scale(cr_vec2(cos(t->angle), -sin(t->angle)), gap(t));
+        a->course = cr_rad(cr_round_decimals(-cr_deg(t->angle), 4));
+        p->pos = cr_vec2_scale(cr_vec2(cos(t->angle), -sin(t->angle)), to_pole(t));
         cr_import_note(t->im, "a pole of %g mm before the CG", pole * 1e3);
     } else {
         p->pos = cr_vec2(cr_round_decimals(gap(t) + a->width / 2 * fabs(tan(t->angle)), 3), 0);

@@ -227,8 +227,13 @@ static void take_size(const struct test *t, struct object *o) {
 
 /* ---- what meets what ---- */
 
-/* m from the CG to the barrier: no car of the types is longer than 6 m */
+/* m from the CG to the barrier: no car of the types is longer than 6 m or wider than 2.1 m.
+ * Sideways the tyres brake (in the test the car is carried), so there it begins close. */
 static double gap(const struct object *o) {
+    double width = isnan(o->p->width) ? 2.1 : o->p->width;
+    if (o->side == 'L' || o->side == 'I') {
+        return cr_round_decimals(width / 2 + pole / 2 + 0.05, 3);
+    }
     double length = isnan(o->p->length) ? 6 : o->p->length;
     return cr_round_decimals(length + before * o->p->speed, 3);
 }
@@ -260,7 +265,7 @@ static enum cr_err before_barrier(struct test *t, struct object *car, struct obj
         cr_vec2(cr_round_decimals(far * cos(bearing), 3), cr_round_decimals(far * sin(bearing), 3));
     p->heading = is_pole ? 0 : cr_angle_wrap(bearing + CR_PI);
     if (bearing != 0) {
-        car->p->course = bearing;
+        car->p->course = cr_angle_wrap(bearing);
     }
     if (is_pole) {
         cr_import_note(t->im, "a pole of %g mm before the CG", pole * 1e3);

@@ -26,4 +26,7 @@ refused() {
 }
 
 . "$SRC/tests/cli/import_csv.sh"
+. "$SRC/tests/cli/import_xml.sh"
+. "$SRC/tests/cli/import_logs.sh"
+. "$SRC/tests/cli/import_tests.sh"
 finish
