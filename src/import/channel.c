@@ -71,7 +71,7 @@ enum cr_err cr_channel_pairs(const char *text, const char *shown, struct cr_chan
     return code;
 }
 
-enum cr_err cr_channel_values(const char *text, const char *shown, int first, double t0, double dt,
+enum cr_err cr_channel_values(const char *text, const char *shown, const struct cr_sampling *when,
                               struct cr_channel *out, struct cr_error *err) {
     enum cr_err code = CR_ERR_OK;
     int line = 1;
@@ -79,13 +79,13 @@ enum cr_err cr_channel_values(const char *text, const char *shown, int first, do
     for (const char *p = text; *p != '\0' && code == CR_ERR_OK; p = next_line(p), line++) {
         const char *at = p;
         double x;
-        if (line < first || p[strspn(p, " \t\r\n")] == '\0') {
+        if (line < when->line || p[strspn(p, " \t\r\n")] == '\0') {
             continue;
         }
         if (!number(&at, &x) || (*at != '\0' && *at != '\n')) {
             return bad_line(shown, line, p, err);
         }
-        code = add(out, t0 + dt * out->n, x, err);
+        code = add(out, when->t0 + when->dt * out->n, x, err);
     }
     return code;
 }

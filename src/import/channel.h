@@ -17,9 +17,14 @@ void cr_channel_fini(struct cr_channel *ch);
 /* A pair "time value" on each line, s. Errors: SYNTAX, RANGE (time does not rise), MEMORY. */
 CR_MUST_CHECK enum cr_err cr_channel_pairs(const char *text, const char *shown,
                                            struct cr_channel *out, struct cr_error *err);
-/* A value on each line, from line `first` (1-based) on; t0 and dt in s. Errors: the same. */
-CR_MUST_CHECK enum cr_err cr_channel_values(const char *text, const char *shown, int first,
-                                            double t0, double dt, struct cr_channel *out,
+/* Samples at equal steps: the first on that line (1-based) at t0, s. */
+struct cr_sampling {
+    int line;
+    double t0, dt;
+};
+/* A value on each line from there on. Errors: the same. */
+CR_MUST_CHECK enum cr_err cr_channel_values(const char *text, const char *shown,
+                                            const struct cr_sampling *when, struct cr_channel *out,
                                             struct cr_error *err);
 
 /* Integral of the channel from time 0 to t, by trapezoids, and the time at which it is furthest

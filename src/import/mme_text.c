@@ -169,7 +169,8 @@ enum cr_err cr_mme_channel(const char *text, const char *shown, struct cr_mme_ch
     enum cr_err code = cr_mme_parse(text, shown, &mme, err);
     code = code == CR_ERR_OK ? head(&mme, shown, out, when, err) : code;
     if (code == CR_ERR_OK) {
-        code = cr_channel_values(text, shown, mme.lines + 1, when[0], when[1], &out->samples, err);
+        const struct cr_sampling at = {mme.lines + 1, when[0], when[1]};
+        code = cr_channel_values(text, shown, &at, &out->samples, err);
     }
     if (code == CR_ERR_OK && out->samples.n != when[2]) {
         cr_err_set(err, CR_ERR_SYNTAX, "%d samples, but \"Number of samples\" says %.0f",

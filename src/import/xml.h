@@ -1,9 +1,9 @@
 /* XML files for the readers: element by element in constant memory, or whole as a tree.
  *
- * Hostile files are refused in time: a document type that declares entities, nesting beyond
- * CR_XML_DEPTH, a tag beyond CR_XML_TAG bytes, a tree beyond CR_XML_NODES elements or
- * CR_XML_BYTES of text. Nothing outside of the file is ever opened. Elements and attributes have
- * their names as the file writes them; namespaces are not looked at. */
+ * Hostile files are refused in time: a document type with declarations (entities), nesting beyond
+ * CR_XML_DEPTH, a tag beyond CR_XML_TAG bytes, a tree beyond CR_XML_NODES elements or CR_XML_BYTES
+ * of text. Nothing outside of the file is ever opened. Elements and attributes have their names as
+ * the file writes them; namespaces are not looked at. */
 #ifndef CR_IMPORT_XML_H
 #define CR_IMPORT_XML_H
 

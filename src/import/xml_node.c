@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* behind what begins and ends so, NULL where it does not begin so; the end may lie beyond the head */
+/* behind what begins and ends so, NULL where it does not begin so; the end may lie further on */
 static const char *behind(const char *s, const char *begin, const char *end) {
     if (strncmp(s, begin, strlen(begin)) != 0) {
         return NULL;

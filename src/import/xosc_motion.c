@@ -1,4 +1,4 @@
-/* Entities of OpenSCENARIO in motion: straight on at their speed, changes of speed, trajectories. */
+/* Entities of OpenSCENARIO in motion: straight on, changing their speed, along trajectories. */
 #include "import/xosc_priv.h"
 
 #include <math.h>

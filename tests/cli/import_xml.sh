@@ -16,8 +16,9 @@ sample commonroad "$data/commonroad.xml"
 # what the reference converters of the samples give: they take SUMO's and CommonRoad's middle for
 # the CG
 parts() {
-    printf '%s\n' "$out" | tr '{' '\n' | sed -n 's/.*"id":"\([^"]*\)".*"position_m":\(\[[^]]*\]\).*/\1 \2/p
-        s/.*"t_s":\([^,]*\),"x_m":\([^,]*\),"y_m":\([^,]*\),.*/\1 \2 \3/p'
+    printf '%s\n' "$out" | tr '{' '\n' >"$tmp/parts"
+    sed -n 's/.*"id":"\([^"]*\)".*"position_m":\(\[[^]]*\]\).*/\1 \2/p
+        s/.*"t_s":\([^,]*\),"x_m":\([^,]*\),"y_m":\([^,]*\),.*/\1 \2 \3/p' "$tmp/parts"
 }
 run import --reference cg "$data/sumo-collisions.xml"
 same "SUMO with the middle as the CG: the places of the reference" "$(parts)" \
@@ -28,11 +29,14 @@ same "CommonRoad with the middle as the CG: the places of the reference" "$(part
 
 # the arc of paths.xosc: radius 20 m about (14, -20), 10 m/s; the rear axle is 1.62 m behind the CG
 run import --before 100 "$data/paths.xosc"
+number='\([^,]*\)'
+row="\"t_s\":$number,\"x_m\":$number,\"y_m\":$number,\"heading_deg\":$number,.*"
 printf '%s\n' "$out" | sed 's/.*"id":"B"//; s/"id":"lamp".*//' | tr '{' '\n' |
-    sed -n 's/"t_s":\([^,]*\),"x_m":\([^,]*\),"y_m":\([^,]*\),"heading_deg":\([^,]*\),.*/\1 \2 \3 \4/p' |
-    awk '{ h = $4 * 3.141592653589793 / 180; x = $2 - 1.62 * cos(h) - 14; y = $3 - 1.62 * sin(h) + 20
+    sed -n "s/$row/\\1 \\2 \\3 \\4/p" |
+    awk '{ rad = 3.141592653589793 / 180
+           x = $2 - 1.62 * cos($4 * rad) - 14; y = $3 - 1.62 * sin($4 * rad) + 20
            a = 10 * $1 / 20; e = (x - 20 * cos(a)) ^ 2 + (y - 20 * sin(a)) ^ 2
-           d = $4 - 90 - a * 180 / 3.141592653589793
+           d = $4 - 90 - a / rad
            if (e > 1e-6 || d * d > 1e-5) bad++ }
          END { exit !(NR > 20 && bad == 0) }'
 same "a clothoid without change of curvature is an arc, to 1 mm" $? 0
@@ -50,15 +54,18 @@ without() {
 }
 for a in x y; do
     without "WorldPosition without $a" "s/<WorldPosition $a=\"[0-9.]*\"/<WorldPosition/
-        s/\\(<WorldPosition.*\\) $a=\"[0-9.]*\"/\\1/" "$data/minimal.xosc" "<WorldPosition>: no \"$a\""
+        s/\\(<WorldPosition.*\\) $a=\"[0-9.]*\"/\\1/" "$data/minimal.xosc" \
+        "<WorldPosition>: no \"$a\""
 done
 for a in length width height; do
     without "no $a" "s/\\(<Dimensions.*\\)$a=\"[0-9.]*\"/\\1/" "$data/minimal.xosc" \
         "<Dimensions>: no \"$a\""
 done
-without "no positionX" 's/\(<FrontAxle.*\)positionX="[0-9.]*"\( positionZ="[0-9.]*"..<Rear\)/\1\2/' \
+without "no positionX" \
+    's/\(<FrontAxle.*\)positionX="[0-9.]*"\( positionZ="[0-9.]*"..<Rear\)/\1\2/' \
     "$data/minimal.xosc" '<FrontAxle>: no "positionX"'
-without "no trackWidth" 's/trackWidth="[0-9.]*"//' "$data/minimal.xosc" '<FrontAxle>: no "trackWidth"'
+without "no trackWidth" 's/trackWidth="[0-9.]*"//' "$data/minimal.xosc" \
+    '<FrontAxle>: no "trackWidth"'
 without "no Center" 's/<Center[^>]*>//' "$data/minimal.xosc" '<BoundingBox>: no <Center>'
 without "no BoundingBox" '/<BoundingBox>/d' "$data/minimal.xosc" '<Vehicle>: no <BoundingBox>'
 without "no place" 's/<TeleportAction>.*<.TeleportAction>//' "$data/minimal.xosc" \
@@ -69,17 +76,21 @@ without "a parameter that is not declared" 's/name="v" parameterType/name="w" pa
     "$data/minimal.xosc" 'value: no parameter \$v.*ParameterDeclarations'
 without "no entities" '/<Entities>/,/<.Entities>/d' "$data/minimal.xosc" 'no <Entities>'
 without "no Init" 's/Init>/Later>/' "$data/minimal.xosc" 'no <Storyboard> with <Init>'
-without "a place on a lane" 's/<WorldPosition x="12"[^>]*>/<LanePosition roadId="1" laneId="1" s="5"\/>/' \
+without "a place on a lane" \
+    's/<WorldPosition x="12"[^>]*>/<LanePosition roadId="1" laneId="1" s="5"\/>/' \
     "$data/minimal.xosc" '<LanePosition>: only a WorldPosition.*csv_logger'
+change='<LateralAction><LaneChangeAction\/><\/LateralAction>'
 without "an action of a simulator" \
-    's/<LongitudinalAction>.*<.LongitudinalAction>/<LateralAction><LaneChangeAction\/><\/LateralAction>/' \
-    "$data/minimal.xosc" '<LaneChangeAction>: this action needs a simulator'
+    "s/<LongitudinalAction>.*<.LongitudinalAction>/$change/" "$data/minimal.xosc" \
+    '<LaneChangeAction>: this action needs a simulator'
 sed 's/entryName="car"/entryName="bus"/' "$data/paths.xosc" >"$tmp/bus.xosc"
 cp -r "$data/catalogs" "$tmp"
 refused "no such entry of a catalogue" 1 'bus.xosc:.*no "bus" in a catalogue "VehicleCatalog"' \
     "$tmp/bus.xosc"
-sed 's/SimulationTimeCondition/StoryboardElementStateCondition/' "$data/paths.xosc" >"$tmp/when.xosc"
-refused "a condition of a simulator" 1 'when.xosc:.*this condition needs a simulator' "$tmp/when.xosc"
+sed 's/SimulationTimeCondition/StoryboardElementStateCondition/' "$data/paths.xosc" \
+    >"$tmp/when.xosc"
+refused "a condition of a simulator" 1 'when.xosc:.*this condition needs a simulator' \
+    "$tmp/when.xosc"
 sed 's/<Clothoid curv/<Nurbs curv/; s/<.Clothoid>/<\/Nurbs>/' "$data/paths.xosc" >"$tmp/nurbs.xosc"
 refused "a spline" 1 'nurbs.xosc:.*<Nurbs>: this form' "$tmp/nurbs.xosc"
 sed 's/time="3"/time="0.5"/' "$data/paths.xosc" >"$tmp/times.xosc"
@@ -88,7 +99,8 @@ sed 's/revMajor="1"/revMajor="2"/' "$data/minimal.xosc" >"$tmp/two.xosc"
 refused "another language" 3 'two.xosc:3:.*OpenSCENARIO 2.1' "$tmp/two.xosc"
 
 for a in collider victimSpeed colliderFront victimBack; do
-    without "SUMO without $a" "s/ $a=\"[^\"]*\"//" "$data/sumo-collisions.xml" "<collision>: no \"$a\""
+    without "SUMO without $a" "s/ $a=\"[^\"]*\"//" "$data/sumo-collisions.xml" \
+        "<collision>: no \"$a\""
 done
 without "a person" 's/victimType="car"/victimType="DEFAULT_PEDTYPE"/' "$data/sumo-collisions.xml" \
     '"b" is not a car'
@@ -106,7 +118,8 @@ done
 without "CommonRoad without x" 's/<x>8<.x>//' "$data/commonroad.xml" '<point>: no <x>'
 without "CommonRoad without length" 's/<length>4.1<.length>//' "$data/commonroad.xml" \
     '<rectangle>: no <length>'
-sed 's/<velocity><exact>15<.exact>/<velocity><intervalStart>14<\/intervalStart><intervalEnd>16<\/intervalEnd>/' \
+between='<intervalStart>14<\/intervalStart><intervalEnd>16<\/intervalEnd>'
+sed "s/<velocity><exact>15<.exact>/<velocity>$between/" \
     "$data/commonroad.xml" >"$tmp/interval.xml"
 run import "$tmp/interval.xml"
 has "the middle of an interval, with a note" "$out" 'middle of intervals taken.*"speed_kmh":54[,}]'
@@ -116,8 +129,9 @@ has "the middle of an interval, with a note" "$out" 'middle of intervals taken.*
     echo '<?xml version="1.0"?><!DOCTYPE fcd-export [<!ENTITY a "ha"><!ENTITY b "&a;&a;&a;&a;">]>'
     echo '<fcd-export>&b;</fcd-export>'
 } >"$tmp/laughs.xml"
-refused "entities" 3 'laughs.xml:1: .*declares entities' "$tmp/laughs.xml"
-echo '<!DOCTYPE fcd-export SYSTEM "file:///etc/passwd"><fcd-export>&x;</fcd-export>' >"$tmp/outer.xml"
+refused "entities" 3 'laughs.xml:1: .*declarations of its own' "$tmp/laughs.xml"
+echo '<!DOCTYPE fcd-export SYSTEM "file:///etc/passwd"><fcd-export>&x;</fcd-export>' \
+    >"$tmp/outer.xml"
 refused "an entity from outside" 3 'outer.xml:1: .*no entity &x;' "$tmp/outer.xml"
 {
     echo '<fcd-export>'
