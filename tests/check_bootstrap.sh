@@ -59,6 +59,21 @@ on "bare user apt sudo" build
 has "others install by way of sudo" "$log" \
     '^sudo env DEBIAN_FRONTEND=noninteractive apt-get .*install .*gcc'
 
+# one that has all that is needed, but whose apt-get knows none of what can be left out
+mkdir "$tmp/poor"
+cat >"$tmp/poor/apt-get" <<'END'
+#!/bin/sh
+echo "apt-get $*" >>"$LOG"
+case $* in *gsl* | *nlopt* | *expat*) exit 100 ;; esac
+END
+chmod +x "$tmp/poor/apt-get"
+on "bare root poor" build
+has "it goes on without what cannot be had" "$out" 'going on without.*: libgsl-dev libnlopt-dev'
+same "but not without what can" "$(echo "$out" | grep 'going on' | grep -c 'sqlite\|cairo')" 0
+has "which is installed by itself" "$log" 'install --no-install-recommends libsqlite3-dev$'
+on "bare root" build
+same "and needs come first" "$(echo "$out" | grep -c 'going on')" 0
+
 # a machine that has everything but an autoreconf that works, and a clock that was set back
 for file in late build/late; do
     mkdir -p "$tmp/tree/build"

@@ -1,6 +1,7 @@
 /* Preloaded into the program by tests: refuses the N-th call of one kind, or kills the process at
  * it. FAULT_KIND is memory, open, read, write, sync, rename or link; FAULT_AT counts from 0;
- * FAULT_KILL makes it a kill -9; FAULT_COUNT names a descriptor that gets the number of calls. */
+ * FAULT_KILL makes it a kill -9, FAULT_SIGNAL=N a signal just before the call, which goes on;
+ * FAULT_COUNT names a descriptor that gets the number of calls. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -43,6 +44,10 @@ static int hit(const char *what, int code) {
     }
     if (getenv("FAULT_KILL") != NULL) {
         kill(getpid(), SIGKILL);
+    }
+    if (getenv("FAULT_SIGNAL") != NULL) {
+        raise((int)atol(getenv("FAULT_SIGNAL")));
+        return 0;
     }
     errno = code;
     return 1;

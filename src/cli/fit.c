@@ -15,6 +15,7 @@ struct options {
     const char *out, *scene;
     struct cr_option_values set;
     struct cr_cli_look look;
+    struct cr_cli_budget budget;
 };
 
 static const char about[] =
@@ -107,6 +108,8 @@ static enum cr_err run(char **word, int n, const struct options *opt, struct cr_
     if (code == CR_ERR_OK) {
         struct cr_context ctx = shared.ctx;
         ctx.irf = NULL;
+        ctx.max_seconds = opt->budget.seconds;
+        ctx.max_bytes = 1e6 * opt->budget.megabytes;
         code = search(word + 1, n - 1, &scene, opt, &ctx, &text, err);
     }
     if (text.len > 0) {
@@ -124,7 +127,7 @@ static enum cr_err run(char **word, int n, const struct options *opt, struct cr_
     { .name = n, .arg = "N", .number = &(to), .lo = least, .hi = most, .help = text }
 
 int cr_cli_fit(int argc, char **argv) {
-    struct options opt = {.starts = 3, .solves = 400, .seed = 1};
+    struct options opt = {.starts = 3, .solves = 400, .seed = 1, .budget = CR_CLI_BUDGET};
     const struct cr_option table[] = {
         NUMBER("starts", opt.starts, 1, 20, "local searches, from the best of a coarse look (3)"),
         NUMBER("solves", opt.solves, 20, 100000, "most solves in all (400)"),
@@ -145,6 +148,7 @@ int cr_cli_fit(int argc, char **argv) {
          .arg = "KEY=VALUE",
          .values = &opt.set,
          .help = "override a value of the scene"},
+        CR_CLI_BUDGET_OPTIONS(&opt.budget),
         CR_CLI_LOOK_OPTIONS(&opt.look),
     };
     const struct cr_usage usage = {.word = "fit",

@@ -17,6 +17,7 @@ struct options {
     const char *out, *plot;
     struct cr_option_values set;
     struct cr_cli_look look;
+    struct cr_cli_budget budget;
 };
 
 static const char about[] =
@@ -121,6 +122,8 @@ static enum cr_err run(const char *path, const struct options *opt, struct cr_er
         code = cr_cli_open(&shared, CR_CLI_NEEDED, err);
     }
     if (code == CR_ERR_OK) {
+        shared.ctx.max_seconds = opt->budget.seconds;
+        shared.ctx.max_bytes = 1e6 * opt->budget.megabytes;
         code = solve(&scene, opt, &shared.ctx, &text, err);
         if (code != CR_ERR_OK && err->src[0] == '\0' && err->where[0] != '\0') {
             cr_scene_locate_file(path, name, err);
@@ -147,7 +150,7 @@ static enum cr_err run(const char *path, const struct options *opt, struct cr_er
     { .name = n, .letter = l, .flag = &(to), .help = help_text }
 
 int cr_cli_mc(int argc, char **argv) {
-    struct options opt = {.draws = 2000, .seed = 1};
+    struct options opt = {.draws = 2000, .seed = 1, .budget = CR_CLI_BUDGET};
     const struct cr_option table[] = {
         NUMBER("draws", 'n', opt.draws, 10, 1000000, "how many scenes are drawn (2000)"),
         NUMBER("seed", 0, opt.seed, 1, 2147483647,
@@ -165,6 +168,7 @@ int cr_cli_mc(int argc, char **argv) {
          .arg = "KEY=VALUE",
          .values = &opt.set,
          .help = "override a value, also by one with a tolerance (A.speed_kmh=56+-3)"},
+        CR_CLI_BUDGET_OPTIONS(&opt.budget),
         CR_CLI_LOOK_OPTIONS(&opt.look),
     };
     const struct cr_usage usage = {.word = "mc",

@@ -13,9 +13,14 @@
 #include <unistd.h>
 
 static enum cr_err cannot(const char *what, const char *name, struct cr_error *err) {
-    cr_err_set(err, CR_ERR_IO, "cannot %s: %s", what, strerror(errno));
+    enum cr_err code = errno == EINTR ? CR_ERR_INTERRUPTED : CR_ERR_IO;
+    if (code == CR_ERR_INTERRUPTED) {
+        cr_err_set(err, code, "interrupted");
+    } else {
+        cr_err_set(err, code, "cannot %s: %s", what, strerror(errno));
+    }
     cr_err_place(err, name, 0, 0);
-    return CR_ERR_IO;
+    return code;
 }
 
 /* name of the i-th unfinished attempt; of the present one for 0 */

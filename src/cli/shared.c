@@ -4,18 +4,24 @@
 #include <signal.h>
 #include <string.h>
 #include <time.h>
+#include <unistd.h>
 
 static volatile sig_atomic_t interrupted;
 
+/* A signal that comes between a look at the flag and a call that waits would be waited on: it is
+ * followed by an alarm every second, which no call sleeps through. */
 static void on_signal(int sig) {
     (void)sig;
     interrupted = 1;
+    alarm(1);
 }
 
 void cr_cli_catch(void) {
     struct sigaction act = {.sa_handler = on_signal};
     sigemptyset(&act.sa_mask);
     /* a second ^C ends the program at once, should it be somewhere that does not poll */
+    struct sigaction again = act;
+    sigaction(SIGALRM, &again, NULL);
     act.sa_flags = (int)SA_RESETHAND;
     static const int stops[] = {SIGINT, SIGTERM};
     for (int i = 0; i < 2; i++) {

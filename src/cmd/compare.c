@@ -6,6 +6,7 @@
 #include "render/render.h"
 #include "result/compare.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -86,6 +87,39 @@ static void say(struct cr_session *s, const struct cr_compare *c, double unit, c
            c->cora.corridor, c->cora.progression, c->cora.phase, c->cora.size, c->cora.total);
 }
 
+/* "Delta-V, Longitudinal (km/h)": what a recorder calls its cumulative change of velocity */
+static bool of_recorder(const struct cr_signal *measured) {
+    char low[sizeof measured->name];
+    size_t n = 0;
+    for (; measured->name[n] != '\0'; n++) {
+        low[n] = (char)tolower((unsigned char)measured->name[n]);
+    }
+    low[n] = '\0';
+    return strcmp(measured->unit, "m/s") == 0 &&
+           (strstr(low, "delta-v") != NULL || strstr(low, "delta v") != NULL ||
+            strstr(low, "delta_v") != NULL);
+}
+
+/* the corridor of a recorder, and which sign was taken: makers do not agree on it */
+static enum cr_err say_corridor(struct cr_session *s, int body, const struct cr_signal *measured,
+                                const struct cr_compare_opts *opts, struct cr_error *err) {
+    struct cr_corridor c;
+    enum cr_err code = cr_compare_corridor(s->result->solution, body, measured, opts, &c, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    cr_say(s,
+           "recorder: within +-10 %% (at least 1 km/h) at %d of %d times, its time 0 %.1f ms %s"
+           " the first contact",
+           c.inside, c.times, 1e3 * fabs(c.shift), c.shift < 0 ? "before" : "after");
+    cr_say(s, "its largest delta-v %.4g km/h, the result's in that time %.4g km/h",
+           cr_kmh(c.peak_measured), cr_kmh(c.peak_simulated));
+    cr_say(s, "sign: %s is positive, %s", opts->axis == CR_COMPARE_LEFT ? "left" : "forward",
+           opts->sign < 0 ? "the file's values were turned (sign=minus)"
+                          : "as it is taken to be in the file (sign=minus turns it)");
+    return CR_ERR_OK;
+}
+
 enum cr_err cr_cmd_compare_pulse(struct cr_call *call, const char *path, struct cr_error *err) {
     struct cr_session *s = call->s;
     struct cr_signal measured = {0};
@@ -108,6 +142,9 @@ enum cr_err cr_cmd_compare_pulse(struct cr_call *call, const char *path, struct 
         const char *name = velocity ? "km/h" : "g";
         code = plot(s, &c, body, unit, name, err);
         say(s, &c, unit, name);
+    }
+    if (code == CR_ERR_OK && of_recorder(&measured)) {
+        code = say_corridor(s, body, &measured, &opts, err);
     }
     if (code == CR_ERR_OK && c.iso.total < least) {
         code = cr_err_set(err, CR_ERR_MISSED, "the rating is %.2f, less than %.10g", c.iso.total,

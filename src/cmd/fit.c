@@ -179,7 +179,8 @@ enum cr_err cr_cmd_fit(struct cr_call *call, struct cr_error *err) {
     if (code != CR_ERR_OK) {
         return code;
     }
-    const struct cr_context ctx = {.models = s->models};
+    const struct cr_context ctx = {
+        .models = s->models, .max_bytes = cr_work_max_bytes(s), .max_seconds = s->opts.max_seconds};
     s->solving = true;
     cr_work_begin(s);
     code = cr_fit_run(&study, &evidence, &opts, &ctx, &fit, err);

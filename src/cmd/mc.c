@@ -211,7 +211,8 @@ static enum cr_err draw(struct cr_call *call, const struct cr_study *study,
                                     .jobs = (int)cr_cmd_number(call, "jobs", 0),
                                     .progress = progress,
                                     .user = s};
-    const struct cr_context ctx = {.models = s->models, .max_bytes = cr_work_max_bytes(s)};
+    const struct cr_context ctx = {
+        .models = s->models, .max_bytes = cr_work_max_bytes(s), .max_seconds = s->opts.max_seconds};
     struct cr_mc *mc = NULL;
     s->solving = true;
     cr_work_begin(s);

@@ -83,12 +83,18 @@ enum cr_err cr_sweep_csv(struct cr_session *s, struct cr_str *out, struct cr_err
     cr_str_add(out, "run");
     for (int a = 0; a < sweep->axes; a++) {
         const char *unit = sweep->axis[a].unit->name;
-        cr_str_addf(out, ",%s%s%s%s", sweep->axis[a].key, unit[0] != '\0' ? " [" : "", unit,
-                    unit[0] != '\0' ? "]" : "");
+        char name[2 * CR_NAME_MAX + 64];
+        snprintf(name, sizeof name, "%s%s%s%s", sweep->axis[a].key, unit[0] != '\0' ? " [" : "",
+                 unit, unit[0] != '\0' ? "]" : "");
+        cr_str_add(out, ",");
+        cr_str_csv(out, name);
     }
     for (int p = 0; p < sweep->participants; p++) {
         for (int m = 0; m < n; m++) {
-            cr_str_addf(out, ",%s.%s", sweep->id[p], table[m].key);
+            char name[CR_NAME_MAX + 64];
+            snprintf(name, sizeof name, "%s.%s", sweep->id[p], table[m].key);
+            cr_str_add(out, ",");
+            cr_str_csv(out, name);
         }
     }
     cr_str_add(out, ",stop\n");

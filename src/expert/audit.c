@@ -21,7 +21,12 @@ static enum cr_err get_scene(const char *text, size_t len, char **argv, int n,
                  : cr_recheck_scene(text, len, argv[1], scene, err);
 }
 
-static enum cr_err audit(char **argv, int n, const struct cr_option_values *set, bool *same,
+struct options {
+    struct cr_option_values set;
+    struct cr_cli_budget budget;
+};
+
+static enum cr_err audit(char **argv, int n, const struct options *opt, bool *same,
                          struct cr_error *err) {
     struct cr_cli_shared shared = {0};
     struct cr_result *result = NULL;
@@ -37,13 +42,15 @@ static enum cr_err audit(char **argv, int n, const struct cr_option_values *set,
     }
     cr_cli_catch();
     if (code == CR_ERR_OK) {
-        code = cr_cli_override(&scene, set, err);
+        code = cr_cli_override(&scene, &opt->set, err);
     }
     if (code == CR_ERR_OK) {
         code = cr_cli_open(&shared, CR_CLI_NEEDED, err);
     }
     if (code == CR_ERR_OK) {
-        code = cr_result_run(&scene, &shared.ctx, &result, err);
+        struct cr_cli_work work;
+        const struct cr_context ctx = cr_cli_context(&shared, &opt->budget, &work);
+        code = cr_result_run(&scene, &ctx, &result, err);
     }
     if (code == CR_ERR_OK) {
         code =
@@ -63,12 +70,13 @@ static enum cr_err audit(char **argv, int n, const struct cr_option_values *set,
 }
 
 int cr_expert_audit(int argc, char **argv) {
-    struct cr_option_values set = {0};
+    struct options opt = {.budget = CR_CLI_BUDGET};
     const struct cr_option table[] = {{.name = "set",
                                        .letter = 's',
                                        .arg = "KEY=VALUE",
-                                       .values = &set,
-                                       .help = "what was overridden when the result was made"}};
+                                       .values = &opt.set,
+                                       .help = "what was overridden when the result was made"},
+                                      CR_CLI_BUDGET_OPTIONS(&opt.budget)};
     const struct cr_usage usage = {.word = "audit",
                                    .operands = "RESULT.json [SCENE.json]",
                                    .about = about,
@@ -82,7 +90,7 @@ int cr_expert_audit(int argc, char **argv) {
     if (status >= 0) {
         return status;
     }
-    if (audit(argv, operands, &set, &same, &err) != CR_ERR_OK) {
+    if (audit(argv, operands, &opt, &same, &err) != CR_ERR_OK) {
         return cr_cli_fail(&err);
     }
     return same ? 0 : 1;

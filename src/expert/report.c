@@ -27,6 +27,7 @@ struct options {
     const char *out;
     struct cr_report_source head; /* title, author ... as they were given */
     struct cr_option_values set;
+    struct cr_cli_budget budget;
 };
 
 static const char about[] =
@@ -207,7 +208,11 @@ static enum cr_err solve(struct work *w, const char *path, const char *name, str
         code = cr_cli_open(&w->shared, CR_CLI_NEEDED, err);
     }
     if (code == CR_ERR_OK) {
-        code = cr_result_run(&w->scene, &w->shared.ctx, &w->result, err);
+        struct cr_cli_work one;
+        const struct cr_context ctx = cr_cli_context(&w->shared, &w->opt->budget, &one);
+        w->shared.ctx.max_seconds = ctx.max_seconds; /* of each other solve too */
+        w->shared.ctx.max_bytes = ctx.max_bytes;
+        code = cr_result_run(&w->scene, &ctx, &w->result, err);
         if (code != CR_ERR_OK && err->src[0] == '\0' && !w->is_result) {
             cr_scene_locate_file(path, name, err);
         }
@@ -267,6 +272,7 @@ static int run(struct options *opt, int argc, char **argv) {
          .arg = "FILE",
          .text = &opt->out,
          .help = "FILE.html or FILE.pdf, whole or not at all"},
+        CR_CLI_BUDGET_OPTIONS(&opt->budget),
         {.name = "lang", .arg = LANGS, .number = &opt->lang, .help = "language (en)"},
         {.name = "paper", .arg = PAPERS, .number = &opt->paper, .help = "size of a PDF (a4)"},
         TEXT("title", "TEXT", &opt->head.title, "heading"),
@@ -308,6 +314,6 @@ static int run(struct options *opt, int argc, char **argv) {
 }
 
 int cr_expert_report(int argc, char **argv) {
-    struct options opt = {.draws = DRAWS, .seed = 1};
+    struct options opt = {.draws = DRAWS, .seed = 1, .budget = CR_CLI_BUDGET};
     return run(&opt, argc, argv);
 }

@@ -6,6 +6,7 @@
 #include "base/vec.h"
 #include "cli/cli.h"
 #include "cli/word.h"
+#include "study/limit.h"
 #include "trial/verdict.h"
 
 #include <math.h>
@@ -187,7 +188,9 @@ int cr_variants_of(const struct cr_scene *scene, const struct cr_context *ctx,
         } else {
             snprintf(v->what, sizeof v->what, "voxel_mm %.4g", 1e3 * other.set.voxel);
         }
-        if (cr_result_run(&other, ctx, &result, NULL) == CR_ERR_OK) {
+        struct cr_study_limit limit;
+        const struct cr_context one = cr_study_limited(ctx, &limit);
+        if (cr_result_run(&other, &one, &result, NULL) == CR_ERR_OK) {
             v->solved = true;
             for (int b = 0; b < result->resolved.n; b++) {
                 v->of[b] = result->of[b];

@@ -30,10 +30,16 @@ static const double cg_share = 0.4;
 /* ---- one participant ---- */
 
 static cJSON *map_of(const struct cr_import *im, const struct cr_import_part *part) {
-    bool object = part->p.kind == CR_KIND_OBJECT;
-    const cJSON *all = cJSON_GetObjectItemCaseSensitive(im->map, object ? "objects" : "vehicles");
-    cJSON *own = cJSON_GetObjectItemCaseSensitive(all, part->source_id);
-    return own != NULL ? own : cJSON_GetObjectItemCaseSensitive(all, "*");
+    static const char *const lists[] = {"vehicles", "objects"};
+    const cJSON *vehicles = cJSON_GetObjectItemCaseSensitive(im->map, "vehicles");
+    for (int i = 0; i < 2; i++) {
+        const cJSON *all = cJSON_GetObjectItemCaseSensitive(im->map, lists[i]);
+        cJSON *own = cJSON_GetObjectItemCaseSensitive(all, part->source_id);
+        if (own != NULL) {
+            return own;
+        }
+    }
+    return part->p.kind == CR_KIND_VEHICLE ? cJSON_GetObjectItemCaseSensitive(vehicles, "*") : NULL;
 }
 
 bool cr_import_lay_over(cJSON *to, const cJSON *from) {
@@ -138,13 +144,14 @@ static void outline(struct cr_import_part *part) {
     }
 }
 
-/* position, heading and speed are the motion's, not the map's */
-static void keep_motion(struct cr_participant *to, const struct cr_participant *from) {
-    to->pos = from->pos;
-    to->heading = from->heading;
-    to->course = from->course;
-    to->speed = from->speed;
-    to->yaw_rate = from->yaw_rate;
+/* Position, heading and speed are the motion's where the map does not say them. */
+static void keep_motion(struct cr_participant *to, const struct cr_participant *from,
+                        const cJSON *map) {
+    to->pos = cJSON_HasObjectItem(map, "position_m") ? to->pos : from->pos;
+    to->heading = cJSON_HasObjectItem(map, "heading_deg") ? to->heading : from->heading;
+    to->course = cJSON_HasObjectItem(map, "course_deg") ? to->course : from->course;
+    to->speed = cJSON_HasObjectItem(map, "speed_kmh") ? to->speed : from->speed;
+    to->yaw_rate = cJSON_HasObjectItem(map, "yaw_rate_deg_s") ? to->yaw_rate : from->yaw_rate;
 }
 
 static enum cr_err fix(struct cr_import *im, struct cr_import_part *part, struct cr_scene *work,
@@ -162,9 +169,7 @@ static enum cr_err fix(struct cr_import *im, struct cr_import_part *part, struct
     free(part->p.extra);
     part->p = work->part[0];
     work->part[0].extra = NULL; /* moved */
-    if (given.kind == CR_KIND_VEHICLE || map_of(im, part) == NULL) {
-        keep_motion(&part->p, &given);
-    }
+    keep_motion(&part->p, &given, map_of(im, part));
     code = cr_scene_resolve(work, im->opts->models, NULL, err);
     if (code == CR_ERR_OK) {
         enum cr_point point = im->opts->point >= 0 ? (enum cr_point)im->opts->point : im->at->point;

@@ -42,6 +42,7 @@ struct cJSON;
 
 /* X(name): the word of --format and part of the names of its functions */
 #define CR_FORMAT_LIST(X)                                                                          \
+    X(pcm)                                                                                         \
     X(xosc)                                                                                        \
     X(sumo)                                                                                        \
     X(commonroad)                                                                                  \
@@ -49,6 +50,7 @@ struct cJSON;
     X(erg)                                                                                         \
     X(ev5)                                                                                         \
     X(mme)                                                                                         \
+    X(edr)                                                                                         \
     X(csv)
 
 /* Begin of a file, for recognition. */
@@ -72,6 +74,7 @@ struct cr_import {
     char sha256[CR_HASH_SIZE]; /* of the one file, or of the lines in `files` */
     struct cr_str files;       /* "SHA-256  name" of each */
     int hashed;
+    long polls; /* of what is watched while it runs */
 };
 
 /* Name of the format in `source`, "PCM v5"; set before the first case. */
@@ -81,6 +84,12 @@ void cr_import_format(struct cr_import *im, const char *fmt, ...) CR_PRINTF(2, 3
  * source. Before the first case. Errors: IO. */
 CR_MUST_CHECK enum cr_err cr_import_also(struct cr_import *im, const char *path,
                                          struct cr_error *err);
+
+/* Path of the file of that name in any case (letters) in a folder; false if there is none, or it is
+ * too long. Whether there is one. Whether im->path is a folder. */
+bool cr_import_file_in(const char *folder, const char *name, char *path, size_t size);
+bool cr_import_lies_in(const char *folder, const char *name);
+bool cr_import_is_folder(const struct cr_import *im);
 
 /* Whether --case asks for the case of that id, or for all. */
 bool cr_import_wants(const struct cr_import *im, const char *id);

@@ -63,6 +63,7 @@ static enum cr_err need_two(const struct cr_import *im, struct cr_error *err) {
     cr_err_set(err, CR_ERR_MISSING, "a crash needs two participants, the case has %s",
                c->parts == 0 ? "none" : c->part[0]->source_id);
     cr_err_place(err, im->shown, 0, 0);
+    cr_err_hint(err, "a map adds others: \"objects\", see crumple-import(1)");
     return CR_ERR_MISSING;
 }
 
@@ -74,7 +75,10 @@ static enum cr_err add_objects(struct cr_import *im, struct cr_error *err) {
          o = o->next) {
         struct cr_participant *p;
         if (cr_import_find(im, o->string) == NULL) {
-            code = cr_import_add(im, o->string, CR_KIND_OBJECT, &p, err);
+            const char *kind = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(o, "kind"));
+            bool vehicle = kind != NULL && strcmp(kind, "vehicle") == 0;
+            code =
+                cr_import_add(im, o->string, vehicle ? CR_KIND_VEHICLE : CR_KIND_OBJECT, &p, err);
         }
     }
     return code;

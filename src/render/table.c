@@ -29,6 +29,11 @@ struct row {
 
 /* ---- what the rows show ---- */
 
+/* what moves still has no place of rest */
+static double at_rest_or_none(const struct cr_outcome *o, double x) {
+    return isfinite(o->t_rest) ? x : (double)NAN;
+}
+
 #define OF(name, expression)                                                                       \
     static double name(const struct source *s) {                                                   \
         return expression;                                                                         \
@@ -61,9 +66,9 @@ OF(get_course_after, cr_deg(s->of->course_after))
 OF(get_yaw_after, cr_deg(s->of->yaw_rate_after))
 OF(get_yaw_change, cr_deg(s->of->yaw_rate_change))
 OF(get_rest_t, s->outcome->t_rest - cr_render_t_contact(s->result->solution))
-OF(get_rest_x, s->outcome->rest.pos.x)
-OF(get_rest_y, s->outcome->rest.pos.y)
-OF(get_rest_heading, cr_deg(cr_angle_wrap(s->outcome->rest.heading)))
+OF(get_rest_x, at_rest_or_none(s->outcome, s->outcome->rest.pos.x))
+OF(get_rest_y, at_rest_or_none(s->outcome, s->outcome->rest.pos.y))
+OF(get_rest_heading, at_rest_or_none(s->outcome, cr_deg(cr_angle_wrap(s->outcome->rest.heading))))
 OF(get_before, cr_kmh(cr_vec2_len(s->outcome->before.vel)))
 OF(now_speed, cr_kmh(cr_vec2_len(s->now.vel)))
 OF(now_course, cr_deg(atan2(s->now.vel.y, s->now.vel.x)))

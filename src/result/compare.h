@@ -45,4 +45,20 @@ CR_MUST_CHECK enum cr_err cr_compare_pulse(const struct cr_solution *sol, int bo
                                            struct cr_compare *out, struct cr_error *err);
 void cr_compare_fini(struct cr_compare *compare);
 
+/* How a result fits the cumulative delta-v of a recorder. */
+struct cr_corridor {
+    double shift;      /* s from the first contact to time 0 of the record, which fits best */
+    int inside, times; /* samples within +-10 % (at least 1 km/h), and all */
+    double rms;        /* of the difference, in half widths of the corridor */
+    double peak_measured, peak_simulated; /* m/s, over the record */
+};
+
+/* The change of velocity since time 0 of the record, which is free between 20 ms before the first
+ * contact and 50 ms after it. Of the options axis and sign count. Errors: TYPE for what is no
+ * velocity, MEMORY. */
+CR_MUST_CHECK enum cr_err cr_compare_corridor(const struct cr_solution *sol, int body,
+                                              const struct cr_signal *measured,
+                                              const struct cr_compare_opts *opts,
+                                              struct cr_corridor *out, struct cr_error *err);
+
 #endif

@@ -17,6 +17,7 @@ static void number(struct cr_str *out, double x) {
 static void row(const struct cr_result *r, int i, struct cr_str *out) {
     const struct cr_severity *s = &r->of[i];
     const struct cr_outcome *o = &r->solution->body[i];
+    bool rests = isfinite(o->t_rest); /* what moves still has no place of rest */
     const double value[] = {cr_kmh(s->ees),
                             s->energy / 1e3,
                             s->energy_induced / 1e3,
@@ -46,9 +47,9 @@ static void row(const struct cr_result *r, int i, struct cr_str *out) {
                             s->olc / CR_G,
                             s->asi,
                             cr_kmh(s->thiv),
-                            o->rest.pos.x,
-                            o->rest.pos.y,
-                            cr_deg(o->rest.heading),
+                            rests ? o->rest.pos.x : (double)NAN,
+                            rests ? o->rest.pos.y : (double)NAN,
+                            rests ? cr_deg(o->rest.heading) : (double)NAN,
                             o->t_rest};
     cr_str_csv(out, r->scene.name);
     cr_str_add(out, ",");

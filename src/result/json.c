@@ -109,11 +109,13 @@ static void put_time(const struct cr_result *r, cJSON *json) {
     cr_json_put(time, "passes", r->passes);
 }
 
-static void put_rest(const struct cr_outcome *o, cJSON *p) {
+/* what moves still at the end has no place of rest; the first version told where it was */
+static void put_rest(const struct cr_outcome *o, int version, cJSON *p) {
     cJSON *rest = cr_tree_object(p, "rest");
-    cr_json_put(rest, "x_m", o->rest.pos.x);
-    cr_json_put(rest, "y_m", o->rest.pos.y);
-    cr_json_put(rest, "heading_deg", cr_deg(o->rest.heading));
+    bool rests = version == 1 || isfinite(o->t_rest);
+    cr_json_put(rest, "x_m", rests ? o->rest.pos.x : (double)NAN);
+    cr_json_put(rest, "y_m", rests ? o->rest.pos.y : (double)NAN);
+    cr_json_put(rest, "heading_deg", rests ? cr_deg(o->rest.heading) : (double)NAN);
     cr_json_put(rest, "t_s", o->t_rest);
 }
 
@@ -144,7 +146,7 @@ static void put_participants(const struct cr_result *r, int version, cJSON *json
             cr_json_occupant(&r->of[i], p);
         }
         if (r->compiled.cs.body[i].mass > 0) {
-            put_rest(&r->solution->body[i], p);
+            put_rest(&r->solution->body[i], version, p);
         }
         if (vehicle) {
             cr_json_injury(&r->of[i], p);

@@ -2,7 +2,7 @@ noinst_LIBRARIES += libresult.a
 libresult_a_SOURCES = \
 	src/result/budget.c \
 	src/result/cdc.c src/result/cdc.h \
-	src/result/compare.c src/result/compare.h \
+	src/result/corridor.c src/result/compare.c src/result/compare.h \
 	src/result/csv.c \
 	src/result/damage.c src/result/damage.h \
 	src/result/deform.c src/result/deform.h \

@@ -3,6 +3,7 @@
 #include "config.h"
 
 #include "study/fit.h"
+#include "study/limit.h"
 
 #include "study/draw.h"
 
@@ -65,7 +66,9 @@ static bool residuals(struct search *s, const double *x, double *found, double *
         if (fit->evidence.to_rest) {
             scene.set.end = CR_END_REST;
         }
-        code = cr_result_run(&scene, s->ctx, &result, &s->last);
+        struct cr_study_limit limit;
+        const struct cr_context ctx = cr_study_limited(s->ctx, &limit);
+        code = cr_result_run(&scene, &ctx, &result, &s->last);
         cr_scene_fini(&scene);
     }
     fit->failed += code != CR_ERR_OK;

@@ -6,6 +6,7 @@ libstudy_a_SOURCES = \
 	src/study/fit_inputs.c \
 	src/study/fit_text.c \
 	src/study/inputs.c \
+	src/study/limit.c src/study/limit.h \
 	src/study/mc.c \
 	src/study/mc_data.c \
 	src/study/mc_text.c \

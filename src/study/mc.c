@@ -1,5 +1,6 @@
 /* mc: the scene solved for many draws of its inputs, and the statistics of the results. */
 #include "study/study.h"
+#include "study/limit.h"
 
 #include "base/pool.h"
 #include "base/stats.h"
@@ -122,10 +123,8 @@ static void solve(void *user, void *given) {
     struct cr_scene scene;
     struct cr_result *result = NULL;
     struct cr_error err = {0};
-    struct cr_context ctx = {.models = w->ctx->models,
-                             .cancel = w->ctx->cancel,
-                             .user = w->ctx->user,
-                             .max_bytes = w->ctx->max_bytes};
+    struct cr_study_limit limit;
+    const struct cr_context ctx = cr_study_limited(w->ctx, &limit);
     int n;
     const struct cr_measure *m = cr_measures(&n);
     item->code =
@@ -175,10 +174,8 @@ static enum cr_err solve_nominal(struct cr_mc *mc, const struct cr_context *ctx,
     if (code != CR_ERR_OK) {
         return code;
     }
-    struct cr_context own = {.models = ctx->models,
-                             .cancel = ctx->cancel,
-                             .user = ctx->user,
-                             .max_bytes = ctx->max_bytes};
+    struct cr_study_limit limit;
+    const struct cr_context own = cr_study_limited(ctx, &limit);
     code = cr_result_run(&scene, &own, &result, err);
     cr_scene_fini(&scene);
     if (code == CR_ERR_OK) {

@@ -124,11 +124,15 @@ enum cr_err cr_mc_csv(const struct cr_mc *mc, struct cr_str *out, struct cr_erro
     const struct cr_measure *m = cr_measures(&n);
     cr_str_add(out, "draw");
     for (int i = 0; i < mc->study.n; i++) {
-        cr_str_addf(out, ",%s", mc->study.in[i].key);
+        cr_str_add(out, ",");
+        cr_str_csv(out, mc->study.in[i].key);
     }
     for (int p = 0; p < mc->participants; p++) {
         for (int k = 0; k < n; k++) {
-            cr_str_addf(out, ",%s.%s", mc->id[p], m[k].key);
+            char name[CR_NAME_MAX + 64];
+            snprintf(name, sizeof name, "%s.%s", mc->id[p], m[k].key);
+            cr_str_add(out, ",");
+            cr_str_csv(out, name);
         }
     }
     cr_str_add(out, "\n");

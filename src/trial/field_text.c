@@ -205,7 +205,8 @@ enum cr_err cr_field_csv(const struct cr_field_table *field, struct cr_str *out,
     cr_str_add(out, "case,line,kind,type,face,recorder_kmh,damage_kmh,winsmash_kmh\n");
     for (int i = 0; i < field->n; i++) {
         const struct cr_field_row *r = &field->row[i];
-        cr_str_addf(out, "%s,%d,%s,%s,%s,%.4g,%.4g,", r->name, r->line, cr_field_kind_word(r->kind),
+        cr_str_csv(out, r->name);
+        cr_str_addf(out, ",%d,%s,%s,%s,%.4g,%.4g,", r->line, cr_field_kind_word(r->kind),
                     cr_type_word(r->what.car[0].p->type), cr_crush_face_word(r->what.car[0].m.face),
                     cr_kmh(r->measured), cr_kmh(r->value));
         if (!isnan(r->winsmash)) {

@@ -19,14 +19,6 @@ static void field(struct cr_str *out, double x) {
     }
 }
 
-static void text(struct cr_str *out, const char *s) {
-    cr_str_add(out, "\"");
-    for (; *s; s++) {
-        cr_str_addn(out, *s == '"' ? "\"\"" : s, *s == '"' ? 2 : 1);
-    }
-    cr_str_add(out, "\"");
-}
-
 static void csv_cases(const struct cr_test_list *tests, unsigned runs, struct cr_str *out) {
     cr_str_add(out, "class,id,participant,title,type,speed_kmh,method,measure,unit,measured,"
                     "computed,error,relative\n");
@@ -40,9 +32,11 @@ static void csv_cases(const struct cr_test_list *tests, unsigned runs, struct cr
                 continue;
             }
             cr_str_addf(out, "%s,", cr_test_class_word(t->class));
-            text(out, t->id);
-            cr_str_addf(out, ",%s,", t->part);
-            text(out, t->title);
+            cr_str_csv(out, t->id);
+            cr_str_add(out, ",");
+            cr_str_csv(out, t->part);
+            cr_str_add(out, ",");
+            cr_str_csv(out, t->title);
             cr_str_addf(out, ",%s", cr_type_word(t->type));
             field(out, t->speed_kmh);
             cr_str_addf(out, ",%s,%s,%s", cr_test_run_word(run), cr_test_measure_key(m),
@@ -70,9 +64,11 @@ void cr_verdict_csv(const struct cr_verdict *v, const struct cr_test_list *tests
             if (!(form->runs >> m & 1) || r->of[m].n == 0) {
                 continue;
             }
-            cr_str_addf(out, "%s,%s,%s,%s,%d,%s,%d", cr_test_class_word(r->class), r->group,
-                        cr_test_measure_key(r->measure), cr_test_measure_unit(r->measure),
-                        cr_test_measure_is_relative(r->measure), cr_test_run_word(m), r->of[m].n);
+            cr_str_addf(out, "%s,", cr_test_class_word(r->class));
+            cr_str_csv(out, r->group);
+            cr_str_addf(out, ",%s,%s,%d,%s,%d", cr_test_measure_key(r->measure),
+                        cr_test_measure_unit(r->measure), cr_test_measure_is_relative(r->measure),
+                        cr_test_run_word(m), r->of[m].n);
             const double x[] = {r->of[m].mpe, r->of[m].sd,     r->of[m].mape,   r->of[m].rms,
                                 r->fleet_sd,  r->published[0], r->published[1], r->published[2]};
             for (size_t k = 0; k < sizeof x / sizeof *x; k++) {

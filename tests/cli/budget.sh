@@ -26,16 +26,25 @@ bomb "sixteen lorries of 5 mm" 5 300 4 'too expensive: it takes more than 1024 M
 bomb "the same in a stack" 5 500 1 '"code":"too-expensive".*voxel_mm' stack "$cases/mem16.json"
 bomb "the same with a smaller budget" 5 300 4 'more than 10 MB' \
     run "$cases/pole.json" --set voxel_mm=5 --max-memory 10
-bomb "slices of 1 us until rest" 9 600 4 'not solved within 2 s.*until all stand still' \
-    run "$cases/dtrest.json" --max-seconds 2
+bomb "slices of 1 us until rest" 9 600 4 'not solved within 1 s.*until all stand still' \
+    run "$cases/dtrest.json" --max-seconds 1
 bomb "the same in a stack" 9 600 1 '"code":"too-expensive".*dt_ms' \
-    stack "$cases/dtrest.json" --max-seconds 2
-bomb "the same in a command file" 9 600 4 'error: too expensive.*2 s' \
-    --max-seconds=2 -e "load $cases/dtrest.json" -e solve
+    stack "$cases/dtrest.json" --max-seconds 1
+bomb "the same in a command file" 9 600 4 'error: too expensive.*1 s' \
+    --max-seconds=1 -e "load $cases/dtrest.json" -e solve
+bomb "the same in a report" 9 600 4 'too expensive.*1 s' \
+    report "$cases/dtrest.json" --max-seconds 1 -o dtrest.html
+bomb "the same drawn" 9 600 4 'too expensive.*1 s|no GSL' \
+    mc "$cases/dtrest.json" --set A.speed_kmh=30+-1 --max-seconds 1
+bomb "draws of too many voxels" 9 300 4 'too expensive.*10 MB|no GSL' \
+    mc "$cases/pole.json" --set A.speed_kmh=30+-1 --set voxel_mm=5 --max-memory 10
+bomb "a search with too many voxels" 9 300 4 'too expensive.*10 MB|no NLopt' \
+    fit "$cases/pole.json" A.speed=20:40km/h to dv.A=20km/h --solves 20 \
+    --set voxel_mm=5 --max-memory 10
 bomb "and in its memory" 20 300 4 'too expensive: it takes more than 5 MB' \
     run "$cases/dtrest.json" --max-memory 5
 bomb "a trajectory from far before" 9 300 4 'too expensive.*trajectories last 1e\+04 s' \
-    run "$cases/traj2.json" --max-seconds 2
+    run "$cases/traj2.json" --max-seconds 1
 # a flat array of five million numbers in an x_ key
 python3 -c 'import sys; t = open("pole.json").read().rstrip()[:-1]
 sys.stdout.write(t + ", \"x_a\": [" + "0," * 5000000 + "0] }")' >array.json

@@ -66,6 +66,23 @@ hears() {
     kill $hears_end
 }
 hears "the first SIGTERM while a stack waits for a pipe" TERM 130 stack pipe
+# and one that comes just before a call that would wait: before the output file, a pipe, is opened
+if [ -e "$BUILD/fault.so" ] && "$crumple" --version | grep -q 'sanitizers: no' &&
+    LD_PRELOAD=$BUILD/fault.so "$crumple" --version >/dev/null 2>&1; then
+    for word in run "stack -j1"; do
+        # after its output a stack opens the scene
+        [ "$word" = run ] && back=1 || back=2
+        # shellcheck disable=SC2086
+        opens=$(LD_PRELOAD=$BUILD/fault.so FAULT_KIND=open FAULT_COUNT=9 \
+            "$crumple" $word pole.json -o /dev/null 9>&1 >ends.out 2>&1)
+        # shellcheck disable=SC2086
+        ends "a SIGTERM just before crumple $word opens a pipe" 130 'interrupted' \
+            env LD_PRELOAD="$BUILD/fault.so" FAULT_KIND=open FAULT_AT=$((opens - back)) \
+            FAULT_SIGNAL=15 "$crumple" $word pole.json -o pipe
+    done
+else
+    skip "a SIGTERM just before a wait" "no library to send it was built here"
+fi
 
 # ---- what a terminal gets ----
 # quiet NAME COMMAND ...: nothing that acts on a terminal in what it writes

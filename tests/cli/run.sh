@@ -172,4 +172,13 @@ else
     skip "PDF and PNG" "a build without cairo"
 fi
 
+
+# what moves still at the end has no place of rest
+run stack "$SRC/share/scenes/pole-side.json"
+has "no rest without rest" "$out" \
+    '"rest":\{"x_m":null,"y_m":null,"heading_deg":null,"t_s":null\}'
+run run "$SRC/share/scenes/pole-side.json" --format csv
+has "nor in the CSV" "$(printf '%s\n' "$out" | sed -n 2p)" '[0-9],,,,$'
+run stack "$SRC/share/scenes/rest.json"
+has "a place where there is one" "$out" '"rest":\{"x_m":-?[0-9.]+,"y_m":-?[0-9.]+,"heading_deg"'
 finish

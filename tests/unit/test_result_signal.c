@@ -197,11 +197,48 @@ static void velocities_are_compared_too(void **state) {
     cr_signal_free(&s);
 }
 
+static double dv_of_half_sine(double time) {
+    return -30 / CR_PI * (1 - cos(CR_PI * time / 0.1));
+}
+
+/* A recorder whose trigger comes 10 ms late has lost what was before: the shift is found, and all
+ * is inside; one that reads 30 % too much is not. */
+static void recorder_with_a_late_trigger(void **state) {
+    (void)state;
+    struct cr_solution sol = half_sine();
+    const struct cr_compare_opts o = cr_compare_default();
+    for (int k = 0; k < 2; k++) {
+        char text[2000];
+        int n = snprintf(text, sizeof text, "Time (ms),\"Delta-V, Longitudinal (km/h)\"\n");
+        for (int i = 0; i <= 8; i++) {
+            double dv = dv_of_half_sine(0.01 + 0.01 * i) - dv_of_half_sine(0.01);
+            n += snprintf(text + n, sizeof text - (size_t)n, "%d,%.9f\n", 10 * i,
+                          cr_kmh(dv) * (k == 0 ? 1 : 1.3));
+        }
+        struct cr_signal s;
+        struct cr_corridor c;
+        assert_int_equal(load(text, NULL, &s, NULL), CR_ERR_OK);
+        assert_int_equal(cr_compare_corridor(&sol, 0, &s, &o, &c, NULL), CR_ERR_OK);
+        assert_int_equal(c.times, 9);
+        if (k == 0) {
+            check_near(c.shift, 0.01, 3e-4);
+            assert_int_equal(c.inside, 9);
+            check_near(c.peak_simulated, dv_of_half_sine(0.09) - dv_of_half_sine(0.01), 0.05);
+        } else {
+            assert_true(c.inside < 9);
+        }
+        cr_signal_free(&s);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(units_stand_in_the_names),    cmocka_unit_test(forms_of_csv),
-        cmocka_unit_test(faults_have_a_place),         cmocka_unit_test(pulse_against_itself),
+        cmocka_unit_test(units_stand_in_the_names),
+        cmocka_unit_test(forms_of_csv),
+        cmocka_unit_test(faults_have_a_place),
+        cmocka_unit_test(pulse_against_itself),
         cmocka_unit_test(velocities_are_compared_too),
+        cmocka_unit_test(recorder_with_a_late_trigger),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,111 @@
+/* SQLite databases that may be hostile: opened for reading only, with bounds, and errors that name
+ * the file. */
+#include "config.h"
+
+#if HAVE_SQLITE3
+#include "import/sql.h"
+
+#include <sqlite3.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Called every STEPS instructions; ends what a view without end would go on with. */
+enum { STEPS = 10000, CALLS_MAX = 100000000 };
+
+static int watching(void *user) {
+    struct cr_import *im = user;
+    im->polls++;
+    return im->polls > CALLS_MAX ||
+           (im->opts->cancel != NULL && im->opts->cancel(im->opts->user) != 0);
+}
+
+static enum cr_err fault(struct cr_import *im, sqlite3 *db, struct cr_error *err) {
+    int status = db != NULL ? sqlite3_errcode(db) : SQLITE_NOMEM;
+    enum cr_err code = CR_ERR_SYNTAX;
+    if (status == SQLITE_NOMEM) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for the database");
+    }
+    if (status == SQLITE_INTERRUPT) {
+        bool user = im->polls <= CALLS_MAX;
+        return cr_err_set(err, user ? CR_ERR_INTERRUPTED : CR_ERR_EXPENSIVE, "%s",
+                          user ? "interrupted" : "too expensive: a view of the database goes on");
+    }
+    if (status == SQLITE_CANTOPEN || status == SQLITE_IOERR || status == SQLITE_FULL) {
+        code = CR_ERR_IO;
+    }
+    cr_err_set(err, code, "SQLite: %.150s", sqlite3_errmsg(db));
+    cr_err_place(err, im->shown, 0, 0);
+    return code;
+}
+
+/* path as a URI: nothing is written beside it, no lock is taken */
+static enum cr_err uri_of(const char *path, struct cr_str *uri, struct cr_error *err) {
+    cr_str_add(uri, "file:");
+    for (const unsigned char *p = (const unsigned char *)path; *p != '\0'; p++) {
+        bool plain = *p > ' ' && *p < 0x7f && strchr("%?#", *p) == NULL;
+        cr_str_addf(uri, plain ? "%c" : "%%%02x", *p);
+    }
+    cr_str_add(uri, "?immutable=1");
+    return uri->failed ? cr_err_set(err, CR_ERR_MEMORY, "no memory for the database") : CR_ERR_OK;
+}
+
+enum cr_err cr_sql_open(struct cr_import *im, const char *path, sqlite3 **out,
+                        struct cr_error *err) {
+    struct cr_str uri = {0};
+    bool own = path[0] == '\0';
+    enum cr_err code = own ? CR_ERR_OK : uri_of(path, &uri, err);
+    *out = NULL;
+    if (code == CR_ERR_OK && sqlite3_open_v2(cr_str_get(&uri), out,
+                                             own ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE
+                                                 : SQLITE_OPEN_READONLY | SQLITE_OPEN_URI,
+                                             NULL) != SQLITE_OK) {
+        code = fault(im, *out, err);
+    }
+    cr_str_fini(&uri);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    sqlite3_db_config(*out, SQLITE_DBCONFIG_DEFENSIVE, 1, NULL);
+    sqlite3_db_config(*out, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, NULL);
+    sqlite3_limit(*out, SQLITE_LIMIT_LENGTH, 10000000);
+    sqlite3_limit(*out, SQLITE_LIMIT_EXPR_DEPTH, 100);
+    sqlite3_limit(*out, SQLITE_LIMIT_ATTACHED, 0);
+    im->polls = 0;
+    sqlite3_progress_handler(*out, STEPS, watching, im);
+    return CR_ERR_OK;
+}
+
+bool cr_sql_has(sqlite3 *db, const char *table, const char *column) {
+    sqlite3_stmt *stmt = NULL;
+    bool found = false;
+    if (sqlite3_prepare_v2(db, "SELECT name FROM pragma_table_info(?1)", -1, &stmt, NULL) ==
+            SQLITE_OK &&
+        sqlite3_bind_text(stmt, 1, table, -1, SQLITE_STATIC) == SQLITE_OK) {
+        while (!found && sqlite3_step(stmt) == SQLITE_ROW) {
+            const char *name = (const char *)sqlite3_column_text(stmt, 0);
+            found = column == NULL || (name != NULL && sqlite3_stricmp(name, column) == 0);
+        }
+    }
+    sqlite3_finalize(stmt);
+    return found;
+}
+
+enum cr_err cr_sql_prepare(struct cr_import *im, sqlite3 *db, const struct cr_str *text,
+                           sqlite3_stmt **out, struct cr_error *err) {
+    if (text->failed) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for the database");
+    }
+    return sqlite3_prepare_v2(db, cr_str_get(text), -1, out, NULL) == SQLITE_OK
+               ? CR_ERR_OK
+               : fault(im, db, err);
+}
+
+enum cr_err cr_sql_step(struct cr_import *im, sqlite3 *db, sqlite3_stmt *stmt, bool *row,
+                        struct cr_error *err) {
+    int status = sqlite3_step(stmt);
+    *row = status == SQLITE_ROW;
+    return status == SQLITE_ROW || status == SQLITE_DONE ? CR_ERR_OK : fault(im, db, err);
+}
+
+#endif

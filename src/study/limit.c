@@ -1,0 +1,33 @@
+/* The budget of time of each solve of a study, by the processor time of its thread: a loaded
+ * machine takes no draw's time away. */
+#include "study/limit.h"
+
+#include <math.h>
+#include <time.h>
+
+static double processor_s(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static int cancelled_or_late(void *user) {
+    struct cr_study_limit *limit = user;
+    const struct cr_context *given = limit->given;
+    int cancel = given->cancel != NULL ? given->cancel(given->user) : (int)CR_CANCEL_NO;
+    if (cancel != CR_CANCEL_NO) {
+        return cancel;
+    }
+    bool late = ++limit->polls % 32 == 0 && processor_s() > limit->end;
+    return late ? CR_CANCEL_TIME : CR_CANCEL_NO;
+}
+
+struct cr_context cr_study_limited(const struct cr_context *given, struct cr_study_limit *limit) {
+    double seconds = given->max_seconds > 0 ? given->max_seconds : (double)INFINITY;
+    *limit = (struct cr_study_limit){.given = given, .end = processor_s() + seconds};
+    return (struct cr_context){.models = given->models,
+                               .cancel = cancelled_or_late,
+                               .user = limit,
+                               .max_bytes = given->max_bytes,
+                               .max_seconds = given->max_seconds};
+}

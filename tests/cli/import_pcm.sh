@@ -1,0 +1,42 @@
+# shellcheck shell=sh
+# PCM databases of both generations, as SQLite and as folders of CSV; sourced by import.sh.
+if "$CRUMPLE" --version | grep -q 'no SQLite'; then
+    skip "PCM databases" "this build has no SQLite"
+    refused "without SQLite it is said" 2 'pcm5.db: error: .*libsqlite3-dev' "$data/pcm5.db"
+else
+    parts='s/.*"participants"//'
+    sample pcm5 "$data/pcm5.db"
+    for folder in pcm5 pcm4; do
+        run import "$data/$folder"
+        same "folder of CSV, $folder: the same participants" \
+            "$(printf '%s\n' "$out" | sed "$parts")" "$(sed "$parts" "$data/pcm5.jsonl")"
+        has "and its generation" "$out" "\"format\":\"PCM v${folder#pcm}\""
+    done
+    for column in participant_data:CASEID participant_data:PARTID participant_data:PARTTYPE \
+        dynamics:CASEID dynamics:PARTID dynamics:TIME dynamics:POSX dynamics:POSY \
+        dynamics:POSPSI dynamics:VX dynamics:VY; do
+        rm -rf "$tmp/less"
+        cp -r "$data/pcm5" "$tmp/less" && chmod -R u+w "$tmp/less"
+        sed "1s/${column#*:}/OTHER/" "$data/pcm5/${column%:*}.csv" >"$tmp/less/${column%:*}.csv"
+        refused "without ${column#*:} of ${column%:*}" 3 \
+            "less: error: table ${column%:*} has no column ${column#*:}" "$tmp/less"
+    done
+    rm "$tmp/less/dynamics.csv"
+    refused "without dynamics" 3 'less: error: table dynamics is not there' "$tmp/less"
+    sed '3s/7.5,0.0/,0.0/' "$data/pcm5/dynamics.csv" >"$tmp/less/dynamics.csv"
+    refused "an empty POSX" 1 'dynamics: POSX of participant P?1 is empty at TIME 0.5' "$tmp/less"
+    has "gives an error object" "$out" '^\{"crumple_result":2,"scene":"pcm-1000001","error"'
+    cp "$data/pcm5/dynamics.csv" "$tmp/less/dynamics.csv"
+    sed '3s/1000001,2,0,/1000001,2,1,/' "$data/pcm5/participant_data.csv" \
+        >"$tmp/less/participant_data.csv"
+    refused "a pedestrian" 1 'participant P?2 is a pedestrian, not a car' "$tmp/less"
+    # a second case, one of which is asked for, and one is at fault
+    for table in participant_data participant_shape dynamics; do
+        sed 1d "$data/pcm5/$table.csv" | sed 's/^1000001/7/' | cat "$data/pcm5/$table.csv" - \
+            >"$tmp/less/$table.csv"
+    done
+    run import --case 7 "$tmp/less"
+    same "--case: one of two" "$(printf '%s\n' "$out" | grep -o '"name":"[^"]*"')" '"name":"pcm-7"'
+    head -c 9000 "$data/pcm5.db" >"$tmp/cut.db"
+    refused "a database that is cut off" 3 'cut.db: error: ' "$tmp/cut.db"
+fi
