@@ -61,8 +61,22 @@ bool cr_import_lay_over(cJSON *to, const cJSON *from) {
     return true;
 }
 
+/* A vehicle of which nothing is known that would tell its type has the one that "auto" takes, and a
+ * note says so. */
+static void need_type(struct cr_import *im, const struct cr_import_part *part, cJSON *json) {
+    static const char *const tell[] = {"type",     "car",         "mass_kg", "kerb_mass_kg",
+                                       "length_m", "wheelbase_m", "height_m"};
+    for (size_t i = 0; i < sizeof tell / sizeof *tell; i++) {
+        if (part->p.kind != CR_KIND_VEHICLE || cJSON_HasObjectItem(json, tell[i])) {
+            return;
+        }
+    }
+    cr_tree_text(json, "type", "auto");
+    cr_import_note(im, "nothing tells the type of %s", part->p.id);
+}
+
 /* A scene of the participant alone beside a wall, as a tree; what the reader gave and the map. */
-static cJSON *scene_alone(const struct cr_import *im, const struct cr_import_part *part,
+static cJSON *scene_alone(struct cr_import *im, const struct cr_import_part *part,
                           struct cr_scene *work) {
     cr_scene_init(work);
     work->n = 1;
@@ -77,6 +91,7 @@ static cJSON *scene_alone(const struct cr_import *im, const struct cr_import_par
     cr_tree_push(place, cJSON_CreateNumber(0));
     cr_tree_push(place, cJSON_CreateNumber(0));
     bool done = list != NULL && cr_import_lay_over(cJSON_GetArrayItem(list, 0), map_of(im, part));
+    need_type(im, part, cJSON_GetArrayItem(list, 0));
     cr_tree_push(list, wall);
     if (!done || !cr_tree_whole(json)) {
         cJSON_Delete(json);

@@ -46,3 +46,17 @@ refused "a --before of nothing" 2 '--before.*more than 0 s' "$data/long.csv" --b
 printf 'nothing of the kind\n' >"$tmp/what.txt"
 refused "no format" 3 'what.txt: error: no format' "$tmp/what.txt"
 refused "no file" 2 'nowhere.csv: error: cannot open' "$tmp/nowhere.csv"
+
+# A long file is read in constant memory: half a million rows would take more than what is allowed.
+awk -v n=250000 'BEGIN { print "time [s],id,x [m],y [m],heading [deg],speed [km/h],length [m]"
+    for (i = 0; i < n; i++) { d = 0.1 * (1 - i / n) * 40000
+        printf "%.2f,A,%.4f,0,0,54,4\n", i / 100, -d - 1.9
+        printf "%.2f,B,%.4f,0,180,54,4\n", i / 100, d + 1.9 }
+    }' >"$tmp/big.csv"
+if "$CRUMPLE" --version | grep -q 'sanitizers: no'; then
+    (ulimit -v 30000 && "$CRUMPLE" import "$tmp/big.csv" >"$tmp/big.jsonl" 2>"$tmp/big.err")
+    same "half a million rows in 30 MB: status 0" $? 0
+    has "only the end is kept" "$(cat "$tmp/big.jsonl")" '"note":"only the last 2 s before '
+else
+    skip "a long file in little memory" "sanitizers reserve more"
+fi

@@ -1,0 +1,54 @@
+/* Any bytes as a file of any of the formats of import: scenes that can be read, or errors with a
+ * text. */
+#include "scratch.h"
+
+#include "import/import.h"
+#include "scene/scene.h"
+
+#include <string.h>
+
+/* what comes out is a scene that reads, or an error object */
+static enum cr_err take(void *user, const struct cr_str *line, struct cr_error *err) {
+    struct cr_scene scene;
+    (void)user;
+    if (strncmp(line->s, "{\"crumple_result\"", 17) != 0) {
+        if (cr_scene_parse(line->s, line->len, "scene", &scene, err) != CR_ERR_OK) {
+            abort();
+        }
+        cr_scene_fini(&scene);
+    }
+    return CR_ERR_OK;
+}
+
+static void failed(void *user, const struct cr_error *why) {
+    (void)user;
+    if (why->text[0] == '\0') {
+        abort();
+    }
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    static struct cr_model_lib *models;
+    struct cr_error err;
+    char dir[4096];
+    snprintf(dir, sizeof dir, "%s/models", data_dir());
+    if (models == NULL && cr_model_lib_open(dir, &models, &err) != CR_ERR_OK) {
+        exit(3);
+    }
+    struct cr_import_opts opts = {
+        .models = models, .point = -1, .before = 2, .take = take, .failed = failed};
+    int formats = 1;
+    for (const char *p = cr_import_formats(); *p != '\0'; p++) {
+        formats += *p == '|';
+    }
+    const char *path = scratch_put("crash", data, size);
+    for (opts.format = 0; opts.format < formats; opts.format++) {
+        struct cr_import_count count = {0};
+        err.text[0] = '\0';
+        if (cr_import_file(&opts, path, &count, &err) != CR_ERR_OK && err.text[0] == '\0') {
+            abort();
+        }
+    }
+    scratch_remove("crash");
+    return 0;
+}
