@@ -1,5 +1,5 @@
-/* Any bytes as the files that import reads beside another one: descriptions and records of CarMaker,
- * records and channels of crash tests, and as an expression of OpenSCENARIO. */
+/* Any bytes as the files that import reads beside another one: descriptions and records of
+ * CarMaker, records and channels of crash tests, and as an expression of OpenSCENARIO. */
 #include "fuzz.h"
 
 #include "import/channel.h"
