@@ -2,6 +2,7 @@
 #include "cli/cli.h"
 #include "cli/pictures.h"
 #include "cli/word.h"
+#include "result/robust.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -15,11 +16,19 @@ struct run_options {
     int format;
     bool trace;
     int version, per; /* of the JSON; rows of the CSV */
+    int check;        /* solves more to see what hangs on chance */
     const char *out;
     struct cr_option_values set, pictures;
     struct cr_cli_look look;
     struct cr_cli_budget budget;
 };
+
+#define CHECK_OPTION(n)                                                                            \
+    {                                                                                              \
+        .name = "check", .arg = "N", .number = (n), .lo = CR_ROBUST_LEAST, .hi = CR_ROBUST_MOST,   \
+        .help = "solve N times more with grid, time slice, place and mass nudged, and tell how "   \
+                "far each number moves"                                                            \
+    }
 
 static const char about[] =
     "Solves one scene (- reads it from standard input) and writes the result to standard\n"
@@ -70,6 +79,21 @@ static enum cr_err write_all(const struct cr_result *result, const struct run_op
     return code;
 }
 
+/* Solve again as often as asked for, each time under the budget of one scene. */
+static enum cr_err check(struct cr_result *result, const struct cr_cli_shared *shared,
+                         const struct run_options *opt, struct cr_error *err) {
+    enum cr_err code = cr_robust_begin(result, err);
+    for (int i = 0; i < opt->check && code == CR_ERR_OK; i++) {
+        struct cr_cli_work work;
+        const struct cr_context ctx = cr_cli_context(shared, &opt->budget, &work);
+        code = cr_robust_step(result, &ctx, err);
+    }
+    if (code == CR_ERR_OK) {
+        cr_robust_end(result);
+    }
+    return code;
+}
+
 static enum cr_err run(const char *path, const struct run_options *opt, struct cr_error *err) {
     struct cr_cli_shared shared = {0};
     struct cr_scene scene;
@@ -97,6 +121,9 @@ static enum cr_err run(const char *path, const struct run_options *opt, struct c
             cr_scene_locate_file(path, name, err);
         }
     }
+    if (code == CR_ERR_OK && opt->check > 0) {
+        code = check(result, &shared, opt, err);
+    }
     if (code == CR_ERR_OK) {
         code = write_all(result, opt, &shared.ctx, err);
     }
@@ -120,6 +147,7 @@ int cr_cli_run(int argc, char **argv) {
          .arg = PER,
          .number = &opt.per,
          .help = "rows of the CSV: one per participant (default), or per impact and participant"},
+        CHECK_OPTION(&opt.check),
         CR_CLI_VERSION_OPTION(&opt.version),
         {.name = "output",
          .letter = 'o',
@@ -151,8 +179,7 @@ int cr_cli_run(int argc, char **argv) {
     if (status >= 0) {
         return status;
     }
-    if (cr_cli_check_pictures(&opt.pictures, &err) != CR_ERR_OK) {
-        return cr_cli_fail(&err);
-    }
-    return run(argv[1], &opt, &err) == CR_ERR_OK ? 0 : cr_cli_fail(&err);
+    enum cr_err code = cr_cli_check_pictures(&opt.pictures, &err);
+    code = code == CR_ERR_OK ? run(argv[1], &opt, &err) : code;
+    return code == CR_ERR_OK ? 0 : cr_cli_fail(&err);
 }

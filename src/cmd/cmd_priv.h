@@ -79,30 +79,15 @@ const char *cr_cmd_word_nearest(const char *words, const char *word, char *buf, 
 const struct cr_command *cr_command_among(const struct cr_command *table, int n, const char *word,
                                           bool *many);
 
-/* ---- session (session.c, state.c, autosave.c, work.c) ---- */
+/* ---- session (session.c, state.c, autosave.c, work.c, placed.c) ---- */
 
-/* How a participant was placed last, so that a sweep can vary it. */
-enum cr_placed_side { CR_SIDE_LEFT, CR_SIDE_RIGHT, CR_SIDE_CENTRE, CR_SIDE_FRONT, CR_SIDE_REAR };
-struct cr_placed {
-    char id[CR_NAME_MAX], other[CR_NAME_MAX]; /* id "": never, or moved since */
-    enum cr_place_rel rel;
-    int side;       /* enum cr_placed_side, -1: by the relation */
-    double overlap; /* 0..1 */
-    int at_word;    /* of the argument `at`, -1: `at` counts */
-    double at;      /* m behind the front end of the struck flank's vehicle; NaN: middle */
-    double angle;   /* rad; NaN: the relation's own */
-    double gap;     /* m */
-};
-/* Puts the participant where it says, in the scene of the state, and remembers it there. */
-enum cr_err cr_placed_apply(struct cr_state *state, const struct cr_placed *placed,
-                            const struct cr_model_lib *models, struct cr_error *err);
-struct cr_placed *cr_placed_find(struct cr_state *state, const char *id);
+/* Puts those that stand against another where they belong by now, and says who moved. */
+enum cr_err cr_cmd_settle(struct cr_session *s, struct cr_state *draft, struct cr_error *err);
 
 struct cr_state {
     struct cr_scene scene;
-    struct cr_placed placed[CR_BODY_MAX]; /* in no order */
-    char file[CR_PATH_MAX];               /* it was read from or saved to, "" if it has none */
-    char *command;                        /* that led here, NULL for the first */
+    char file[CR_PATH_MAX]; /* it was read from or saved to, "" if it has none */
+    char *command;          /* that led here, NULL for the first */
     long rev;
 };
 
@@ -192,7 +177,7 @@ struct cr_sweep_key {
     const char *key; /* of the scene; NULL: of the placement */
     unsigned kinds;  /* participants it is for, 0: all */
     bool setting;
-    enum cr_dim dim;  /* of a placement's value */
+    enum cr_dim dim;  /* of its value */
     const char *unit; /* likewise, its usual unit */
     const char *help;
 };
@@ -251,6 +236,19 @@ enum cr_err cr_cmd_picture_text(struct cr_session *s, int width, int height,
 
 /* The selected vehicle's 3D model from `view` (enum cr_project). */
 enum cr_err cr_cmd_project(struct cr_session *s, int view, struct cr_error *err);
+
+/* ---- help (help_text.c, glossary.c) ---- */
+
+/* Adds text that begins at column `first` (further lines at `indent`), folded at 78 columns, and a
+ * newline; whether a text (NULL: none) has a word in it, in any case. */
+void cr_help_fold(struct cr_str *out, const char *text, int first, int indent);
+bool cr_help_contains(const char *text, const char *word);
+/* Tell what a term of the field means, "units" or "glossary"; false for what is none. */
+bool cr_glossary_say(struct cr_session *s, const char *word);
+/* Tell all terms whose text has the word in it; how many. */
+int cr_glossary_search(struct cr_session *s, const char *word);
+/* Name i and its title, NULL after the last (for completion). */
+const char *cr_glossary_name(int i, const char **title);
 
 /* ---- handlers ---- */
 

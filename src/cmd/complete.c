@@ -193,6 +193,15 @@ static void add_commands(struct cursor *c) {
     }
 }
 
+static void add_terms(struct cursor *c) {
+    const char *title, *name;
+    add(c, "glossary", "the terms", ' ');
+    add(c, "units", "all units", ' ');
+    for (int i = 0; (name = cr_glossary_name(i, &title)) != NULL; i++) {
+        add(c, name, title, ' ');
+    }
+}
+
 static void add_values(struct cursor *c, const struct cr_arg *arg) {
     switch (arg->type) {
     case CR_VALUE_KEY:
@@ -224,6 +233,7 @@ static void add_values(struct cursor *c, const struct cr_arg *arg) {
         break;
     case CR_VALUE_COMMAND:
         add_commands(c);
+        add_terms(c);
         break;
     case CR_VALUE_SWEEP:
         add_sweeps(c);

@@ -36,7 +36,6 @@ enum cr_err cr_cmd_load(struct cr_call *call, struct cr_error *err) {
     code = cr_file_check_regular(from, err); /* a session must not wait for a pipe */
     if (code == CR_ERR_OK) {
         cr_scene_fini(&draft->scene);
-        memset(draft->placed, 0, sizeof draft->placed);
         code = cr_scene_load_draft(from, &draft->scene, err);
     }
     if (code != CR_ERR_OK) {

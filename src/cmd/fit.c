@@ -18,7 +18,7 @@ static enum cr_err vary_all(const struct searched *d, int n, const double *value
                             struct cr_state *state, struct cr_error *err) {
     enum cr_err code = CR_ERR_OK;
     for (int i = 0; i < n && code == CR_ERR_OK; i++) {
-        code = cr_vary_apply(state, &d->var[i], value[i], d->models, err);
+        code = cr_vary_apply(state, &d->var[i], value[i], err);
     }
     return code == CR_ERR_OK ? cr_vary_settle(state, d->models, err) : code;
 }

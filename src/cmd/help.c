@@ -93,30 +93,7 @@ void cr_arg_help(const struct cr_arg *arg, struct cr_str *out) {
     }
 }
 
-/* adds text folded at `width` columns, each line after the first indented */
-static void fold(struct cr_str *out, const char *text, int first, int indent, int width) {
-    int col = first;
-    bool begun = false;
-    while (*text != '\0') {
-        int n = (int)strcspn(text, " ");
-        if (begun && col + 1 + n > width) {
-            cr_str_add(out, "\n");
-            cr_str_fill(out, ' ', indent);
-            col = indent;
-        } else if (begun) {
-            cr_str_add(out, " ");
-            col++;
-        }
-        cr_str_addn(out, text, (size_t)n);
-        col += n;
-        begun = true;
-        text += n;
-        text += strspn(text, " ");
-    }
-    cr_str_add(out, "\n");
-}
-
-enum { WIDTH = 78, INDENT = 18 };
+enum { INDENT = 18 };
 
 static void arg_line(const struct cr_arg *arg, struct cr_str *out) {
     struct cr_str text = {0};
@@ -136,8 +113,8 @@ static void arg_line(const struct cr_arg *arg, struct cr_str *out) {
     } else if (arg->words != NULL && arg->type != CR_VALUE_FILE && arg->type != CR_VALUE_SWITCH) {
         cr_str_addf(&text, "; or %s", arg->words);
     }
-    fold(out, cr_str_get(&text), (int)strlen(name) + 3 > INDENT ? (int)strlen(name) + 3 : INDENT,
-         INDENT, WIDTH);
+    cr_help_fold(out, cr_str_get(&text),
+                 (int)strlen(name) + 3 > INDENT ? (int)strlen(name) + 3 : INDENT, INDENT);
     cr_str_fini(&text);
 }
 
@@ -145,7 +122,7 @@ void cr_command_help(const struct cr_command *cmd, struct cr_str *out) {
     struct cr_str usage = {0};
     cr_str_addf(out, "%s: %s\n", cmd->name, cmd->help);
     cr_command_usage(cmd, &usage);
-    fold(out, cr_str_get(&usage), 0, 4, WIDTH);
+    cr_help_fold(out, cr_str_get(&usage), 0, 4);
     cr_str_fini(&usage);
     for (int i = 0; cmd->arg[i].name != NULL; i++) {
         arg_line(&cmd->arg[i], out);
@@ -211,23 +188,36 @@ void cr_command_roff(const struct cr_command *cmd, struct cr_str *out) {
 
 /* ---- commands ---- */
 
+/* a command by its whole name, else a term of the field, else a command by its first letters */
+static enum cr_err explain(struct cr_call *call, const char *name, struct cr_error *err) {
+    struct cr_session *s = call->s;
+    bool many;
+    struct cr_str page = {0};
+    const struct cr_command *cmd = cr_command_among(s->command, s->commands, name, &many);
+    bool whole = cmd != NULL && strcmp(cmd->name, name) == 0;
+    if (!whole && cr_glossary_say(s, name)) {
+        return CR_ERR_OK;
+    }
+    if (cmd == NULL) {
+        cr_err_set(err, CR_ERR_NAME, "there is no command or term '%.60s'", name);
+        cr_err_hint(err, "apropos %.40s searches the help, help glossary lists the terms", name);
+        return cr_cmd_blame(call, "COMMAND", CR_ERR_NAME);
+    }
+    cr_command_help(cmd, &page);
+    cr_session_lines(s, &page);
+    cr_str_fini(&page);
+    if (whole) {
+        cr_glossary_say(s, name);
+    }
+    return CR_ERR_OK;
+}
+
 enum cr_err cr_cmd_help(struct cr_call *call, struct cr_error *err) {
     const struct cr_session *s = call->s;
     const struct cr_command *table = s->command;
     const char *name = cr_cmd_text(call, "COMMAND", NULL), *group = "";
     if (name != NULL) {
-        bool many;
-        struct cr_str page = {0};
-        const struct cr_command *cmd = cr_command_among(table, s->commands, name, &many);
-        if (cmd == NULL) {
-            cr_err_set(err, CR_ERR_NAME, "there is no command '%.60s'", name);
-            cr_err_hint(err, "apropos %.40s searches the help", name);
-            return cr_cmd_blame(call, "COMMAND", CR_ERR_NAME);
-        }
-        cr_command_help(cmd, &page);
-        cr_session_lines(call->s, &page);
-        cr_str_fini(&page);
-        return CR_ERR_OK;
+        return explain(call, name, err);
     }
     for (int i = 0; i < s->commands; i++) {
         if (strcmp(group, table[i].group) != 0) {
@@ -236,28 +226,23 @@ enum cr_err cr_cmd_help(struct cr_call *call, struct cr_error *err) {
         }
         cr_say(call->s, "  %-9s %s", table[i].name, table[i].help);
     }
-    cr_say(call->s, "help COMMAND explains one; Tab completes; any unique prefix is enough");
+    cr_say(call->s,
+           "help COMMAND explains one, help glossary lists the terms (help pdof), help units "
+           "the units; Tab");
+    cr_say(call->s, "completes; any unique prefix is enough");
     return CR_ERR_OK;
 }
 
-static bool contains(const char *text, const char *word) {
-    for (; text != NULL && *text != '\0'; text++) {
-        if (strncasecmp(text, word, strlen(word)) == 0) {
-            return true;
-        }
-    }
-    return false;
-}
-
 static bool mentions(const struct cr_command *cmd, const char *word) {
-    if (contains(cmd->name, word) || contains(cmd->help, word)) {
+    if (cr_help_contains(cmd->name, word) || cr_help_contains(cmd->help, word)) {
         return true;
     }
     for (int i = 0; cmd->arg[i].name != NULL; i++) {
         struct cr_str text = {0};
         cr_arg_help(&cmd->arg[i], &text);
-        bool found = contains(cmd->arg[i].name, word) || contains(cmd->arg[i].words, word) ||
-                     contains(cr_str_get(&text), word);
+        bool found = cr_help_contains(cmd->arg[i].name, word) ||
+                     cr_help_contains(cmd->arg[i].words, word) ||
+                     cr_help_contains(cr_str_get(&text), word);
         cr_str_fini(&text);
         if (found) {
             return true;
@@ -276,6 +261,7 @@ enum cr_err cr_cmd_apropos(struct cr_call *call, struct cr_error *err) {
             found++;
         }
     }
+    found += cr_glossary_search(call->s, word);
     if (found == 0) {
         cr_err_set(err, CR_ERR_NAME, "no help mentions '%.60s'", word);
         cr_err_hint(err, "help lists the commands");

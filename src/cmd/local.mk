@@ -14,7 +14,9 @@ libcmd_a_SOURCES = \
 	src/cmd/export_picture.c \
 	src/cmd/files.c \
 	src/cmd/fit.c \
+	src/cmd/glossary.c \
 	src/cmd/help.c \
+	src/cmd/help_text.c \
 	src/cmd/hints.c \
 	src/cmd/look.c \
 	src/cmd/mc.c \

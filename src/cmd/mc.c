@@ -24,7 +24,7 @@ static enum cr_err make(const struct cr_study *study, const double *value, struc
     enum cr_err code = cr_state_dup(d->base, &state, err);
     for (int i = 0; i < study->n && code == CR_ERR_OK; i++) {
         if (d->var[i].key != NULL) {
-            code = cr_vary_apply(state, &d->var[i], value[i], d->models, err);
+            code = cr_vary_apply(state, &d->var[i], value[i], err);
         } else {
             cr_study_put(study, i, value[i], &state->scene);
         }
@@ -55,11 +55,6 @@ static void limit_input(struct cr_session *s, const struct cr_vary *var,
                         struct cr_study_input *in) {
     in->lo = -INFINITY;
     in->hi = INFINITY;
-    if (var->key->key == NULL) {
-        in->lo = strcmp(var->key->name, "overlap") == 0 ? 0.01 : in->lo;
-        in->hi = strcmp(var->key->name, "overlap") == 0 ? 1 : in->hi;
-        return;
-    }
     bool setting = var->key->setting;
     unsigned mask =
         setting ? 0 : cr_scene_kind_mask(cr_scene_find(&cr_session_now(s)->scene, var->id));
@@ -89,7 +84,7 @@ static enum cr_err add_input(struct cr_call *call, const struct cr_token *tok,
     in.spread = how.spread;
     snprintf(in.group, sizeof in.group, "%s", how.group);
     snprintf(in.key, sizeof in.key, "%s%s%s", var.id, var.key->setting ? "" : ".",
-             var.key->key != NULL ? var.key->key : var.key->name);
+             cr_vary_is_place(&var) ? var.key->name : var.key->key);
     limit_input(call->s, &var, &in);
     for (int i = study->n - 1; i >= 0; i--) { /* the line says it better than the scene */
         if (strcmp(study->in[i].key, in.key) == 0) {

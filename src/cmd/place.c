@@ -1,55 +1,88 @@
 /* place and move: where participants stand, by coordinates or against each other. */
 #include "cmd/cmd_priv.h"
 
+#include "scene/keys.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 /* ---- place ---- */
 
-static enum cr_err place_against(struct cr_call *call, struct cr_state *draft,
+/* a number of the relation, and whether it was given */
+static void take(struct cr_call *call, struct cr_participant *p, const char *name,
+                 const char *key_name, double *field) {
+    int n;
+    const struct cr_key *row = cr_scene_keys(CR_KEYS_PARTICIPANT, &n);
+    const struct cr_key *key = cr_scene_key_find(CR_KEYS_PARTICIPANT, key_name, CR_FOR_ALL);
+    double given = cr_cmd_number(call, name, NAN);
+    if (cr_cmd_given(call, name) && !isnan(given)) {
+        *field = given;
+        p->given |= (uint64_t)1 << (key - row);
+    }
+}
+
+static enum cr_err check_against(struct cr_call *call, const char *id, const char *other,
                                  struct cr_error *err) {
-    const char *other = cr_cmd_text(call, "OTHER", NULL);
-    struct cr_placed p = {.rel = (enum cr_place_rel)cr_cmd_word(call, "HOW", 0),
-                          .side = cr_cmd_word(call, "side", -1),
-                          .overlap = cr_cmd_number(call, "overlap", 1),
-                          .at_word = cr_cmd_word(call, "at", -1),
-                          .at = cr_cmd_number(call, "at", NAN),
-                          .angle = cr_cmd_number(call, "angle", NAN),
-                          .gap = cr_cmd_number(call, "gap", 0)};
+    enum cr_place_side side = (enum cr_place_side)cr_cmd_word(call, "side", CR_SIDE_AUTO);
     if (other == NULL) {
         cr_err_set(err, CR_ERR_MISSING, "%s whom?", cr_cmd_text(call, "HOW", ""));
         cr_err_hint(err, "for example: %s", call->cmd->example[0]);
         return cr_cmd_blame(call, "HOW", CR_ERR_MISSING);
     }
-    snprintf(p.id, sizeof p.id, "%s", cr_cmd_text(call, "NAME", ""));
-    snprintf(p.other, sizeof p.other, "%s", other);
-    if (strcmp(p.id, p.other) == 0) {
-        cr_err_set(err, CR_ERR_NAME, "%s cannot be placed against itself", p.id);
+    if (strcmp(id, other) == 0) {
+        cr_err_set(err, CR_ERR_NAME, "%s cannot be placed against itself", id);
         return cr_cmd_blame(call, "OTHER", CR_ERR_NAME);
     }
-    if (p.rel != CR_PLACE_HITTING && (p.side == CR_SIDE_FRONT || p.side == CR_SIDE_REAR)) {
+    if (cr_cmd_word(call, "HOW", 0) != CR_PLACE_HITTING &&
+        (side == CR_SIDE_FRONT || side == CR_SIDE_REAR)) {
         cr_err_set(err, CR_ERR_NAME, "side=%s is for hitting", cr_cmd_text(call, "side", ""));
         cr_err_hint(err, "side=left, right or centre says which half is met");
         return cr_cmd_blame(call, "side", CR_ERR_NAME);
     }
-    enum cr_err code = cr_session_need_models(call->s, err);
-    if (code == CR_ERR_OK) {
-        code = cr_placed_apply(draft, &p, call->s->models, err);
-    }
-    const char *fault =
-        cr_cmd_given(call, "overlap") && strstr(err->text, "overlap") != NULL ? "overlap"
-        : cr_cmd_given(call, "angle") && strstr(err->text, "angle") != NULL   ? "angle"
-        : cr_cmd_given(call, "at")                                            ? "at"
-                                                                              : "HOW";
-    return code == CR_ERR_OK ? code : cr_cmd_blame(call, fault, code);
+    return CR_ERR_OK;
 }
 
-static void forget_place(struct cr_state *state, const char *id) {
-    struct cr_placed *placed = cr_placed_find(state, id);
-    if (placed != NULL) {
-        placed->id[0] = '\0';
+/* the argument that a message is about */
+static const char *fault_of(const struct cr_call *call, const struct cr_error *err) {
+    return cr_cmd_given(call, "overlap") && strstr(err->text, "overlap") != NULL ? "overlap"
+           : cr_cmd_given(call, "angle") && strstr(err->text, "angle") != NULL   ? "angle"
+           : cr_cmd_given(call, "at")                                            ? "at"
+                                                                                 : "HOW";
+}
+
+static enum cr_err place_against(struct cr_call *call, struct cr_state *draft,
+                                 struct cr_participant *p, struct cr_error *err) {
+    const char *other = cr_cmd_text(call, "OTHER", NULL);
+    char key[CR_NAME_MAX + 16];
+    enum cr_err code = check_against(call, p->id, other, err);
+    if (code != CR_ERR_OK) {
+        return code;
     }
+    cr_scene_unplace(p);
+    struct cr_stand *s = &p->place;
+    snprintf(s->against, sizeof s->against, "%s", other);
+    s->how = (enum cr_place_rel)cr_cmd_word(call, "HOW", 0);
+    s->side = (enum cr_place_side)cr_cmd_word(call, "side", CR_SIDE_AUTO);
+    int at = cr_cmd_word(call, "at", -1); /* a number is no word */
+    s->at = at >= 0 ? (enum cr_place_at)at : CR_AT_AUTO;
+    take(call, p, "overlap", "place.overlap_percent", &s->overlap);
+    if (s->at == CR_AT_AUTO) {
+        take(call, p, "at", "place.at_m", &s->at_m);
+    }
+    take(call, p, "angle", "place.angle_deg", &s->angle);
+    take(call, p, "gap", "place.gap_m", &s->gap);
+    if (p->kind == CR_KIND_VEHICLE) { /* it drives where it looks */
+        snprintf(key, sizeof key, "%s.course_deg", p->id);
+        code = cr_scene_set(&draft->scene, key, "auto", err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_session_need_models(call->s, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_scene_settle(&draft->scene, call->s->models, err);
+    }
+    return code == CR_ERR_OK ? code : cr_cmd_blame(call, fault_of(call, err), code);
 }
 
 enum cr_err cr_cmd_place(struct cr_call *call, struct cr_error *err) {
@@ -63,7 +96,7 @@ enum cr_err cr_cmd_place(struct cr_call *call, struct cr_error *err) {
     }
     struct cr_participant *p = cr_scene_find(&draft->scene, id);
     if (cr_cmd_given(call, "HOW")) {
-        code = place_against(call, draft, err);
+        code = place_against(call, draft, p, err);
     }
     for (int i = 0; i < 5 && code == CR_ERR_OK && !cr_cmd_given(call, "HOW"); i++) {
         if (cr_cmd_given(call, only_against[i])) {
@@ -76,13 +109,9 @@ enum cr_err cr_cmd_place(struct cr_call *call, struct cr_error *err) {
         code =
             cr_cmd_set_numbers(&draft->scene, id, "position_m", cr_cmd_number(call, "x", p->pos.x),
                                cr_cmd_number(call, "y", p->pos.y), err);
-        forget_place(draft, id);
     }
     if (code == CR_ERR_OK) {
         code = cr_cmd_set_keys(call, &draft->scene, id, err);
-    }
-    if (code == CR_ERR_OK && cr_cmd_given(call, "heading")) {
-        forget_place(draft, id);
     }
     if (code == CR_ERR_OK) {
         cr_cmd_describe(p, line, sizeof line);
@@ -120,7 +149,6 @@ enum cr_err cr_cmd_move(struct cr_call *call, struct cr_error *err) {
     if (code != CR_ERR_OK) {
         return cr_cmd_blame(call, "speed", code);
     }
-    forget_place(draft, id);
     cr_cmd_describe(p, line, sizeof line);
     cr_say(call->s, "%s", line);
     return CR_ERR_OK;

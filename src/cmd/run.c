@@ -160,6 +160,9 @@ static enum cr_err run_call(struct cr_call *call, struct cr_error *err) {
         code = cr_err_set(err, CR_ERR_MEMORY, "no memory for all of the answer");
     }
     call->s->lost = false;
+    if (code == CR_ERR_OK && call->draft != NULL && !call->fresh) {
+        code = cr_cmd_settle(call->s, call->draft, err);
+    }
     if (code == CR_ERR_OK && call->draft != NULL) {
         char *text = statement_text(call->tokens);
         if (text == NULL) {

@@ -89,11 +89,6 @@ static enum cr_err forget(struct cr_call *call, const char *id, struct cr_error 
     if (code != CR_ERR_OK) {
         return cr_cmd_blame(call, "NAME", code);
     }
-    for (int i = 0; i < CR_BODY_MAX; i++) {
-        if (strcmp(draft->placed[i].id, id) == 0 || strcmp(draft->placed[i].other, id) == 0) {
-            draft->placed[i] = (struct cr_placed){.id = ""};
-        }
-    }
     cr_say(call->s, "%s removed", id);
     return CR_ERR_OK;
 }
@@ -110,6 +105,7 @@ static void park(const struct cr_scene *scene, struct cr_participant *p) {
             x = fmax(x, scene->part[i].pos.x + 10);
         }
     }
+    cr_scene_unplace(p);
     p->pos = cr_vec2(x, 0);
 }
 
@@ -191,28 +187,6 @@ static enum cr_err complete_vehicle(struct cr_call *call, struct cr_scene *scene
     snprintf(full, sizeof full, "%s.mass_kg", p->id);
     cr_say(call->s, "mass %.10g kg, that of the reference %s", mass, cr_type_word(p->type));
     return cr_scene_set(scene, full, value, err);
-}
-
-/* One of another size still stands as it was placed, and so do those placed against it. */
-static enum cr_err place_again(struct cr_session *s, struct cr_state *draft, const char *id,
-                               struct cr_error *err) {
-    for (int i = 0; i < CR_BODY_MAX; i++) {
-        struct cr_placed placed = draft->placed[i];
-        if (placed.id[0] == '\0' || (strcmp(placed.id, id) != 0 && strcmp(placed.other, id) != 0)) {
-            continue;
-        }
-        const struct cr_participant *p = cr_scene_find(&draft->scene, placed.id);
-        struct cr_vec2 before = p->pos;
-        enum cr_err code = cr_session_need_models(s, err);
-        code = code == CR_ERR_OK ? cr_placed_apply(draft, &placed, s->models, err) : code;
-        if (code != CR_ERR_OK) {
-            return code;
-        }
-        if (cr_vec2_len(cr_vec2_sub(p->pos, before)) > 1e-9) {
-            cr_say(s, "placed again: %s x=%.2f m y=%.2f m", p->id, p->pos.x + 0.0, p->pos.y + 0.0);
-        }
-    }
-    return CR_ERR_OK;
 }
 
 /* what an object's arguments say that is not a key of the scene file */
@@ -319,7 +293,7 @@ static enum cr_err edit(struct cr_call *call, enum cr_kind kind,
         return code;
     }
     say_participant(call->s, p);
-    return is_new ? CR_ERR_OK : place_again(call->s, draft, id, err);
+    return CR_ERR_OK;
 }
 
 enum cr_err cr_cmd_vehicle(struct cr_call *call, struct cr_error *err) {
@@ -382,7 +356,6 @@ enum cr_err cr_cmd_new(struct cr_call *call, struct cr_error *err) {
     }
     bool old = draft->scene.n > 0;
     cr_scene_fini(&draft->scene);
-    memset(draft->placed, 0, sizeof draft->placed);
     draft->file[0] = '\0';
     if (name[0] != '\0') {
         code = cr_scene_set(&draft->scene, "name", name, err);

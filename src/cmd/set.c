@@ -2,6 +2,8 @@
  */
 #include "cmd/cmd_priv.h"
 
+#include "result/robust.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -191,6 +193,38 @@ static void say_assumed(struct cr_session *s, const struct cr_assumed *assumed) 
     cr_str_fini(&line);
 }
 
+/* The scene solved again with grid, place and mass nudged; the result keeps what came of it. */
+static enum cr_err check_robust(struct cr_call *call, struct cr_error *err) {
+    struct cr_session *s = call->s;
+    int solves = (int)cr_cmd_number(call, "solves", CR_ROBUST_USUAL);
+    enum cr_err code = cr_session_need_whole(s, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    code = cr_robust_begin(s->result, err);
+    for (int i = 0; i < solves && code == CR_ERR_OK; i++) {
+        struct cr_context ctx = cr_session_context(s);
+        cr_work_begin(s);
+        code = cr_robust_step(s->result, &ctx, err);
+        cr_work_end(s);
+    }
+    if (code != CR_ERR_OK) {
+        free(s->result->robust); /* of a part nothing can be said */
+        s->result->robust = NULL;
+        return code;
+    }
+    int before = s->result->warnings;
+    struct cr_str text = {0};
+    cr_robust_end(s->result);
+    cr_render_robust(s->result, &text);
+    cr_session_lines(s, &text);
+    cr_str_fini(&text);
+    for (int i = before; i < s->result->warnings; i++) {
+        cr_warn(s, "%s", s->result->warning[i]);
+    }
+    return CR_ERR_OK;
+}
+
 enum cr_err cr_cmd_check(struct cr_call *call, struct cr_error *err) {
     struct cr_session *s = call->s;
     struct cr_scene scene;
@@ -198,6 +232,9 @@ enum cr_err cr_cmd_check(struct cr_call *call, struct cr_error *err) {
     struct cr_error found = {0};
     char how[200];
     int faults = 0;
+    if (cr_cmd_given(call, "WHAT")) {
+        return check_robust(call, err);
+    }
     if (cr_session_scene(s)->n < 2) {
         cr_say(s, "a crash needs two participants, there %s %d",
                cr_session_scene(s)->n == 1 ? "is" : "are", cr_session_scene(s)->n);

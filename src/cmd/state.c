@@ -27,7 +27,6 @@ enum cr_err cr_state_dup(const struct cr_state *from, struct cr_state **out, str
         free(copy);
         return code;
     }
-    memcpy(copy->placed, from->placed, sizeof copy->placed);
     memcpy(copy->file, from->file, sizeof copy->file);
     *out = copy;
     return CR_ERR_OK;

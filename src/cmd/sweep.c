@@ -150,7 +150,7 @@ static void solve_run(struct job *job, struct cr_sweep_run *run) {
     struct cr_error err = {0};
     enum cr_err code = cr_state_dup(job->base, &state, &err);
     for (int a = 0; a < job->sweep->axes && code == CR_ERR_OK; a++) {
-        code = cr_vary_apply(state, &job->var[a], run->at[a], job->models, &err);
+        code = cr_vary_apply(state, &job->var[a], run->at[a], &err);
     }
     if (code == CR_ERR_OK) {
         code = cr_vary_settle(state, job->models, &err);
@@ -349,7 +349,7 @@ static enum cr_err take_row(struct cr_call *call, struct cr_error *err) {
     for (int a = 0; a < sweep->axes && code == CR_ERR_OK; a++) {
         code = cr_vary_find(s, sweep->axis[a].key, &var, err);
         if (code == CR_ERR_OK) {
-            code = cr_vary_apply(draft, &var, sweep->run[row - 1].at[a], s->models, err);
+            code = cr_vary_apply(draft, &var, sweep->run[row - 1].at[a], err);
         }
         if (code == CR_ERR_OK) {
             cr_say(s, "%s = %.6g %s", sweep->axis[a].key,

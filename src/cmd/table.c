@@ -60,6 +60,8 @@ static const struct cr_arg vehicle_args[] = {
     KEY_OF("brake", "brake", V),
     KEY_OF("steer", "steer_deg", V),
     KEY_OF("locked", "locked", V),
+    KEY_OF("brakeafter", "brake_after.deceleration_mps2", V),
+    KEY_OF("reaction", "brake_after.reaction_s", V),
     KEY_OF("friction", "friction", V),
     FLAG("remove", .help = "take it out of the scene"),
     END,
@@ -154,6 +156,11 @@ static const struct cr_arg set_args[] = {
     KEY_OF("road", "road_friction", 0),
     KEY_OF("elastic", "elastic_ms", 0),
     KEY_OF("end", "end", 0),
+    KEY_OF("slope", "slope_percent", 0),
+    KEY_OF("downhill", "downhill_deg", 0),
+    KEY_OF("rolling", "rolling_resistance", 0),
+    KEY_OF("surface", "surface.vertices_m", 0),
+    KEY_OF("road2", "surface.friction", 0),
     KEY_OF("induced", "induced", 0),
     KEY_OF("heights", "heights", 0),
     KEY_OF("dive", "dive", 0),
@@ -169,6 +176,14 @@ static const struct cr_arg set_args[] = {
 };
 
 static const struct cr_arg no_args[] = {END};
+
+static const struct cr_arg check_args[] = {
+    OPTION("WHAT", CR_VALUE_WORD, .words = "robust",
+           .help = "solve the solved scene again with grid, time slice, place (1 mm) and mass "
+                   "(0.5 %) nudged, and tell how far each number moves"),
+    KEY("solves", CR_VALUE_COUNT, .lo = 3, .hi = 100, .def = "8", .help = "how often"),
+    END,
+};
 
 static const struct cr_arg solve_args[] = {
     KEY("until", CR_VALUE_TIME, .dim = CR_DIM_TIME, .unit = "ms", .lo = 0, .hi = 60000,
@@ -406,7 +421,9 @@ static const struct cr_arg copy_args[] = {
 };
 
 static const struct cr_arg help_args[] = {
-    OPTION("COMMAND", CR_VALUE_COMMAND, .help = "a command; without one all are listed"),
+    OPTION("COMMAND", CR_VALUE_COMMAND,
+           .help = "a command, a term (pdof, olc, cdc), units or glossary; without one all "
+                   "commands are listed"),
     END,
 };
 
@@ -458,8 +475,10 @@ static const struct cr_command commands[] = {
     {ROW(new, SCENE, new_args, "begin an empty scene (undo brings the old one back)"),
      .example = {"new", "new offset"}, .see = "load undo"},
 
-    {ROW(check, SOLVE, no_args, "tell what is missing or doubtful, with the command that mends it"),
-     .example = {"check", "check"}, .setup = PAIR_SETUP, .see = "solve"},
+    {ROW(check, SOLVE, check_args,
+         "tell what is missing or doubtful, with the command that mends it; robust: what hangs on "
+         "chance"),
+     .example = {"check", "check robust solves=3"}, .setup = SOLVED, .see = "solve mc"},
     {ROW(solve, SOLVE, solve_args, "compute the crash"), .example = {"solve", "solve --step"},
      .setup = PAIR_SETUP, .see = "show table explain"},
     {ROW(explain, SOLVE, explain_args,
@@ -525,9 +544,9 @@ static const struct cr_command commands[] = {
      .setup = PAIR_SETUP "undo 2\n", .see = "undo"},
     {ROW(history, SELF, history_args, "list the lines typed so far"),
      .example = {"history", "history 10"}, .see = "undo"},
-    {ROW(help, SELF, help_args, "list the commands, or explain one"),
-     .example = {"help", "help place"}, .see = "apropos"},
-    {ROW(apropos, SELF, apropos_args, "find commands by a word of their help"),
+    {ROW(help, SELF, help_args, "list the commands, or explain one, or a term of the field"),
+     .example = {"help pdof", "help place"}, .see = "apropos"},
+    {ROW(apropos, SELF, apropos_args, "find commands and terms by a word of their help"),
      .example = {"apropos speed", "apropos overlap"}, .see = "help"},
     {ROW(quit, SELF, no_args, "end the session; ! without asking"), .example = {"quit", "quit!"},
      .flags = CR_CMD_FORCE, .see = "save"},

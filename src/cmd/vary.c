@@ -11,9 +11,9 @@
 const struct cr_sweep_key cr_sweep_keys[] = {
     {"speed", "speed_kmh", 0, false, CR_DIM_SPEED, "km/h", "speed"},
     {"v", "speed_kmh", 0, false, CR_DIM_SPEED, "km/h", "speed"},
-    {"overlap", NULL, 0, false, CR_DIM_NUMBER, "%", "lateral overlap as placed"},
-    {"angle", NULL, 0, false, CR_DIM_ANGLE, "deg", "angle as placed"},
-    {"at", NULL, 0, false, CR_DIM_LENGTH, "m", "place along the struck side, as placed"},
+    {"overlap", "place.overlap_percent", 0, false, CR_DIM_NUMBER, "%", "lateral overlap as placed"},
+    {"angle", "place.angle_deg", 0, false, CR_DIM_ANGLE, "deg", "angle as placed"},
+    {"at", "place.at_m", 0, false, CR_DIM_LENGTH, "m", "place along the struck side, as placed"},
     {"mass", "mass_kg", 0, false, CR_DIM_MASS, "kg", "mass"},
     {"kerb", "kerb_mass_kg", CR_FOR_VEHICLE, false, CR_DIM_MASS, "kg", "kerb mass"},
     {"load", "load_kg", CR_FOR_VEHICLE, false, CR_DIM_MASS, "kg", "load"},
@@ -31,6 +31,10 @@ const struct cr_sweep_key cr_sweep_keys[] = {
     {"elastic", "elastic_ms", 0, true, CR_DIM_TIME, "ms", "length of the elastic phases"},
     {.name = NULL},
 };
+
+bool cr_vary_is_place(const struct cr_vary *var) {
+    return strncmp(var->key->key, "place.", 6) == 0;
+}
 
 static enum cr_err unknown_variable(const struct cr_scene *scene, const char *text,
                                     struct cr_error *err) {
@@ -75,7 +79,8 @@ enum cr_err cr_vary_find(const struct cr_session *s, const char *text, struct cr
     if (out->key == NULL) {
         return unknown_variable(scene, text, err);
     }
-    if (out->key->key == NULL && cr_placed_find(cr_session_now(s), out->id) == NULL) {
+    if (cr_vary_is_place(out) &&
+        !cr_scene_is_placed(cr_scene_find(&cr_session_now(s)->scene, out->id))) {
         cr_err_set(err, CR_ERR_MISSING, "%s was not placed against another", out->id);
         cr_err_hint(err, "try: place %s facing %s overlap=50%%", out->id,
                     scene->n > 1 ? scene->part[strcmp(scene->part[0].id, out->id) == 0].id : "B");
@@ -85,19 +90,7 @@ enum cr_err cr_vary_find(const struct cr_session *s, const char *text, struct cr
 }
 
 enum cr_err cr_vary_apply(struct cr_state *state, const struct cr_vary *var, double si,
-                          const struct cr_model_lib *models, struct cr_error *err) {
-    if (var->key->key == NULL) {
-        struct cr_placed placed = *cr_placed_find(state, var->id);
-        if (strcmp(var->key->name, "overlap") == 0) {
-            placed.overlap = si;
-        } else if (strcmp(var->key->name, "angle") == 0) {
-            placed.angle = si;
-        } else {
-            placed.at = si;
-            placed.at_word = -1;
-        }
-        return cr_placed_apply(state, &placed, models, err);
-    }
+                          struct cr_error *err) {
     char full[2 * CR_NAME_MAX + 2], value[40];
     bool setting = var->key->setting;
     unsigned mask = setting ? 0 : cr_scene_kind_mask(cr_scene_find(&state->scene, var->id));
@@ -108,36 +101,17 @@ enum cr_err cr_vary_apply(struct cr_state *state, const struct cr_vary *var, dou
     }
     snprintf(full, sizeof full, "%s%s%s", var->id, setting ? "" : ".", key->name);
     snprintf(value, sizeof value, "%.17g", cr_unit_from_si(cr_scene_key_unit(key), si));
-    struct cr_placed *placed = cr_placed_find(state, var->id);
-    if (placed != NULL && strcmp(var->key->name, "heading") == 0) {
-        placed->id[0] = '\0'; /* it no longer stands as it was placed */
-    }
     return cr_scene_set(&state->scene, full, value, err);
 }
 
-/* who was placed still stands against the other, though a mass may have changed sizes */
 enum cr_err cr_vary_settle(struct cr_state *state, const struct cr_model_lib *models,
                            struct cr_error *err) {
-    enum cr_err code = CR_ERR_OK;
-    for (int i = 0; i < CR_BODY_MAX && code == CR_ERR_OK; i++) {
-        if (state->placed[i].id[0] != '\0') {
-            struct cr_placed placed = state->placed[i];
-            code = cr_placed_apply(state, &placed, models, err);
-        }
-    }
-    return code;
+    return cr_scene_settle(&state->scene, models, err);
 }
 
 double cr_vary_now(struct cr_session *s, const struct cr_vary *var) {
     struct cr_quantity_value now;
     char full[2 * CR_NAME_MAX + 2];
-    const struct cr_placed *placed = cr_placed_find(cr_session_now(s), var->id);
-    if (var->key->key == NULL) {
-        return placed == NULL                           ? (double)NAN
-               : strcmp(var->key->name, "overlap") == 0 ? placed->overlap
-               : strcmp(var->key->name, "angle") == 0   ? placed->angle
-                                                        : placed->at;
-    }
     snprintf(full, sizeof full, "%s%s%s", var->id, var->key->setting ? "" : ".", var->key->key);
     bool known = cr_measure_eval(s, full, &now, NULL) == CR_ERR_OK && !now.is_word;
     return known ? now.si : (double)NAN;

@@ -13,9 +13,11 @@ struct cr_vary {
  * placed. */
 enum cr_err cr_vary_find(const struct cr_session *s, const char *text, struct cr_vary *out,
                          struct cr_error *err);
+/* Is it of how a participant stands against another? */
+bool cr_vary_is_place(const struct cr_vary *var);
 /* Give it a value (SI) in a state of its own; any thread. */
 enum cr_err cr_vary_apply(struct cr_state *state, const struct cr_vary *var, double si,
-                          const struct cr_model_lib *models, struct cr_error *err);
+                          struct cr_error *err);
 /* After all are applied: who was placed against another still is, though a mass may have changed
  * sizes. */
 enum cr_err cr_vary_settle(struct cr_state *state, const struct cr_model_lib *models,

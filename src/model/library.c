@@ -141,7 +141,8 @@ static enum cr_err no_barrier(const char *dir, const char *name, struct cr_error
     if (n >= 0) {
         free(entry);
     }
-    enum cr_err rc = cr_err_set(err, CR_ERR_NAME, "no barrier \"%.40s\"", name);
+    enum cr_err rc = name[0] == '\0' ? cr_err_set(err, CR_ERR_NAME, "which barrier is not said")
+                                     : cr_err_set(err, CR_ERR_NAME, "no barrier \"%.40s\"", name);
     if (list.len > 0) {
         cr_err_hint(err, "one of: %s", cr_str_get(&list));
     }

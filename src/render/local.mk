@@ -21,6 +21,7 @@ librender_a_SOURCES = \
 	src/render/report.c src/render/report.h \
 	src/render/report_phases.c \
 	src/render/results_pane.c \
+	src/render/robust.c \
 	src/render/screen.c src/render/screen.h \
 	src/render/state.c \
 	src/render/table.c src/render/table.h \

@@ -200,6 +200,10 @@ int cr_render_table_rows(const struct cr_result *result);
 void cr_render_impacts(struct cr_cells *cells, struct cr_rect at, const struct cr_result *result);
 int cr_render_impacts_rows(const struct cr_result *result);
 
+/* Lines about how far the numbers hang on chance, of a result that was checked (result/robust.h).
+ */
+void cr_render_robust(const struct cr_result *result, struct cr_str *out);
+
 /* Measured values of participants, to stand beside a result; NaN: not measured. */
 struct cr_reference {
     int n;

@@ -277,6 +277,18 @@ static enum cr_err balance(const struct cr_page *page, struct cr_error *err) {
     return code;
 }
 
+static enum cr_err lines_of(const struct cr_page *page, const char *line, struct cr_error *err) {
+    enum cr_err code = CR_ERR_OK;
+    while (*line != '\0' && code == CR_ERR_OK) {
+        char one[1024];
+        size_t n = strcspn(line, "\n");
+        snprintf(one, sizeof one, "%.*s", (int)n, line);
+        code = cr_page_paragraph(page, 3, CR_ROLE_TEXT, one, err);
+        line += n + (line[n] == '\n');
+    }
+    return code;
+}
+
 static enum cr_err notes(const struct cr_page *page, struct cr_error *err) {
     const struct cr_result *r = page->result;
     enum cr_err code = CR_ERR_OK;
@@ -285,14 +297,7 @@ static enum cr_err notes(const struct cr_page *page, struct cr_error *err) {
         cr_render_assumed(r, &text);
         page->out->failed = page->out->failed || text.failed;
         code = cr_page_heading(page, "Assumed", "not given in the scene: from type and mass", err);
-        const char *line = cr_str_get(&text);
-        while (*line != '\0' && code == CR_ERR_OK) {
-            char one[1024];
-            size_t n = strcspn(line, "\n");
-            snprintf(one, sizeof one, "%.*s", (int)n, line);
-            code = cr_page_paragraph(page, 3, CR_ROLE_TEXT, one, err);
-            line += n + (line[n] == '\n');
-        }
+        code = code == CR_ERR_OK ? lines_of(page, cr_str_get(&text), err) : code;
         cr_str_fini(&text);
     }
     if (r->warnings > 0 && code == CR_ERR_OK) {
@@ -303,6 +308,18 @@ static enum cr_err notes(const struct cr_page *page, struct cr_error *err) {
         snprintf(text, sizeof text, "! %s", r->warning[i]);
         code = cr_page_paragraph(page, 2, CR_ROLE_WARN, text, err);
     }
+    return code;
+}
+
+static enum cr_err robust(const struct cr_page *page, struct cr_error *err) {
+    struct cr_str text = {0};
+    if (page->result->robust == NULL) {
+        return CR_ERR_OK;
+    }
+    cr_render_robust(page->result, &text);
+    enum cr_err code = cr_page_heading(page, "Robustness", "what hangs on chance", err);
+    code = code == CR_ERR_OK ? lines_of(page, cr_str_get(&text), err) : code;
+    cr_str_fini(&text);
     return code;
 }
 
@@ -350,7 +367,7 @@ static void join(struct cr_str *out, const char *left, const char *right, int co
     }
 }
 
-static const section RIGHT[] = {impacts, profiles, cr_page_phases, balance, notes};
+static const section RIGHT[] = {impacts, profiles, cr_page_phases, balance, robust, notes};
 enum { RIGHTS = sizeof RIGHT / sizeof RIGHT[0] };
 
 /* the table, and beside it on a wide page (below it else) what remains to be said */

@@ -235,7 +235,7 @@ static const struct {
     {"kinetic energy before", "kinetische Energie vorher"},
     {"left", "links"},
     {"left side", "linke Seite"},
-    {"low speed and frontal pole", "niedrige Geschwindigkeit und frontaler Pfahl"},
+    {"low speed", "niedrige Geschwindigkeit"},
     {"mean", "Mittel"},
     {"mean error", "mittlerer Fehler"},
     {"measured", "gemessen"},

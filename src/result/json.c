@@ -241,6 +241,7 @@ enum cr_err cr_result_tree(const struct cr_result *r, const struct cr_result_opt
     put_assumed(r, version, json);
     if (version > 1) {
         cr_json_quality(r, json);
+        cr_json_robust(r, json);
     }
     if (!put_input(r, opts, json)) {
         cJSON_Delete(json);

@@ -24,6 +24,7 @@ void cr_json_injury(const struct cr_severity *s, struct cJSON *p);
 void cr_json_barrier(const struct cr_result *r, int i, struct cJSON *p);
 void cr_json_totals(const struct cr_severity *s, struct cJSON *p);
 void cr_json_quality(const struct cr_result *r, struct cJSON *json);
+void cr_json_robust(const struct cr_result *r, struct cJSON *json); /* nothing where unchecked */
 void cr_json_impacts(const struct cr_result *r, struct cJSON *json);
 struct cJSON *cr_json_warning(const struct cr_result *r, int i, int version);
 

@@ -1,5 +1,6 @@
 /* Result -> JSON: what is told of a participant, in all or in one impact, and the impacts. */
 #include "result/json_priv.h"
+#include "result/robust.h"
 
 #include "base/number.h"
 #include "base/tree.h"
@@ -218,4 +219,40 @@ cJSON *cr_json_warning(const struct cr_result *r, int i, int version) {
     cr_tree_text(one, "code", r->warning_code[i]);
     cr_tree_text(one, "text", r->warning[i]);
     return one;
+}
+
+static void put_robust_number(const struct cr_result *r, int part, int i, cJSON *to) {
+    int n;
+    const struct cr_measure *m = &cr_measures(&n)[i];
+    const struct cr_unit *unit = cr_measure_unit(m);
+    long at = (long)part * n + i;
+    cJSON *one = cr_tree_object(to, m->key);
+    cr_json_put(one, "value", cr_unit_from_si(unit, cr_measure_get(m, &r->of[part])));
+    cr_json_put(one, "least", cr_unit_from_si(unit, r->robust->least[at]));
+    cr_json_put(one, "most", cr_unit_from_si(unit, r->robust->most[at]));
+    cr_json_put(one, "spread", cr_unit_from_si(unit, cr_robust_spread(r->robust, part, i)));
+    cr_json_put(one, "spread_percent", 100 * cr_robust_share(r, part, i));
+    cr_tree_bool(one, "resolved", !cr_robust_is_unresolved(r, part, i));
+}
+
+void cr_json_robust(const struct cr_result *r, cJSON *json) {
+    if (r->robust == NULL) {
+        return;
+    }
+    cJSON *robust = cr_tree_object(json, "robust");
+    cr_json_put(robust, "solves", r->robust->solves);
+    cr_json_put(robust, "failed", r->robust->failed);
+    cr_tree_text(robust, "nudged", CR_ROBUST_NUDGES);
+    cJSON *vehicles = cr_tree_array(robust, "vehicles");
+    for (int p = 0; p < r->resolved.n; p++) {
+        if (r->resolved.part[p].kind != CR_KIND_VEHICLE) {
+            continue;
+        }
+        cJSON *one = cJSON_CreateObject();
+        cr_tree_push(vehicles, one);
+        cr_tree_text(one, "id", r->resolved.part[p].id);
+        for (int i = 0; i < r->robust->measures; i++) {
+            put_robust_number(r, p, i, one);
+        }
+    }
 }

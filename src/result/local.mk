@@ -21,9 +21,11 @@ libresult_a_SOURCES = \
 	src/result/rating.c src/result/rating.h \
 	src/result/result.h src/result/result_priv.h \
 	src/result/risk.c \
+	src/result/robust.c src/result/robust.h \
 	src/result/run.c \
 	src/result/signal.c src/result/signal.h \
 	src/result/trace.c \
+	src/result/trajectory.c \
 	src/result/warn.c
 libresult_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)
 irfdir = $(pkgdatadir)/irf

@@ -15,9 +15,11 @@ static const double still_approaching = 0.5;
 /* distance of the direction of force from the border of a clock hour, rad */
 static const double border = CR_PI / 90;
 
-static const char *const codes[] = {
-    "through",     "a-pillar", "deep",           "spike",       "induced",     "closed-approaching",
-    "pdof-border", "balance",  "pdof-unsettled", "interrupted", "not-resolved"};
+static const char *const codes[] = {"through",        "a-pillar",     "deep",
+                                    "spike",          "induced",      "closed-approaching",
+                                    "pdof-border",    "balance",      "pdof-unsettled",
+                                    "interrupted",    "not-resolved", "trajectory-speed",
+                                    "trajectory-jump"};
 
 bool cr_result_is_doubt(const char *code) {
     for (size_t i = 0; i < sizeof codes / sizeof codes[0]; i++) {

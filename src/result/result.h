@@ -91,6 +91,7 @@ struct cr_impact {
     struct cr_severity of[2];   /* what it did to either */
 };
 
+struct cr_robust;
 struct cr_result {
     struct cr_scene scene;    /* as given */
     struct cr_scene resolved; /* with every default filled in */
@@ -105,6 +106,8 @@ struct cr_result {
     char warning[CR_WARNING_MAX][200];
     char warning_code[CR_WARNING_MAX][24]; /* "side-model": for programs */
     int passes;                            /* solves it took to settle the PDOF */
+    struct cr_robust *robust;              /* how far its numbers hang on chance (robust.h), one
+                                              block of memory, owned; NULL: not checked */
     char irf_hash[CR_HASH_SIZE];           /* of the risk functions, "" without */
 };
 

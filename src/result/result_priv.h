@@ -29,6 +29,8 @@ void cr_result_warn(struct cr_result *result, const char *code, const char *fmt,
 
 /* Warnings for what makes a measured result doubtful: models may be NULL. */
 void cr_result_quality(struct cr_result *result, const struct cr_model_lib *models);
+/* Warnings for trajectories that contradict themselves or end too early. */
+void cr_result_trajectories(struct cr_result *result);
 /* Whether a code of a warning is a doubt about the result, not only a limit of its models. */
 bool cr_result_is_doubt(const char *code);
 

@@ -291,6 +291,7 @@ enum cr_err cr_result_run(const struct cr_scene *scene, const struct cr_context 
         warn_part(r);
     }
     cr_result_check(r);
+    cr_result_trajectories(r);
     cr_result_quality(r, ctx->models);
     *out = r;
     return rc;
@@ -304,6 +305,7 @@ void cr_result_free(struct cr_result *result) {
         free(result->of[i].outline);
     }
     free(result->impact);
+    free(result->robust);
     if (result->solver) {
         cr_solver_free(result->solver);
         cr_compiled_fini(&result->compiled);

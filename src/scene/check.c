@@ -171,8 +171,28 @@ static enum cr_err check_trajectory(struct cr_reader *r, const struct cr_partici
     return CR_ERR_OK;
 }
 
+/* how it stands against another, but not against whom; or both that and a trajectory */
+static enum cr_err check_place(struct cr_reader *r, const struct cr_participant *p) {
+    int n;
+    const struct cr_key *row = cr_scene_keys(CR_KEYS_PARTICIPANT, &n);
+    for (int i = 0; i < n && !cr_scene_is_placed(p); i++) {
+        if (strncmp(row[i].name, "place.", 6) == 0 && (p->given >> i & 1) != 0) {
+            return at_key(r, "place", "\"against\" names the participant that stays",
+                          "a place without the other one that it is against");
+        }
+    }
+    if (cr_scene_is_placed(p) && p->waypoints > 0) {
+        return at_key(r, "place", "keep one of the two",
+                      "a place cannot stand beside a trajectory");
+    }
+    return CR_ERR_OK;
+}
+
 enum cr_err cr_scene_part_check(struct cr_reader *r, const struct cr_participant *p) {
     enum cr_err code = check_trajectory(r, p);
+    if (code == CR_ERR_OK) {
+        code = check_place(r, p);
+    }
     if (code == CR_ERR_OK) {
         code = p->kind == CR_KIND_VEHICLE ? check_vehicle(r, p) : check_object(r, p);
     }
@@ -202,7 +222,8 @@ enum cr_err cr_scene_part_complete(struct cr_reader *r, const struct cr_particip
     for (int i = 0; i < n; i++) {
         const struct cr_key *key = &row[i];
         bool placed = key->type == CR_KEY_PAIR;
-        bool there = placed ? (p->given >> i & 1) != 0 || p->waypoints > 0 || r->draft
+        bool there = placed ? (p->given >> i & 1) != 0 || p->waypoints > 0 || r->draft ||
+                                  cr_scene_is_placed(p)
                             : cr_scene_value_known(key, p);
         if ((key->required & mask) == 0 || there) {
             continue;

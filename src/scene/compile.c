@@ -317,7 +317,9 @@ static enum cr_err make_body(struct making *m, int i) {
     const struct cr_participant *p = &m->scene->part[i];
     struct cr_body *body = &m->out->cs.body[i];
     struct cr_vec2 centre = {0, 0};
-    *body = (struct cr_body){.friction = isnan(p->friction) ? -1 : p->friction};
+    *body = (struct cr_body){.friction = isnan(p->friction) ? -1 : p->friction,
+                             .brake_after = p->brake_after,
+                             .reaction = p->reaction};
     enum cr_err code =
         p->kind == CR_KIND_VEHICLE ? make_vehicle(m, i, body) : make_object(m, i, body, &centre);
     return code == CR_ERR_OK ? make_motion(m, p, centre, body) : code;
@@ -501,6 +503,28 @@ static enum cr_err make_heights(struct making *m) {
     return CR_ERR_OK;
 }
 
+/* [ROLLING-RESISTANCE], [ROLLING-IN-GEAR] */
+static const double rolling_free = 0.010, rolling_in_gear = 0.05;
+/* s beyond the last row of a trajectory, or beyond the way to the others at their speed, in which
+ * a contact is waited for; and the most in all */
+static const double wait_beyond = 20, wait_most = 3600;
+
+/* Until when a first contact is waited for, s: as long as two that come together need. */
+static double longest_wait(const struct cr_case *cs) {
+    double wait = 0;
+    for (int i = 0; i < cs->n; i++) {
+        const struct cr_body *a = &cs->body[i];
+        wait = a->waypoints > 0 ? fmax(wait, a->waypoint[a->waypoints - 1].t) : wait;
+        for (int k = 0; k < i; k++) {
+            const struct cr_body *b = &cs->body[k];
+            struct cr_vec2 way = cr_vec2_sub(b->pos, a->pos), v = cr_vec2_sub(a->vel, b->vel);
+            double far = cr_vec2_len(way), speed = far > 0 ? cr_vec2_dot(way, v) / far : 0;
+            wait = speed > 0 ? fmax(wait, far / speed) : wait;
+        }
+    }
+    return fmin(wait + wait_beyond, wait_most);
+}
+
 static struct cr_opts make_opts(const struct cr_settings *set) {
     struct cr_opts opts = cr_opts_default();
     opts.dt = set->dt;
@@ -512,6 +536,9 @@ static struct cr_opts make_opts(const struct cr_settings *set) {
     opts.elastic_s = set->elastic_auto ? 0 : set->elastic;
     opts.induced = set->induced == 1;
     opts.end = set->end;
+    opts.slope = cr_vec2_scale(cr_vec2(cos(set->downhill), sin(set->downhill)), set->slope);
+    opts.rolling = set->rolling_auto ? rolling_free : set->rolling;
+    opts.rolling_after = set->rolling_auto ? rolling_in_gear : set->rolling;
     return opts;
 }
 
@@ -526,6 +553,10 @@ enum cr_err cr_scene_compile(const struct cr_scene *scene, const struct cr_model
     for (int i = 0; i < scene->n && code == CR_ERR_OK; i++) {
         code = make_body(&m, i);
     }
+    out->cs.opts.max_time = longest_wait(&out->cs);
+    out->cs.patch = (struct cr_patch){.n = scene->set.patch_vertices,
+                                      .vertex = scene->set.patch,
+                                      .friction = scene->set.patch_friction};
     if (code == CR_ERR_OK && scene->set.heights == 1) {
         code = make_heights(&m);
     }

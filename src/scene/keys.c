@@ -43,6 +43,10 @@ static const char *const method_words[] = {"extended", "paper"};
 static const char *const end_words[] = {"separation", "rest"};
 static const char *const kind_words[] = {"vehicle", "object"};
 static const char *const shape_words[] = {"wall", "pole", "box", "polygon", "barrier"};
+static const char *const how_words[] = {"facing", "behind", "beside", "hitting"};
+static const char *const side_words[] = {"left", "right", "centre", "front", "rear", "auto"};
+static const char *const at_words[] = {"front-axle", "A-pillar", "B-pillar", "rear-axle",
+                                       "cg",         "middle",   "auto"};
 static const char *const type_words[] = {
 #define X(name, word) word,
     CR_TYPE_LIST(X)
@@ -87,6 +91,18 @@ static const struct cr_key settings_keys[] = {
          "length of the elastic compression, and of the restitution, or auto from the force"),
      RANGED("ms", TIME, 0.1, 100), .def = {NAN, 5}, .aux = IN(cr_settings, elastic_auto)},
     WORD("end", 0, cr_settings, end, end_words, "where the solve ends"),
+    SETTING("slope_percent", "%", NUMBER, 0, 50, 0, 0, slope, "fall of the road, m per 100 m"),
+    SETTING("downhill_deg", "deg", ANGLE, -360, 360, 0, 0, downhill,
+            "where the road falls to, counter-clockwise from x"),
+    {ROW("rolling_resistance", CR_KEY_NUMBER, 0, 0, IN(cr_settings, rolling),
+         "share of the load that rolling takes, or auto: 0.01, and 0.05 from 1 s after a contact "
+         "on "
+         "(an engine in gear)"),
+     RANGED("", NUMBER, 0, 0.5), .def = {NAN, NAN}, .aux = IN(cr_settings, rolling_auto)},
+    SETTING("surface.friction", "", NUMBER, 0, 2, NAN, NAN, patch_friction,
+            "friction of the tyres on a second surface, a polygon on the road"),
+    {ROW("surface.vertices_m", CR_KEY_VERTICES, 0, 0, IN(cr_settings, patch), "its corners"),
+     RANGED("m", LENGTH, -1e5, 1e5), .aux = IN(cr_settings, patch_vertices)},
     SWITCH("induced", 1, 0, induced, "induced deformation beside the contact"),
     SWITCH("heights", 1, 0, heights, "only the heights in which both partners have material meet"),
     SWITCH("dive", 1, 0, dive, "braking lowers the bumper, which shifts the heights that meet"),
@@ -99,6 +115,12 @@ static const struct cr_key settings_keys[] = {
            model.face[i].a, "CRASH3 A of the " word),                                              \
         NUMBER("model.stiffness." word ".B_N_per_m2", V, 0, "N/m2", STIFFNESS_B, 1000, 1e8, 0,     \
                model.face[i].b, "CRASH3 B of the " word)
+
+#define PLACE_WORD(n, f, list, text)                                                               \
+    {                                                                                              \
+        ROW("place." n, CR_KEY_WORD, ANY, 0, IN(cr_participant, place.f), text),                   \
+            .words = list, .aux = COUNT(list)                                                      \
+    }
 
 /* Ranges are wide enough for a quadricycle and a loaded lorry; they catch slips of unit and of the
  * decimal point. Objects may be anything from a post to a building. */
@@ -164,8 +186,9 @@ static const struct cr_key participant_keys[] = {
     NUMBER("radius_m", CR_FOR_POLE, CR_FOR_POLE, "m", LENGTH, 0.01, 50, NAN, radius, "of the pole"),
     NUMBER("edge_radius_m", CR_FOR_BOX, 0, "m", LENGTH, 0, 50, 0, edge_radius,
            "of its upright edges"),
-    OTHER("vertices_m", VERTICES, CR_FOR_POLYGON, CR_FOR_POLYGON, "m", LENGTH, -1000, 1000, vertex,
-          "corners about its position"),
+    {ROW("vertices_m", CR_KEY_VERTICES, CR_FOR_POLYGON, CR_FOR_POLYGON, IN(cr_participant, vertex),
+         "corners about its position"),
+     RANGED("m", LENGTH, -1000, 1000), .aux = IN(cr_participant, vertices)},
     NUMBER("friction", ANY, 0, "", NUMBER, 0, 2, NAN, friction,
            "of its surface instead of the setting"),
     OTHER("position_m", PAIR, ANY, ANY, "m", LENGTH, -1e5, 1e5, pos,
@@ -180,6 +203,27 @@ static const struct cr_key participant_keys[] = {
            "counter-clockwise"),
     OTHER("trajectory", TRAJECTORY, ANY, 0, "", NUMBER, 0, 0, waypoint,
           "rows that are followed until the first contact, instead of position and speed"),
+    {ROW("place.against", CR_KEY_TEXT, ANY, 0, IN(cr_participant, place.against),
+         "participant that it stands against; position and heading then follow from that"),
+     .aux = CR_NAME_MAX},
+    NUMBER("brake_after.deceleration_mps2", V, 0, "m/s2", ACCELERATION, 0, 12, 0, brake_after,
+           "braking after the contact, as far as the road gives it"),
+    NUMBER("brake_after.reaction_s", V, 0, "s", TIME, 0, 30, 1, reaction,
+           "from so long after its first contact on: the driver's reaction"),
+    PLACE_WORD("how", how, how_words,
+               "front to front, front at the rear, flank to flank, front at "
+               "the side (or side at a pole)"),
+    PLACE_WORD("side", side, side_words, "half of the other that is met, or side that is struck"),
+    NUMBER("place.overlap_percent", ANY, 0, "%", NUMBER, 1, 100, 100, place.overlap,
+           "lateral overlap, of the narrower width"),
+    PLACE_WORD("at", at, at_words, "named place along the struck side"),
+    NUMBER("place.at_m", ANY, 0, "m", LENGTH, 0, 30, NAN, place.at_m,
+           "place along the struck side, behind the front end, instead of a named one"),
+    NUMBER("place.angle_deg", ANY, 0, "deg", ANGLE, -360, 360, NAN, place.angle,
+           "turned counter-clockwise about the first touch; a flank at a pole: from the heading to "
+           "the direction of travel"),
+    NUMBER("place.gap_m", ANY, 0, "m", LENGTH, 0, 500, 0, place.gap,
+           "free distance before the first touch"),
 };
 
 #define WAY(n, u, d, l, h, f, text)                                                                \
@@ -264,7 +308,8 @@ const struct cr_key *cr_scene_key_find(enum cr_key_table table, const char *name
 
 /* the key of an inner object that the rest of a name begins with, as a text of its own */
 static const char *group_word(const char *rest, size_t len) {
-    static const char *const groups[] = {"cg", "model", "stiffness", "front", "side", "rear"};
+    static const char *const groups[] = {"cg",   "model", "stiffness", "front",      "side",
+                                         "rear", "place", "surface",   "brake_after"};
     for (size_t g = 0; g < COUNT(groups); g++) {
         if (strlen(groups[g]) == len && strncmp(groups[g], rest, len) == 0) {
             return groups[g];

@@ -50,7 +50,8 @@ struct cr_key {
                        model.blend as the method says); NaN:
                        "auto" where that is a word of the key, else cr_scene_resolve fills it in */
     size_t at, aux; /* offset of the field; CR_KEY_TEXT: its size; CR_KEY_WORD: number of words;
-                       CR_KEY_NUMBER: offset of its bool "auto" if it has one, else 0 */
+                       CR_KEY_NUMBER: offset of its bool "auto" if it has one, else 0;
+                       CR_KEY_VERTICES: offset of their number */
     const char *const *words;
     const char *help;
 };

@@ -16,6 +16,7 @@ libscene_a_SOURCES = \
 	src/scene/scene.c src/scene/scene.h \
 	src/scene/scene_priv.h \
 	src/scene/set.c \
+	src/scene/stand.c \
 	src/scene/struck.c \
 	src/scene/tolerance.c \
 	src/scene/value.c \

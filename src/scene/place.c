@@ -207,23 +207,34 @@ static struct cr_place normal_form(const struct cr_place *how) {
     return out;
 }
 
-static void settle(struct cr_participant *p, struct cr_vec2 pos, double heading) {
-    static const char *const keys[] = {"position_m", "heading_deg"};
+static void give(struct cr_participant *p, const char *name, bool given) {
     int n;
     const struct cr_key *row = cr_scene_keys(CR_KEYS_PARTICIPANT, &n);
-    for (size_t i = 0; i < 2; i++) {
-        const struct cr_key *key = cr_scene_key_find(CR_KEYS_PARTICIPANT, keys[i], CR_FOR_ALL);
-        p->given |= (uint64_t)1 << (key - row);
-    }
-    const struct cr_key *follow = cr_scene_key_find(CR_KEYS_PARTICIPANT, "trajectory", CR_FOR_ALL);
-    p->given &= ~((uint64_t)1 << (follow - row));
+    const struct cr_key *key = cr_scene_key_find(CR_KEYS_PARTICIPANT, name, CR_FOR_ALL);
+    uint64_t bit = (uint64_t)1 << (key - row);
+    p->given = given ? p->given | bit : p->given & ~bit;
+}
+
+/* a number of degrees, so that a file keeps it to the last bit */
+static double whole_degrees(double angle) {
+    const struct cr_unit *deg = cr_unit_find("deg", CR_DIM_ANGLE);
+    return cr_unit_to_si(deg, cr_unit_from_si(deg, cr_angle_wrap(angle)));
+}
+
+void cr_scene_pose(struct cr_participant *p, struct cr_vec2 pos, double heading) {
+    give(p, "position_m", true);
+    give(p, "heading_deg", true);
+    give(p, "trajectory", false);
     free(p->waypoint);
     p->waypoint = NULL;
     p->waypoints = 0;
     p->pos = pos;
-    /* a number of degrees, so that a file keeps it to the last bit */
-    const struct cr_unit *deg = cr_unit_find("deg", CR_DIM_ANGLE);
-    p->heading = cr_unit_to_si(deg, cr_unit_from_si(deg, cr_angle_wrap(heading)));
+    p->heading = whole_degrees(heading);
+}
+
+void cr_scene_course(struct cr_participant *p, double course) {
+    give(p, "course_deg", true);
+    p->course = whole_degrees(course);
 }
 
 static enum cr_err check_wish(const struct cr_participant *p, const struct cr_participant *o,
@@ -292,6 +303,7 @@ enum cr_err cr_scene_place(struct cr_scene *scene, const char *id, const char *o
         return code;
     }
     double c = cos(o->heading), s = sin(o->heading);
-    settle(p, cr_vec2_add(o->pos, cr_vec2_rotate(pose.pos, c, s)), o->heading + pose.heading);
+    cr_scene_pose(p, cr_vec2_add(o->pos, cr_vec2_rotate(pose.pos, c, s)),
+                  o->heading + pose.heading);
     return CR_ERR_OK;
 }

@@ -246,9 +246,6 @@ static enum cr_err resolve_part(struct cr_reader *r, struct cr_participant *p,
                                                                                   : "");
         }
     }
-    if (isnan(p->course) && p->waypoints == 0) {
-        p->course = p->heading;
-    }
     return code == CR_ERR_OK ? cr_scene_part_check(r, p) : code;
 }
 
@@ -269,6 +266,20 @@ static void resolve_settings(struct cr_settings *set) {
     }
 }
 
+/* a second surface is a polygon and its friction */
+static enum cr_err check_surface(const struct cr_settings *set, struct cr_error *err) {
+    if ((set->patch_vertices > 0) == !isnan(set->patch_friction)) {
+        return CR_ERR_OK;
+    }
+    const char *missing = set->patch_vertices > 0 ? "friction" : "vertices_m";
+    cr_err_set(err, CR_ERR_MISSING, "the second surface has no \"%s\"", missing);
+    cr_err_hint(err, "\"surface\": {\"friction\": 0.3, \"vertices_m\": [[0, 0], [20, 0], [0, 9]]}");
+    if (err != NULL) {
+        snprintf(err->where, sizeof err->where, "/settings/surface");
+    }
+    return CR_ERR_MISSING;
+}
+
 enum cr_err cr_scene_resolve(struct cr_scene *scene, const struct cr_model_lib *lib,
                              struct cr_assumed *assumed, struct cr_error *err) {
     /* a scene made by commands may leave positions at the origin */
@@ -278,6 +289,7 @@ enum cr_err cr_scene_resolve(struct cr_scene *scene, const struct cr_model_lib *
         return code;
     }
     resolve_settings(&scene->set);
+    code = check_surface(&scene->set, err);
     struct cr_assuming a = {.list = assumed};
     cr_scene_enter(&r, "participants");
     for (int i = 0; i < scene->n && code == CR_ERR_OK; i++) {
@@ -289,6 +301,15 @@ enum cr_err cr_scene_resolve(struct cr_scene *scene, const struct cr_model_lib *
             assumed->mass_spread[i] = a.mass_spread;
         }
         cr_scene_leave(&r, up);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_scene_stand(scene, lib, err);
+    }
+    for (int i = 0; i < scene->n; i++) { /* it drives where it looks */
+        struct cr_participant *p = &scene->part[i];
+        if (isnan(p->course) && p->waypoints == 0) {
+            p->course = p->heading;
+        }
     }
     return code;
 }

@@ -28,6 +28,8 @@ void cr_scene_part_init(struct cr_participant *part, enum cr_kind kind) {
         }
     }
     part->model.blend = kind == CR_KIND_VEHICLE;
+    part->place.side = CR_SIDE_AUTO;
+    part->place.at = CR_AT_AUTO;
 }
 
 void cr_scene_part_fini(struct cr_participant *part) {
@@ -172,10 +174,17 @@ enum cr_err cr_scene_remove(struct cr_scene *scene, const char *id, struct cr_er
     if (part == NULL) {
         return cr_scene_unknown_id(scene, id, err);
     }
+    char gone[CR_NAME_MAX];
+    memcpy(gone, part->id, sizeof gone);
     cr_scene_part_fini(part);
     size_t rest = (size_t)(&scene->part[scene->n] - (part + 1));
     memmove(part, part + 1, rest * sizeof *part);
     scene->n--;
     memset(&scene->part[scene->n], 0, sizeof *part);
+    for (int i = 0; i < scene->n; i++) { /* who stood against it stays where it is */
+        if (strcmp(scene->part[i].place.against, gone) == 0) {
+            cr_scene_unplace(&scene->part[i]);
+        }
+    }
     return CR_ERR_OK;
 }

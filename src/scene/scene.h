@@ -75,11 +75,48 @@ struct cr_settings {
     double elastic;       /* s */
     bool elastic_auto;    /* as long as the force at the end of the plastic phase asks for */
     enum cr_end end;
+    double slope, downhill; /* fall of the road as tangent, and where to, rad */
+    double rolling;         /* resistance, share of the load */
+    bool rolling_auto;      /* that of free wheels, and later of an engine in gear */
+    double patch_friction;  /* NaN: no second surface */
+    int patch_vertices;
+    struct cr_vec2 patch[CR_VERTEX_MAX];
     /* what the profiles switch, each settable alone; -1: as the method says */
     int induced, heights, dive, residual_curve;
     /* which of the above were given in the file, so that saving gives back the same file */
     unsigned given; /* bit i: row i of the settings table */
     struct cr_tolerances tolerances;
+};
+
+/* How a participant stands against another. The relation is kept; position and heading beside it
+ * are what followed from it last (cr_scene_settle). */
+enum cr_place_rel { CR_PLACE_FACING, CR_PLACE_BEHIND, CR_PLACE_BESIDE, CR_PLACE_HITTING };
+enum cr_place_side {
+    CR_SIDE_LEFT,
+    CR_SIDE_RIGHT,
+    CR_SIDE_CENTRE,
+    CR_SIDE_FRONT,
+    CR_SIDE_REAR,
+    CR_SIDE_AUTO /* by the relation */
+};
+enum cr_place_at {
+    CR_AT_FRONT_AXLE,
+    CR_AT_A_PILLAR,
+    CR_AT_B_PILLAR,
+    CR_AT_REAR_AXLE,
+    CR_AT_CG,
+    CR_AT_MIDDLE,
+    CR_AT_AUTO /* by the relation */
+};
+struct cr_stand {
+    char against[CR_NAME_MAX]; /* id of the other one; "": it stands by its own position */
+    enum cr_place_rel how;
+    enum cr_place_side side; /* which half of the other is met, or which of its sides */
+    double overlap;          /* 0..1 of the narrower width */
+    enum cr_place_at at;     /* where along the struck flank; at_m counts where it is given */
+    double at_m;             /* m behind the front end, NaN: not given */
+    double angle;            /* rad counter-clockwise about the first touch, NaN: the relation's */
+    double gap;              /* m */
 };
 
 enum cr_kind { CR_KIND_VEHICLE, CR_KIND_OBJECT };
@@ -116,6 +153,7 @@ struct cr_participant {
                                      fixed one, reference point of other objects, m */
     double heading, course;       /* rad; course NaN: the heading */
     double speed, yaw_rate;       /* m/s, rad/s */
+    struct cr_stand place;        /* against another: pos and heading follow from it */
     int waypoints;                /* > 0: instead of pos, heading, speed */
     struct cr_waypoint *waypoint; /* owned */
     /* vehicle */
@@ -125,6 +163,7 @@ struct cr_participant {
     struct cr_model_choice model;
     double brake[CR_WHEELS], steer[CR_WHEELS]; /* 0..1, rad: front left, front right, rear l, r */
     bool locked[CR_WHEELS];
+    double brake_after, reaction; /* m/s2 from so many s after its first contact on */
     /* object */
     enum cr_object shape;
     double radius, edge_radius;
@@ -294,7 +333,6 @@ int cr_scene_outline(const struct cr_participant *part, struct cr_vec2 *out, int
  * overlap_side. Flanks: `along` says where. `angle` turns it about the point of first touch,
  * counter-clockwise, before it is brought together. A trajectory of `part` is dropped; its speed
  * and course are kept. Errors: NAME, RANGE, MISSING (dimensions). */
-enum cr_place_rel { CR_PLACE_FACING, CR_PLACE_BEHIND, CR_PLACE_BESIDE, CR_PLACE_HITTING };
 struct cr_place {
     enum cr_place_rel rel;
     enum cr_face side; /* of the other participant (facing: front, behind: rear) */
@@ -307,5 +345,12 @@ struct cr_place {
 };
 CR_MUST_CHECK enum cr_err cr_scene_place(struct cr_scene *scene, const char *id, const char *other,
                                          const struct cr_place *how, struct cr_error *err);
+bool cr_scene_is_placed(const struct cr_participant *p); /* against another */
+void cr_scene_unplace(struct cr_participant *p);         /* it stays where it is, by itself */
+/* Put all that stand against another where they belong by now, in a scene that is not resolved;
+ * cr_scene_resolve does the same in its own. Errors: those of cr_scene_resolve; NAME for a circle
+ * or nobody, RANGE. */
+CR_MUST_CHECK enum cr_err cr_scene_settle(struct cr_scene *scene, const struct cr_model_lib *lib,
+                                          struct cr_error *err);
 
 #endif

@@ -131,6 +131,13 @@ CR_MUST_CHECK enum cr_err cr_scene_guess_type(struct cr_participant *p,
 double cr_scene_guess_mass(const struct cr_participant *p, const struct cr_model_lib *lib,
                            double *spread);
 
+/* Pose and course that follow from how it stands, as given ones; a trajectory is dropped. */
+void cr_scene_pose(struct cr_participant *p, struct cr_vec2 pos, double heading);
+void cr_scene_course(struct cr_participant *p, double course);
+/* Puts those that stand against another, in a scene with all dimensions (stand.c). */
+CR_MUST_CHECK enum cr_err cr_scene_stand(struct cr_scene *scene, const struct cr_model_lib *models,
+                                         struct cr_error *err);
+
 /* Participant of a kind with nothing given. */
 void cr_scene_part_init(struct cr_participant *part, enum cr_kind kind);
 void cr_scene_part_fini(struct cr_participant *part);

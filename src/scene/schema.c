@@ -191,7 +191,9 @@ static cJSON *closed(struct build *b, cJSON *to) {
 
 /* what a face and a model ask for beyond their single keys */
 static void group_rules(struct build *b, cJSON *group, const char *name) {
-    if (strcmp(name, "model") == 0) {
+    if (strcmp(name, "place") == 0) {
+        text(b, array(b, group, "required"), NULL, "against");
+    } else if (strcmp(name, "model") == 0) {
         cJSON *both = array(b, object(b, group, "not"), "required");
         text(b, both, NULL, "file");
         text(b, both, NULL, "stiffness");
@@ -238,15 +240,17 @@ static void table_schema(struct build *b, cJSON *properties, enum cr_key_table t
 
 /* position and motion, or a trajectory; what has no mass does not move */
 static void motion_rules(struct build *b, cJSON *to, bool has_mass) {
-    static const char *const rivals[] = {"position_m", "heading_deg", "course_deg", "speed_kmh",
-                                         "yaw_rate_deg_s"};
+    static const char *const rivals[] = {"position_m", "heading_deg",    "course_deg",
+                                         "speed_kmh",  "yaw_rate_deg_s", "place"};
     cJSON *all = array(b, to, "allOf"), *one = object(b, all, NULL);
     text(b, array(b, object(b, one, "if"), "required"), NULL, "trajectory");
     cJSON *then = object(b, object(b, one, "then"), "properties");
     for (size_t i = 0; i < sizeof rivals / sizeof rivals[0]; i++) {
         add(b, then, rivals[i], cJSON_CreateBool(0));
     }
-    text(b, array(b, object(b, one, "else"), "required"), NULL, "position_m");
+    cJSON *either = array(b, object(b, one, "else"), "anyOf");
+    text(b, array(b, object(b, either, NULL), "required"), NULL, "position_m");
+    text(b, array(b, object(b, either, NULL), "required"), NULL, "place");
     if (has_mass) {
         return;
     }

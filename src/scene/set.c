@@ -5,6 +5,7 @@
 #include "base/json.h"
 
 #include <cjson/cJSON.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -75,8 +76,9 @@ static enum cr_err find_part_key(struct cr_scene *scene, const char *name, const
 static enum cr_err find_target(struct cr_scene *scene, const char *name, struct target *t,
                                struct cr_error *err) {
     const char *dot = strchr(name, '.');
-    enum cr_err code =
-        dot != NULL ? find_part_key(scene, name, dot, t, err) : find_setting(scene, name, t, err);
+    const struct cr_key *inner = cr_scene_key_find(CR_KEYS_SETTINGS, name, 0);
+    enum cr_err code = dot != NULL && inner == NULL ? find_part_key(scene, name, dot, t, err)
+                                                    : find_setting(scene, name, t, err);
     if (code == CR_ERR_OK) {
         int n;
         t->bit = (int)(t->key - cr_scene_keys(t->table, &n));
@@ -213,6 +215,30 @@ static enum cr_err check_rename(struct cr_scene *scene, const struct target *t, 
     return cr_scene_id_check(&r, id);
 }
 
+/* What a new value means for places against each other: a pose or trajectory of its own ends one, a
+ * named place along the side takes that of the distance, a new id is followed. */
+static void part_follows(struct cr_scene *scene, const struct target *t, const char *old_id) {
+    static const char *const own[] = {"position_m", "heading_deg", "trajectory"};
+    const char *name = t->key->name;
+    for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) {
+        if (strcmp(name, own[i]) == 0) {
+            cr_scene_unplace(t->part);
+        }
+    }
+    if (strcmp(name, "place.at") == 0) {
+        int n;
+        const struct cr_key *key = cr_scene_key_find(CR_KEYS_PARTICIPANT, "place.at_m", CR_FOR_ALL);
+        t->part->place.at_m = NAN;
+        t->part->given &= ~((uint64_t)1 << (key - cr_scene_keys(CR_KEYS_PARTICIPANT, &n)));
+    }
+    for (int i = 0; i < scene->n && strcmp(name, "id") == 0; i++) {
+        char *against = scene->part[i].place.against;
+        if (strcmp(against, old_id) == 0) {
+            memcpy(against, t->part->id, sizeof t->part->id);
+        }
+    }
+}
+
 enum cr_err cr_scene_set(struct cr_scene *scene, const char *key, const char *value,
                          struct cr_error *err) {
     struct target t;
@@ -223,6 +249,10 @@ enum cr_err cr_scene_set(struct cr_scene *scene, const char *key, const char *va
     }
     if (code != CR_ERR_OK) {
         return code;
+    }
+    char old_id[CR_NAME_MAX] = "";
+    if (t.part != NULL) {
+        memcpy(old_id, t.part->id, sizeof old_id);
     }
     if (takes_back(t.key, value)) {
         take_back(scene, &t);
@@ -237,6 +267,7 @@ enum cr_err cr_scene_set(struct cr_scene *scene, const char *key, const char *va
     if (code == CR_ERR_OK && t.part != NULL) {
         t.part->given |= (uint64_t)1 << t.bit;
         cr_scene_model_kind(t.part);
+        part_follows(scene, &t, old_id);
     } else if (code == CR_ERR_OK && t.table == CR_KEYS_SETTINGS) {
         scene->set.given |= 1U << t.bit;
     }

@@ -398,7 +398,6 @@ static bool known_always(const struct cr_key *key, const void *base) {
 
 static enum cr_err read_vertices(struct cr_reader *r, const struct cr_key *key, const cJSON *json,
                                  void *base) {
-    struct cr_participant *p = base;
     struct cr_vec2 v[CR_VERTEX_MAX];
     int n = cJSON_IsArray(json) ? cJSON_GetArraySize(json) : -1;
     if (n < 0) {
@@ -423,17 +422,23 @@ static enum cr_err read_vertices(struct cr_reader *r, const struct cr_key *key, 
     }
     enum cr_err code = cr_scene_polygon_check(r, v, n);
     if (code == CR_ERR_OK) {
-        memcpy(p->vertex, v, (size_t)n * sizeof v[0]);
-        p->vertices = n;
+        memcpy(field(key, base), v, (size_t)n * sizeof v[0]);
+        memcpy((char *)base + key->aux, &n, sizeof n);
     }
     return code;
 }
 
+static int vertices_of(const struct cr_key *key, const void *base) {
+    int n;
+    memcpy(&n, (const char *)base + key->aux, sizeof n);
+    return n;
+}
+
 static cJSON *write_vertices(const struct cr_key *key, const void *base) {
-    const struct cr_participant *p = base;
+    const struct cr_vec2 *vertex = const_field(key, base);
     cJSON *array = cJSON_CreateArray();
-    for (int i = 0; i < p->vertices; i++) {
-        double x[2] = {p->vertex[i].x, p->vertex[i].y};
+    for (int i = 0; i < vertices_of(key, base); i++) {
+        double x[2] = {vertex[i].x, vertex[i].y};
         cJSON *item = write_numbers(key, x, 2);
         if (item == NULL || !cJSON_AddItemToArray(array, item)) {
             cJSON_Delete(item);
@@ -445,8 +450,7 @@ static cJSON *write_vertices(const struct cr_key *key, const void *base) {
 }
 
 static bool known_vertices(const struct cr_key *key, const void *base) {
-    (void)key;
-    return ((const struct cr_participant *)base)->vertices > 0;
+    return vertices_of(key, base) > 0;
 }
 
 static const struct {
@@ -517,6 +521,9 @@ void cr_scene_value_reset(const struct cr_key *key, void *base, int method) {
         for (int i = 0; i < 2; i++) {
             memcpy((char *)field(key, base) + (size_t)i * sizeof x, &x, sizeof x);
         }
+        break;
+    case CR_KEY_VERTICES:
+        memset((char *)base + key->aux, 0, sizeof(int));
         break;
     default: /* the others are zero where nothing is given */
         break;

@@ -98,6 +98,9 @@ static bool differs(const struct cr_key *key, const struct cr_participant *part,
 static bool wanted(const struct cr_participant *part, const struct cr_participant *blank,
                    const struct cr_key *key, bool given, bool all) {
     bool follows = part->waypoints > 0;
+    if (strncmp(key->name, "place.", 6) == 0 && !cr_scene_is_placed(part)) {
+        return false;
+    }
     if (key->type == CR_KEY_PAIR && follows) {
         return false;
     }
@@ -144,7 +147,7 @@ static bool put_settings(cJSON *json, const struct cr_scene *scene, bool all) {
     for (int i = 0; i < n && done; i++) {
         bool given = (scene->set.given >> i & 1) != 0;
         if ((given || all) && cr_scene_value_known(&row[i], &scene->set)) {
-            done = put(settings, row[i].name, cr_scene_value_write(&row[i], &scene->set));
+            done = put_path(settings, row[i].name, cr_scene_value_write(&row[i], &scene->set));
         }
     }
     return done;

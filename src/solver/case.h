@@ -66,6 +66,8 @@ struct cr_body {
     struct cr_strength strength;             /* of all layers */
     struct cr_strength against[CR_BODY_MAX]; /* of the layers that meet this partner in height;
                                                   NULL: strength */
+    double brake_after;                      /* deceleration, m/s2, as far as the road gives it */
+    double reaction;                         /* from so long after its first contact on, s */
     int waypoints;                           /* 0: pos, vel, heading above are the start */
     const struct cr_waypoint *waypoint;      /* borrowed, [waypoints] */
 };
@@ -78,6 +80,9 @@ struct cr_opts {
     bool friction_auto;    /* by kind of body instead: crushing structures hook into each other, on
                               a rigid object they slide */
     double road_friction;  /* of the tyres */
+    double rolling;        /* rolling resistance, share of the load */
+    double rolling_after;  /* the same from 1 s after a body's first contact on */
+    struct cr_vec2 slope;  /* towards where the road falls, m of height per m of plan */
     double restitution;    /* 0..1, see restitution_auto */
     bool restitution_auto; /* from closing speed, kind of partner and the share of an end's width
                               that is pressed instead (stiffness.md 6) */
@@ -91,11 +96,19 @@ struct cr_opts {
 
 struct cr_opts cr_opts_default(void);
 
+/* A part of the road with a friction of its own. */
+struct cr_patch {
+    int n;                        /* corners, 0: none */
+    const struct cr_vec2 *vertex; /* borrowed, [n] */
+    double friction;
+};
+
 struct cr_case {
     int n; /* bodies, in the order of the scene; contacts are worked in this order and backwards in
               turns */
     struct cr_body body[CR_BODY_MAX];
     struct cr_opts opts;
+    struct cr_patch patch;
 };
 
 #endif

@@ -9,7 +9,7 @@ void cr_ending_rest(struct cr_solver *s, const bool in_contact[]) {
         struct cr_moving *m = &s->m[i];
         bool slow = cr_vec2_len(m->vel) < cr_rest_speed && fabs(m->yaw_rate) < cr_rest_yaw;
         if (m->at_rest || m->driven || in_contact[i] || !slow || m->inv_mass == 0 ||
-            isnan(m->t_first)) {
+            isnan(m->t_first) || !cr_tyres_hold(s, i)) {
             continue;
         }
         double mass = 1 / m->inv_mass, inertia = m->inv_inertia > 0 ? 1 / m->inv_inertia : 0;

@@ -14,6 +14,39 @@ static double lerp(double a, double b, double u) {
     return a + u * (b - a);
 }
 
+/* rows within this of an instant say course and yaw rate, s: two noisy rows alone do not */
+static const double fit_half = 0.075;
+
+/* Straight lines through place and heading of the rows about an instant, by least squares, with at
+ * least the two rows it lies between: velocity and yaw rate of the path. */
+static struct cr_vec2 fit_path(const struct cr_waypoint *w, int n, int i, double t,
+                               double *yaw_rate) {
+    int from = i, to = i + 1;
+    while (from > 0 && t - w[from - 1].t <= fit_half) {
+        from--;
+    }
+    while (to + 1 < n && w[to + 1].t - t <= fit_half) {
+        to++;
+    }
+    double tt = 0, ts = 0, turn = 0, turns = 0, th = 0;
+    struct cr_vec2 ps = {0, 0}, tp = {0, 0};
+    int rows = to - from + 1;
+    for (int k = from; k <= to; k++) {
+        double dt = w[k].t - t;
+        struct cr_vec2 d = cr_vec2_sub(w[k].pos, w[i].pos);
+        turn += k > from ? cr_angle_wrap(w[k].heading - w[k - 1].heading) : 0;
+        ts += dt;
+        tt += dt * dt;
+        ps = cr_vec2_add(ps, d);
+        tp = cr_vec2_axpy(tp, dt, d);
+        turns += turn;
+        th += dt * turn;
+    }
+    double spread = tt - ts * ts / rows;
+    *yaw_rate = (th - ts * turns / rows) / spread;
+    return cr_vec2_scale(cr_vec2_axpy(tp, -ts / rows, ps), 1 / spread);
+}
+
 /* state on the prescribed path; past its end the body runs on by itself */
 static void follow(struct cr_moving *m, double t) {
     const struct cr_waypoint *w = m->body->waypoint;
@@ -31,11 +64,10 @@ static void follow(struct cr_moving *m, double t) {
     struct cr_vec2 pos = {lerp(p->pos.x, q->pos.x, u), lerp(p->pos.y, q->pos.y, u)};
     cr_kinematics_place(m, pos, p->heading + u * turn);
     double speed = lerp(p->speed, q->speed, u);
-    struct cr_vec2 ahead = {m->c, m->s}, along = cr_vec2_sub(q->pos, p->pos);
+    struct cr_vec2 ahead = {m->c, m->s}, along = fit_path(w, n, i, t, &m->yaw_rate);
     /* the direction is the path's; a negative speed reverses along it */
     along = cr_vec2_unit(along, ahead);
     m->vel = cr_vec2_scale(along, fabs(speed));
-    m->yaw_rate = turn / span;
 }
 
 /* total energy and momentum of a driven body change by what drives it: booked as the ground's */

@@ -19,6 +19,8 @@ struct cr_opts cr_opts_default(void) {
     return (struct cr_opts){.dt = 0.5e-3,
                             .friction = 0.5,
                             .road_friction = 0.8,
+                            .rolling = 0.010,
+                            .rolling_after = 0.010,
                             .restitution = 0.1,
                             .elastic_s = 5e-3,
                             .induced = true,

@@ -18,7 +18,11 @@
     X(CAR, "car-to-car", "car to car")                                                             \
     X(SMALL_OVERLAP, "small-overlap", "small overlap, 64 km/h")                                    \
     X(PULSE, "pulse", "wall with a full pulse")                                                    \
-    X(LOW_SPEED, "low-speed", "low speed and frontal pole")                                        \
+    X(LOW_SPEED, "low-speed", "low speed")                                                         \
+    X(REAR, "rear", "struck from behind")                                                          \
+    X(SIDE_MDB, "side-mdb", "flank struck by the US NCAP barrier")                                 \
+    X(NARROW, "narrow", "narrow objects in front")                                                 \
+    X(BARRIERS, "barriers", "deformable barriers")                                                 \
     X(OWN, "own", "own tests")
 
 enum cr_test_class {
@@ -40,6 +44,7 @@ enum cr_test_class {
     X(DEPTH, "face_depth_m", "depth residual, max", "m", true)                                     \
     X(DYNAMIC, "face_depth_dynamic_m", "depth dynamic, max", "m", true)                            \
     X(PROFILE, "crush_mean_m", "C1..C6 mean", "m", true)                                           \
+    X(MEAN_CRUSH, "crush_mean_cm", "C1..C6 mean", "cm", false)                                     \
     X(CORNER, "crush_corner_ratio", "C1,C6 over C3,C4", "-", false)                                \
     X(AREA, "deformation_area_m2", "damaged area", "m2", true)                                     \
     X(PEAK, "acceleration_max_g", "peak acceleration", "g", true)                                  \
@@ -67,14 +72,15 @@ struct cr_test_outcome {
 };
 
 /* Runs of a test: the two methods, and `extended` with models that were calibrated without it. */
-enum { CR_TEST_CROSS = 2, CR_TEST_RUNS = 3 };
+enum { CR_TEST_CROSS = 2, CR_TEST_RUNS = 3, CR_TEST_GROUP = 32 };
 
 struct cr_test {
     enum cr_test_class class;
     char id[CR_NAME_MAX];   /* "10146" or the name of the scene */
     char part[CR_NAME_MAX]; /* the participant that was measured */
     char title[96];
-    enum cr_type type;
+    char group[CR_TEST_GROUP]; /* what a scene says it is judged with, "" */
+    enum cr_type type;         /* CR_TYPES: a barrier was measured */
     double speed_kmh;
     double reference[CR_MEASURES]; /* NaN where nothing was measured */
     char *scene;                   /* JSON text, owned */

@@ -77,7 +77,8 @@ static const cJSON *participant(const cJSON *json, const char *id) {
 static enum cr_err scene_case(const cJSON *json, const cJSON *expect, const char *path,
                               const char *text, struct cr_test *c, struct cr_error *err) {
     const cJSON *p = participant(json, expect->string);
-    int type = cr_type_find(word(p, "type"));
+    bool barrier = strcmp(word(p, "shape"), "barrier") == 0;
+    int type = barrier ? CR_TYPES : cr_type_find(word(p, "type"));
     if (type < 0) {
         return bad_expectation(path, expect->string, err);
     }
@@ -86,6 +87,7 @@ static enum cr_err scene_case(const cJSON *json, const cJSON *expect, const char
     snprintf(c->id, sizeof c->id, "%s", word(json, "name"));
     snprintf(c->part, sizeof c->part, "%s", expect->string);
     snprintf(c->title, sizeof c->title, "%s", word(json, "x_title"));
+    snprintf(c->group, sizeof c->group, "%s", word(json, "x_group"));
     cr_file_dir(path, c->dir, sizeof c->dir);
     read_pulse(json, c);
     c->at = 1e-3 * number(json, "x_at_ms");
@@ -99,21 +101,16 @@ static enum cr_err scene_case(const cJSON *json, const cJSON *expect, const char
     return read_expectation(expect, path, c, err);
 }
 
-static enum cr_err load_scene(const char *path, enum cr_test_class class, struct cr_test_list *list,
-                              struct cr_error *err) {
-    char *text = NULL;
-    size_t len;
-    cJSON *json = NULL;
+/* the participants with expectations of one scene's text */
+static enum cr_err take_scene(const char *text, const char *path, enum cr_test_class class,
+                              struct cr_test_list *list, struct cr_error *err) {
     struct cr_scene scene;
-    enum cr_err code = cr_scene_load(path, &scene, err);
+    enum cr_err code = cr_scene_parse(text, strlen(text), path, &scene, err);
     cr_scene_fini(&scene);
-    if (code == CR_ERR_OK) {
-        code = cr_file_read(path, &text, &len, err);
-    }
     if (code != CR_ERR_OK) {
         return code;
     }
-    json = cJSON_ParseWithLength(text, len);
+    cJSON *json = cJSON_Parse(text);
     const cJSON *expect = cJSON_GetObjectItemCaseSensitive(json, "x_expect"), *one;
     if (!cJSON_IsObject(expect) || expect->child == NULL) {
         code = bad_expectation(path, "the scene has none to be compared with", err);
@@ -127,13 +124,43 @@ static enum cr_err load_scene(const char *path, enum cr_test_class class, struct
         }
     }
     cJSON_Delete(json);
+    return code;
+}
+
+static bool ends_in(const char *name, const char *suffix) {
+    size_t n = strlen(name), k = strlen(suffix);
+    return n > k && strcmp(name + n - k, suffix) == 0;
+}
+
+/* a scene, or with the suffix .jsonl one a line */
+static enum cr_err load_scene(const char *path, enum cr_test_class class, struct cr_test_list *list,
+                              struct cr_error *err) {
+    char *text = NULL;
+    size_t len;
+    enum cr_err code = cr_file_read(path, &text, &len, err);
+    if (code != CR_ERR_OK || !ends_in(path, ".jsonl")) {
+        code = code == CR_ERR_OK ? take_scene(text, path, class, list, err) : code;
+        free(text);
+        return code;
+    }
+    int number = 1;
+    for (char *line = text, *end; *line != '\0' && code == CR_ERR_OK; line = end, number++) {
+        end = line + strcspn(line, "\n");
+        end += *end == '\n' ? 1 : 0;
+        char kept = *end;
+        *end = '\0';
+        code = take_scene(line, path, class, list, err);
+        *end = kept;
+        if (code != CR_ERR_OK) {
+            cr_err_place(err, path, number, 0);
+        }
+    }
     free(text);
     return code;
 }
 
 static int is_json(const struct dirent *e) {
-    size_t n = strlen(e->d_name);
-    return e->d_name[0] != '.' && n > 5 && strcmp(e->d_name + n - 5, ".json") == 0;
+    return e->d_name[0] != '.' && (ends_in(e->d_name, ".json") || ends_in(e->d_name, ".jsonl"));
 }
 
 static enum cr_err load_folder(const char *dir, enum cr_test_class class, struct cr_test_list *list,

@@ -19,6 +19,7 @@ static void take_measures(const struct cr_severity *s, double *to) {
         [CR_MEASURE_DYNAMIC] = s->face_depth_dynamic,
         /* trapezoid mean of equally spaced points */
         [CR_MEASURE_PROFILE] = (c[0] / 2 + c[1] + c[2] + c[3] + c[4] + c[5] / 2) / 5,
+        [CR_MEASURE_MEAN_CRUSH] = 20 * (c[0] / 2 + c[1] + c[2] + c[3] + c[4] + c[5] / 2),
         [CR_MEASURE_CORNER] = (c[0] + c[5]) / (c[2] + c[3]),
         [CR_MEASURE_AREA] = s->deformation_area,
         [CR_MEASURE_PEAK] = s->acceleration_max / CR_G,

@@ -45,6 +45,17 @@ static void collect(struct cr_field_stats *s, const double *value, const double 
     s->median = 100 * (exp(cr_stats_median(scratch, s->n)) - 1);
 }
 
+/* less of a front's width than this is an offset */
+static const double offset_width = 0.6;
+
+static bool is_of_kind(const struct cr_field_row *row, int kind) {
+    const struct cr_crush_car *car = &row->what.car[0];
+    if (kind == CR_FIELD_OFFSET) {
+        return car->m.face == CR_FACE_FRONT && car->m.direct < offset_width * car->p->width;
+    }
+    return kind < 0 || (int)row->kind == kind;
+}
+
 enum cr_err cr_field_result(const struct cr_field_table *field, int kind, int type,
                             struct cr_field_result *out, struct cr_error *err) {
     size_t size = (size_t)field->n + 1;
@@ -57,8 +68,8 @@ enum cr_err cr_field_result(const struct cr_field_table *field, int kind, int ty
     double *smash = a + 4 * size, *scratch = a + 5 * size;
     for (int i = 0; i < field->n; i++) {
         const struct cr_field_row *row = &field->row[i];
-        if ((kind >= 0 && (int)row->kind != kind) ||
-            (type >= 0 && (int)row->what.car[0].p->type != type) || !(row->value > 0)) {
+        if (!is_of_kind(row, kind) || (type >= 0 && (int)row->what.car[0].p->type != type) ||
+            !(row->value > 0)) {
             continue;
         }
         value[out->own.n] = row->value;

@@ -24,6 +24,8 @@ enum cr_field_kind {
 #undef X
         CR_FIELD_KINDS
 };
+/* Across the kinds: fronts met over less than 0.6 of their width; a kind for cr_field_result. */
+enum { CR_FIELD_OFFSET = CR_FIELD_KINDS };
 const char *cr_field_kind_word(enum cr_field_kind kind);
 
 enum { CR_FIELD_FOLDS = 5, CR_FIELD_RULES = 16 };

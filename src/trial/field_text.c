@@ -29,6 +29,10 @@ static enum cr_err say_groups(const struct cr_field_table *field, struct cr_str 
             say_row(out, cr_field_kind_word((enum cr_field_kind)k), &r);
         }
     }
+    if (code == CR_ERR_OK) {
+        code = cr_field_result(field, CR_FIELD_OFFSET, -1, &r, err);
+        say_row(out, "front < 60 % wide", &r);
+    }
     for (int t = 0; t < CR_TYPES && code == CR_ERR_OK; t++) {
         code = cr_field_result(field, -1, t, &r, err);
         if (code == CR_ERR_OK && r.own.n > 0) {
@@ -185,6 +189,10 @@ enum cr_err cr_field_json(const struct cr_field_table *field, const struct cr_fi
         if (code == CR_ERR_OK) {
             add_summary(summary, cr_field_kind_word((enum cr_field_kind)k), &r);
         }
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_field_result(field, CR_FIELD_OFFSET, -1, &r, err);
+        add_summary(summary, "front-offset", &r);
     }
     cJSON *types = cr_tree_object(root, "types");
     for (int t = 0; t < CR_TYPES && code == CR_ERR_OK; t++) {

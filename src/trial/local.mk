@@ -12,7 +12,7 @@ libtrial_a_SOURCES = \
 	src/trial/trial.h \
 	src/trial/types.c src/trial/types.h \
 	src/trial/validate.c \
-	src/trial/verdict.c src/trial/verdict.h \
+	src/trial/verdict.c src/trial/verdict_groups.c src/trial/verdict.h \
 	src/trial/verdict_data.c \
 	src/trial/verdict_plot.c \
 	src/trial/verdict_text.c
@@ -56,8 +56,21 @@ dist_validationsmall_DATA = \
 	share/validation/small-overlap/iihs-fleet.json
 validationlowdir = $(pkgdatadir)/validation/low-speed
 dist_validationlow_DATA = \
-	share/validation/low-speed/contour-pole.json \
 	share/validation/low-speed/polo-fiesta.json
+validationreardir = $(pkgdatadir)/validation/rear
+dist_validationrear_DATA = \
+	share/validation/rear/barrier.jsonl \
+	share/validation/rear/deville.jsonl \
+	share/validation/rear/field.jsonl
+validationsidemdbdir = $(pkgdatadir)/validation/side-mdb
+dist_validationsidemdb_DATA = share/validation/side-mdb/ncap.jsonl
+validationnarrowdir = $(pkgdatadir)/validation/narrow
+dist_validationnarrow_DATA = \
+	share/validation/narrow/contour-pole.json \
+	share/validation/narrow/field.jsonl
+validationbarriersdir = $(pkgdatadir)/validation/barriers
+dist_validationbarriers_DATA = share/validation/barriers/barriers.jsonl
+EXTRA_DIST += share/validation/make-scenes.py
 validationpulsedir = $(pkgdatadir)/validation/pulse
 dist_validationpulse_DATA = \
 	share/validation/pulse/camry-10146.json

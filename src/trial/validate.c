@@ -20,10 +20,10 @@ static const char about[] =
     "class, speed and vehicle type, for both methods, and cross-validated: walls and poles with\n"
     "models that were calibrated on other tests; beside them the fleet's own scatter and the\n"
     "published figures of impactEES. Classes: wall, pole, car-to-car, small-overlap, pulse,\n"
-    "low-speed (default: all); field, alone: real crashes, delta-v from the measured damage\n"
-    "against event data recorders and WinSMASH. A FILE with own tests: .csv with the columns of "
-    "the tables in\n"
-    "share/validation/data or field, or a scene .json with x_expect; see crumple-validation(7).\n"
+    "low-speed, rear, side-mdb, narrow, barriers (default: all); field, alone: real crashes,\n"
+    "delta-v from the measured damage against event data recorders and WinSMASH. A FILE with own\n"
+    "tests: .csv with the columns of the tables in share/validation/data or field, or scenes with\n"
+    "x_expect, .json or .jsonl; see crumple-validation(7).\n"
     "Exit status: 0 done; 1 with --targets and one of them missed; 2, 3 as for run.\n";
 
 #define FORMATS "text|json|csv"

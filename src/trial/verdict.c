@@ -76,8 +76,11 @@ double cr_verdict_error(const struct cr_test *test, enum cr_measure m, int run) 
 /* groups a test is counted in, beside all of its class */
 static int groups_of(const struct cr_test *t, char group[2][32]) {
     int n = 0;
+    if (t->group[0] != '\0') {
+        snprintf(group[n++], 32, "%s", t->group);
+    }
     if (t->class != CR_TEST_WALL && t->class != CR_TEST_POLE) {
-        return 0;
+        return n;
     }
     if (t->class == CR_TEST_WALL) {
         snprintf(group[n++], 32, "%s", cr_test_speed_word(cr_test_speed_of(t->speed_kmh)));
@@ -230,10 +233,20 @@ static enum cr_err make_row(const struct cr_test_list *tests, enum cr_test_class
     return CR_ERR_OK;
 }
 
+/* does a test bring a group that none before it has, and that is not a type's word? */
+static bool is_first_of_group(const struct cr_test_list *tests, int i) {
+    const char *group = tests->item[i].group;
+    bool first = group[0] != '\0' && cr_type_find(group) < 0;
+    for (int k = 0; k < i && first; k++) {
+        first = strcmp(tests->item[k].group, group) != 0;
+    }
+    return first;
+}
+
 static enum cr_err make_class(const struct cr_test_list *tests, enum cr_test_class class,
                               unsigned runs, struct cr_verdict *v) {
     static const enum cr_measure by_group[] = {CR_MEASURE_DEPTH, CR_MEASURE_DYNAMIC,
-                                               CR_MEASURE_PEAK};
+                                               CR_MEASURE_PEAK, CR_MEASURE_MEAN_CRUSH};
     enum cr_err code = CR_ERR_OK;
     for (int m = 0; m < CR_MEASURES && code == CR_ERR_OK; m++) {
         code = make_row(tests, class, "all", (enum cr_measure)m, runs, v);
@@ -245,21 +258,13 @@ static enum cr_err make_class(const struct cr_test_list *tests, enum cr_test_cla
         for (int i = 0; i < CR_TYPES && code == CR_ERR_OK; i++) {
             code = make_row(tests, class, cr_type_word((enum cr_type)i), by_group[k], runs, v);
         }
+        for (int i = 0; i < tests->n && code == CR_ERR_OK; i++) {
+            if (is_first_of_group(tests, i)) {
+                code = make_row(tests, class, tests->item[i].group, by_group[k], runs, v);
+            }
+        }
     }
     return code;
-}
-
-static enum cr_err add_target(struct cr_verdict *v, const char *name, double value, double limit,
-                              bool at_least) {
-    if (!cr_grow(&v->target, &v->target_size, v->targets, sizeof *v->target)) {
-        return CR_ERR_MEMORY;
-    }
-    struct cr_verdict_target *t = &v->target[v->targets++];
-    *t = (struct cr_verdict_target){.value = value, .limit = limit, .at_least = at_least};
-    snprintf(t->name, sizeof t->name, "%s", name);
-    /* what could not be computed has not met its target */
-    t->met = at_least ? value >= limit : fabs(value) <= limit;
-    return CR_ERR_OK;
 }
 
 /* Limits of the mean percentage error of `extended` over a class, in percent. */
@@ -279,6 +284,7 @@ static const double pulse_rms = 4.9, pulse_iso = 0.65; /* g, - [PULSE-TARGET] */
 
 static enum cr_err row_targets(const struct cr_verdict_row *r, struct cr_verdict *v) {
     bool crossed = r->of[CR_TEST_CROSS].n > 0;
+    bool by_median = r->class >= CR_TEST_REAR; /* verdict_groups.c */
     const struct cr_stats_error *e = &r->of[crossed ? CR_TEST_CROSS : CR_METHOD_EXTENDED];
     char name[96];
     enum cr_err code = CR_ERR_OK;
@@ -287,18 +293,19 @@ static enum cr_err row_targets(const struct cr_verdict_row *r, struct cr_verdict
         if (limits[i].class == r->class && limits[i].measure == r->measure) {
             snprintf(name, sizeof name, "%s: MPE of %s, %%", classes[r->class].word,
                      measures[r->measure].label);
-            code = add_target(v, name, e->mpe, limits[i].limit, false);
+            code = cr_verdict_target(v, name, e->mpe, limits[i].limit, false);
         }
     }
-    if (code == CR_ERR_OK && r->measure == CR_MEASURE_DEPTH && !all && e->n >= group_least) {
+    if (code == CR_ERR_OK && r->measure == CR_MEASURE_DEPTH && !all && !by_median &&
+        e->n >= group_least) {
         snprintf(name, sizeof name, "%s, %s: MPE of %s, %%", classes[r->class].word, r->group,
                  measures[r->measure].label);
-        code = add_target(v, name, e->mpe, group_limit, false);
+        code = cr_verdict_target(v, name, e->mpe, group_limit, false);
     }
     if (code == CR_ERR_OK && r->measure == CR_MEASURE_DEPTH && all && isfinite(r->fleet_sd)) {
         snprintf(name, sizeof name, "%s: SD of %s, points", classes[r->class].word,
                  measures[r->measure].label);
-        code = add_target(v, name, e->sd, r->fleet_sd + spread_more, false);
+        code = cr_verdict_target(v, name, e->sd, r->fleet_sd + spread_more, false);
     }
     return code;
 }
@@ -320,8 +327,8 @@ static enum cr_err car_targets(const struct cr_test *t, struct cr_verdict *v) {
         if (isfinite(t->reference[of[i]])) {
             snprintf(name, sizeof name, "%.20s %.20s: %s, %s", t->id, t->part,
                      measures[of[i]].label, percent ? "%" : measures[of[i]].unit);
-            code = add_target(v, name, cr_verdict_error(t, of[i], CR_METHOD_EXTENDED),
-                              percent ? car_delta_v : car_yaw, false);
+            code = cr_verdict_target(v, name, cr_verdict_error(t, of[i], CR_METHOD_EXTENDED),
+                                     percent ? car_delta_v : car_yaw, false);
         }
     }
     return code;
@@ -338,9 +345,9 @@ static enum cr_err area_target(const struct cr_test_list *tests, struct cr_verdi
     }
     enum cr_err code = area ? CR_ERR_OK : CR_ERR_MEMORY;
     if (n > 0) {
-        code = add_target(v, "pole: median damaged area, %",
-                          100 * (cr_stats_median(area, n) / cr_test_pole_area - 1), pole_area_off,
-                          false);
+        code = cr_verdict_target(v, "pole: median damaged area, %",
+                                 100 * (cr_stats_median(area, n) / cr_test_pole_area - 1),
+                                 pole_area_off, false);
     }
     free(area);
     return code;
@@ -366,13 +373,13 @@ static enum cr_err make_targets(const struct cr_test_list *tests, struct cr_verd
             continue;
         }
         snprintf(name, sizeof name, "%.40s: RMS error of the pulse, g", t->id);
-        code = add_target(v, name, p->rms_g, pulse_rms, false);
+        code = cr_verdict_target(v, name, p->rms_g, pulse_rms, false);
         snprintf(name, sizeof name, "%.40s: ISO/TS 18571 rating", t->id);
         if (code == CR_ERR_OK) {
-            code = add_target(v, name, p->iso, pulse_iso, true);
+            code = cr_verdict_target(v, name, p->iso, pulse_iso, true);
         }
     }
-    return code;
+    return code == CR_ERR_OK ? cr_verdict_groups(tests, v) : code;
 }
 
 enum cr_err cr_verdict_make(const struct cr_test_list *tests, unsigned runs, struct cr_verdict *out,

@@ -38,6 +38,12 @@ CR_MUST_CHECK enum cr_err cr_verdict_make(const struct cr_test_list *tests, unsi
                                           struct cr_verdict *out, struct cr_error *err);
 void cr_verdict_fini(struct cr_verdict *verdict);
 
+/* One more target; what could not be computed has not met it. Error: MEMORY. */
+CR_MUST_CHECK enum cr_err cr_verdict_target(struct cr_verdict *v, const char *name, double value,
+                                            double limit, bool at_least);
+/* The targets of the classes rear, side-mdb, narrow and barriers: medians by group. */
+CR_MUST_CHECK enum cr_err cr_verdict_groups(const struct cr_test_list *tests, struct cr_verdict *v);
+
 /* Error of a test in a measure: percent, or difference in its unit; NaN without both values. */
 double cr_verdict_error(const struct cr_test *test, enum cr_measure measure, int run);
 /* "paper", "extended", "cross-validated"; and the order in which runs are shown */

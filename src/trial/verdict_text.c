@@ -100,7 +100,7 @@ static void put_class(const struct cr_verdict *v, enum cr_test_class class, unsi
             continue;
         }
         if (strcmp(r->group, "all") != 0 && (int)r->measure != last) {
-            cr_str_addf(out, " %s by speed and type\n", cr_test_measure_label(r->measure));
+            cr_str_addf(out, " %s by speed, type and group\n", cr_test_measure_label(r->measure));
             last = (int)r->measure;
         }
         put_row(r, runs, out);

@@ -38,4 +38,7 @@ same "an own table is evaluated" "$(printf '%s\n' "$out" | cut -d, -f1-6)" \
 1/1,2,front-front,sedan,front,38"
 sed 's/,30,30,/,x,30,/' "$tmp/own.csv" >"$tmp/bad.csv"
 refused "a text for a number has its line" 3 'bad\.csv:2' validate "$tmp/bad.csv"
+run validate field
+has "fronts met over part of their width stand by themselves" "$out" \
+    '^  front < 60 % wide +1[0-9][0-9] '
 finish

@@ -32,6 +32,44 @@ has "a mass in lb is doubted" "$out" '"implausible"'
 has "with the guess" "$out" 'mass 3300 is far from .*if it is in lb it is 1497'
 run run "$demo"
 same "plausible masses are not" "$(printf '%s' "$out" | grep -c '"implausible"')" 0
+# driven SPEED ROWS STEP: a car that follows rows, a second and STEP m apart, to a wall at 30 m
+driven() {
+    awk -v speed="$1" -v rows="$2" -v step="$3" 'BEGIN {
+        print "{ \"crumple\": 1, \"participants\": [ { \"id\": \"A\", \"kind\": \"vehicle\","
+        print "  \"type\": \"sedan\", \"mass_kg\": 1500, \"trajectory\": ["
+        for (i = 0; i < rows; i++) {
+            printf "  { \"t_s\": %d, \"x_m\": %g, \"y_m\": 0,", i, step * (i - rows + 1) + 30
+            printf " \"heading_deg\": 0, \"speed_kmh\": %g }%s\n", speed, i < rows - 1 ? "," : "]"
+        }
+        print "  }, { \"id\": \"W\", \"kind\": \"object\", \"shape\": \"wall\","
+        print "  \"position_m\": [30, 0], \"heading_deg\": 180 } ] }" }' >"$tmp/driven.json"
+    run run "$tmp/driven.json"
+}
+driven 36 5 10
+same "a trajectory that agrees with itself is not doubted" \
+    "$(printf '%s' "$out" | grep -c '"trajectory-')" 0
+driven 72 5 10
+has "a speed that contradicts the path is" "$out" 'trajectory-speed'
+has "with both" "$out" 'gives 72.0 km/h at .* path runs at 36.0 km/h'
+driven 10 5 10
+has "m/s for km/h is guessed" "$out" 'as if it were in m/s'
+driven 36 31 10
+same "a contact later than 20 s is found" "$status" 0
+driven 36 5 10
+sed 's/\[30, 0\]/[60, 0]/' "$tmp/driven.json" >"$tmp/late.json"
+run run "$tmp/late.json"
+has "rows that end before the contact are told" "$out" 'trajectory ends .* s before its contact'
+awk '/"t_s": 2/ { sub(/"t_s": 2/, "\"t_s\": 1.01") } { print }' "$tmp/driven.json" >"$tmp/jump.json"
+run run "$tmp/jump.json"
+has "a jump is told" "$out" 'trajectory jumps by 10.0 m within 0.01 s'
+run run --check 3 "$tmp/wall.json"
+has "--check tells the spread of each number" "$out" '"spread_percent"'
+has "and how often it solved" "$out" '"solves":[[:space:]]*3'
+run run --check 3 -f text "$tmp/wall.json"
+has "in text too" "$out" 'Robustness'
+run run --check 1 "$tmp/wall.json"
+same "one solve more tells nothing" "$status" 2
+has "and says so" "$errs" 'check.*3..100'
 cat >"$tmp/objects.json" <<'JSON'
 { "crumple": 1, "participants": [
   { "id": "W", "kind": "object", "shape": "wall", "position_m": [0, 0] },

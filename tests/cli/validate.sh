@@ -23,6 +23,14 @@ has "CSV has a row per measure and method" "$out" '^pulse,all,ees_kmh,km/h,1,pap
 run validate pulse --method paper
 same "one method alone has no targets" "$(printf '%s' "$out" | grep -c target)" 0
 
+# classes judged by the medians of groups
+run validate rear narrow barriers --method extended --worst 0
+has "real rear crashes are solved" "$out" '^struck from behind: 86 measured vehicles$'
+has "by band of delta-v" "$out" '^ +16-24 km/h, cm +28 '
+has "with a target for each band" "$out" '(met|missed) +rear, delta-v 24-32 km/h: median crush, cm'
+has "trees and poles by their median" "$out" '(met|missed) +narrow, trees and poles: median ratio'
+has "a barrier verifies itself" "$out" '^ met +barriers, UN R95 on a wall at 35 km/h: depth'
+
 # own tests
 cat >"$tmp/own.csv" <<'END'
 # two cars like the Camry

@@ -1,11 +1,14 @@
 # unit tests of src/result
 result_tests = test_result_pulse test_result_deform test_result_irf test_result_measure \
 	test_result_rating test_result_run test_result_signal test_result_heights test_result_motion \
-	test_result_planar test_result_impact test_barrier
+	test_result_planar test_result_impact test_barrier test_trends test_result_robust
 result_test_libs = libresult.a libscene.a libsolver.a libmodel.a libbase.a \
 	$(CMOCKA_LIBS) $(CJSON_LIBS) $(NETTLE_LIBS)
 check_PROGRAMS += $(result_tests)
 TESTS += $(result_tests)
+test_trends_SOURCES = tests/unit/test_trends.c tests/unit/result_models.h tests/unit/model_lib.h
+test_trends_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
+test_trends_LDADD = $(result_test_libs)
 test_barrier_SOURCES = tests/unit/test_barrier.c tests/unit/result_models.h tests/unit/model_lib.h
 test_barrier_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 test_barrier_LDADD = $(result_test_libs)
@@ -44,3 +47,6 @@ test_result_motion_LDADD = $(result_test_libs)
 test_result_impact_SOURCES = tests/unit/test_result_impact.c
 test_result_impact_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 test_result_impact_LDADD = $(result_test_libs)
+test_result_robust_SOURCES = tests/unit/test_result_robust.c tests/unit/result_models.h tests/unit/model_lib.h
+test_result_robust_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
+test_result_robust_LDADD = $(result_test_libs)

@@ -1,6 +1,7 @@
 /* Placing one participant against another, and outlines. */
 #include "scene_help.h"
 
+#include <cjson/cJSON.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -213,8 +214,96 @@ static void test_outlines_go_round_counter_clockwise(void **state) {
     cr_scene_fini(&s);
 }
 
+/* ---- relations that are kept ---- */
+
+#define BOX_AT(x)                                                                                  \
+    "\"id\": \"A\", \"kind\": \"object\", \"shape\": \"box\", \"length_m\": 2, \"width_m\": 2,"    \
+    "\"position_m\": [" x ", 0]"
+#define AGAINST(other, more)                                                                       \
+    "\"id\": \"B\", \"kind\": \"object\", \"shape\": \"box\", \"length_m\": 4, \"width_m\": 2,"    \
+    "\"mass_kg\": 900, \"place\": { \"against\": \"" other "\"" more " }"
+
+/* a scene of two boxes needs no models */
+static enum cr_err settled(const char *a, const char *b, struct cr_scene *s, struct cr_error *err) {
+    scene_of(a, b, s);
+    return cr_scene_settle(s, NULL, err);
+}
+
+static void set(struct cr_scene *s, const char *key, const char *value) {
+    struct cr_error err;
+    if (cr_scene_set(s, key, value, &err) != CR_ERR_OK) {
+        fail_msg("%s=%s: %s", key, value, err.text);
+    }
+}
+
+static void test_a_relation_is_followed(void **state) {
+    (void)state;
+    struct cr_scene s;
+    struct cr_error err = {0};
+    /* half lengths 1 and 2 m, 0.5 m apart */
+    assert_int_equal(settled(BOX_AT("0"), AGAINST("A", ", \"gap_m\": 0.5"), &s, &err), CR_ERR_OK);
+    check_pose(&s, 1, 3.5, 0, 180);
+    set(&s, "A.length_m", "3");
+    assert_int_equal(cr_scene_settle(&s, NULL, &err), CR_ERR_OK);
+    check_pose(&s, 1, 4, 0, 180);
+    set(&s, "A.heading_deg", "90");
+    assert_int_equal(cr_scene_settle(&s, NULL, &err), CR_ERR_OK);
+    check_pose(&s, 1, 0, 4, 270);
+    set(&s, "B.place.overlap_percent", "25");
+    set(&s, "B.place.side", "left");
+    set(&s, "A.heading_deg", "0");
+    assert_int_equal(cr_scene_settle(&s, NULL, &err), CR_ERR_OK);
+    /* 0.5 of 2 m meet: its middle 1.5 m to the left */
+    check_pose(&s, 1, 4, 1.5, 180);
+    /* a new name of the other one is followed, a place of its own ends it */
+    set(&s, "A.id", "Z");
+    assert_string_equal(s.part[1].place.against, "Z");
+    set(&s, "B.position_m", "20,0");
+    assert_false(cr_scene_is_placed(&s.part[1]));
+    cr_scene_fini(&s);
+}
+
+static void test_a_relation_is_written_and_read(void **state) {
+    (void)state;
+    struct cr_scene s, again;
+    struct cr_error err = {0};
+    assert_int_equal(
+        settled(BOX_AT("0"), AGAINST("A", ", \"how\": \"behind\", \"gap_m\": 1"), &s, &err),
+        CR_ERR_OK);
+    check_pose(&s, 1, -1 - 2 - 1, 0, 0);
+    cJSON *json = cr_scene_to_json(&s, false);
+    assert_int_equal(cr_scene_from_json(json, &again, &err), CR_ERR_OK);
+    assert_string_equal(again.part[1].place.against, "A");
+    assert_int_equal(again.part[1].place.how, CR_PLACE_BEHIND);
+    check_pose(&again, 1, -4, 0, 0); /* the resolved place stands beside it */
+    cJSON_Delete(json);
+    cr_scene_fini(&again);
+    cr_scene_fini(&s);
+}
+
+static void test_relations_that_cannot_be(void **state) {
+    (void)state;
+    struct cr_scene s;
+    struct cr_error err = {0};
+    assert_int_equal(settled(BOX_AT("0"), AGAINST("C", ""), &s, &err), CR_ERR_NAME);
+    assert_string_equal(err.where, "/participants/1/place/against");
+    cr_scene_fini(&s);
+    err = (struct cr_error){0};
+    assert_int_equal(
+        settled(BOX_AT("0") ", \"place\": { \"against\": \"B\" }", AGAINST("A", ""), &s, &err),
+        CR_ERR_NAME);
+    assert_non_null(strstr(err.text, "circle"));
+    cr_scene_fini(&s);
+    err = (struct cr_error){0};
+    assert_int_equal(settled(BOX_AT("0"), AGAINST("B", ""), &s, &err), CR_ERR_NAME);
+    cr_scene_fini(&s);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_relation_is_followed),
+        cmocka_unit_test(test_a_relation_is_written_and_read),
+        cmocka_unit_test(test_relations_that_cannot_be),
         cmocka_unit_test(test_head_on),
         cmocka_unit_test(test_the_other_way_round_is_the_mirror_image),
         cmocka_unit_test(test_behind_and_beside),

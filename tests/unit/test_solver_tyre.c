@@ -5,6 +5,18 @@
 
 static const double mu = 0.8, speed = 12;
 
+/* what the road is like in the run at hand; none of it: level, one surface */
+static struct cr_vec2 slope;
+static struct cr_patch patch;
+static double rolling_later = 0.010;
+
+static void pave(struct cr_case *cs, double road) {
+    cs->opts.road_friction = road;
+    cs->opts.slope = slope;
+    cs->opts.rolling_after = rolling_later;
+    cs->patch = patch;
+}
+
 struct run {
     double s, t;     /* from the end of the contact to rest, m and s */
     double turned;   /* rad */
@@ -15,7 +27,7 @@ struct run {
 static struct run run_out(struct cr_body car, double road, double e) {
     struct cr_case cs = case_of(car, wall_body(0, 0, CR_PI));
     cs.opts.restitution = e;
-    cs.opts.road_friction = road;
+    pave(&cs, road);
     cs.opts.end = CR_END_REST;
     cs.opts.rest_time = 400;
     cs.opts.elastic_s = 5e-3;
@@ -48,7 +60,7 @@ static struct cr_body ready_car(struct cr_arena *arena, double heading, double b
 static double speed_at_the_end(const struct cr_body *car, double road) {
     struct cr_case cs = case_of(*car, wall_body(0, 0, CR_PI));
     cs.opts.restitution = 1;
-    cs.opts.road_friction = road;
+    pave(&cs, road);
     cs.opts.elastic_s = 5e-3;
     cs.opts.friction = 0;
     struct cr_solver *s = solved(&cs);
@@ -183,8 +195,99 @@ static void a_steered_car_turns(void **state) {
     cr_arena_free(&arena);
 }
 
+/* after the wall it slides up or down a slope of 10 %: g (mu cos +- sin) */
+static void up_and_down_a_slope(void **state) {
+    (void)state;
+    struct cr_arena arena = {0};
+    struct cr_body car = ready_car(&arena, 0, 0, true);
+    double cosine = 1 / sqrt(1.01);
+    slope = cr_vec2(-0.1, 0);
+    check_straight(&car, CR_G * cosine * (mu - 0.1));
+    slope = cr_vec2(0.1, 0);
+    check_straight(&car, CR_G * cosine * (mu + 0.1));
+    slope = cr_vec2(0, 0);
+    cr_arena_free(&arena);
+}
+
+/* free wheels take 0.01 of the load, a slope of 10 % gives more: it does not stay */
+static void free_wheels_do_not_hold_on_a_slope(void **state) {
+    (void)state;
+    struct cr_arena arena = {0};
+    struct cr_case cs = case_of(ready_car(&arena, 0, 0, false), wall_body(0, 0, CR_PI));
+    cs.opts.restitution = 0;
+    cs.opts.friction = 0;
+    cs.opts.end = CR_END_REST;
+    cs.opts.rest_time = 5;
+    slope = cr_vec2(-0.1, 0);
+    pave(&cs, mu);
+    struct cr_solver *s = solved(&cs);
+    const struct cr_outcome *x = &cr_solver_solution(s)->body[0];
+    /* v = g (sin - 0.01 cos) t */
+    double v = CR_G / sqrt(1.01) * (0.1 - 0.01) * 5;
+    assert_true(isnan(x->t_rest));
+    check_near(cr_vec2_len(x->rest.vel), v, 0.02 * v);
+    assert_true(cr_solver_solution(s)->balance.energy_residual < 1e-9);
+    cr_solver_free(s);
+    slope = cr_vec2(0, 0);
+    cr_arena_free(&arena);
+}
+
+/* ice all over the run-out, and ice beside it */
+static void a_second_surface(void **state) {
+    (void)state;
+    static const struct cr_vec2 over[] = {{-300, -50}, {50, -50}, {50, 50}, {-300, 50}};
+    static const struct cr_vec2 beside[] = {{-300, 5}, {50, 5}, {50, 50}, {-300, 50}};
+    struct cr_arena arena = {0};
+    struct cr_body car = ready_car(&arena, 0, 0, true);
+    patch = (struct cr_patch){.n = 4, .vertex = over, .friction = 0.3};
+    check_straight(&car, 0.3 * CR_G);
+    patch.vertex = beside;
+    check_straight(&car, mu * CR_G);
+    patch.n = 0;
+    cr_arena_free(&arena);
+}
+
+/* 4 m/s2 from 0.8 s after the first contact on, until then free wheels; more than the road gives is
+ * what the road gives */
+static void brake_after_contact(void **state) {
+    (void)state;
+    struct cr_arena arena = {0};
+    struct cr_body car = ready_car(&arena, 0, 0, false);
+    double v = speed_at_the_end(&car, mu), free = 0.010 * CR_G, wait = 0.8, a = 4;
+    car.brake_after = a;
+    car.reaction = wait;
+    struct run run = run_out(car, mu, 1);
+    double later = v - free * wait;
+    double way = v * wait - free * wait * wait / 2 + later * later / (2 * a);
+    check_near(run.s, way, 0.01 * way); /* the contact itself takes some of the reaction */
+    car.brake_after = 12;
+    car.reaction = 0;
+    run = run_out(car, mu, 1);
+    check_near(run.s, v * v / (2 * mu * CR_G), 0.01 * run.s);
+    cr_arena_free(&arena);
+}
+
+/* 0.01 for a second, then 0.05 with an engine in gear */
+static void rolling_in_gear(void **state) {
+    (void)state;
+    struct cr_arena arena = {0};
+    struct cr_body car = ready_car(&arena, 0, 0, false);
+    double v = speed_at_the_end(&car, mu), first = 0.010 * CR_G, a = 0.05 * CR_G;
+    rolling_later = 0.05;
+    struct run run = run_out(car, mu, 1);
+    double later = v - first, way = v - first / 2 + later * later / (2 * a);
+    check_near(run.s, way, 0.01 * way);
+    rolling_later = 0.010;
+    cr_arena_free(&arena);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(up_and_down_a_slope),
+        cmocka_unit_test(free_wheels_do_not_hold_on_a_slope),
+        cmocka_unit_test(a_second_surface),
+        cmocka_unit_test(brake_after_contact),
+        cmocka_unit_test(rolling_in_gear),
         cmocka_unit_test(straight_slide_with_locked_wheels),
         cmocka_unit_test(full_and_half_braking),
         cmocka_unit_test(rolling_resistance),

@@ -112,6 +112,46 @@ static void errors_by_group(void **state) {
 }
 
 /* what no model of a class can know: the spread about the mean of the type */
+static const struct cr_verdict_target *target(const struct cr_verdict *v, const char *word) {
+    for (int i = 0; i < v->targets; i++) {
+        if (strstr(v->target[i].name, word)) {
+            return &v->target[i];
+        }
+    }
+    return NULL;
+}
+
+/* Side barrier, errors of the depth by type +10, +20, -10, 0, -40, +2 %: mean -3, greatest -40. */
+static void groups_are_judged_by_their_rule(void **state) {
+    (void)state;
+    const double measured[] = {0.2, 0.2, 0.2, 0.2, 0.2, 0.2};
+    const double extended[] = {0.22, 0.24, 0.18, 0.2, 0.12, 0.204};
+    struct cr_verdict v;
+    make(measured, extended, extended);
+    for (int i = 0; i < TESTS; i++) {
+        test[i].class = CR_TEST_SIDE_MDB;
+    }
+    assert_int_equal(cr_verdict_make(&list, 3, &v, NULL), CR_ERR_OK);
+    const struct cr_verdict_target *mean = target(&v, "side-mdb: MPE of depth, %");
+    const struct cr_verdict_target *most =
+        target(&v, "side-mdb: greatest error of a type's depth, %");
+    assert_true(mean != NULL && most != NULL);
+    check_near(mean->value, -3, 1e-9);
+    assert_true(mean->met);
+    check_near(most->value, -40, 1e-9);
+    assert_false(most->met);
+    cr_verdict_fini(&v);
+    for (int i = 0; i < TESTS; i++) {
+        test[i].class = CR_TEST_REAR; /* of the barrier tests: 0.12 lies furthest from 0.275 */
+        snprintf(test[i].group, sizeof test[i].group, "FMVSS 301");
+    }
+    assert_int_equal(cr_verdict_make(&list, 3, &v, NULL), CR_ERR_OK);
+    check_near(target(&v, "rear, FMVSS 301: furthest from 0.275 m, m")->value, -0.155, 1e-9);
+    assert_null(target(&v, "rear, delta-v 16-24 km/h: median crush, cm"));
+    assert_int_equal(row(&v, "FMVSS 301", CR_MEASURE_DEPTH)->of[CR_METHOD_EXTENDED].n, TESTS);
+    cr_verdict_fini(&v);
+}
+
 static void fleet_scatter_is_about_the_type(void **state) {
     (void)state;
     const double measured[] = {0.45, 0.5, 0.55, 0.36, 0.4, 0.44};
@@ -125,15 +165,6 @@ static void fleet_scatter_is_about_the_type(void **state) {
     // squares about it 108.945 + 0.45347 + 95.338, twice, over 6 values less 2 means
     check_near(row(&v, "all", CR_MEASURE_DEPTH)->fleet_sd, sqrt(2 * 204.7365 / 4), 1e-3);
     cr_verdict_fini(&v);
-}
-
-static const struct cr_verdict_target *target(const struct cr_verdict *v, const char *word) {
-    for (int i = 0; i < v->targets; i++) {
-        if (strstr(v->target[i].name, word)) {
-            return &v->target[i];
-        }
-    }
-    return NULL;
 }
 
 /* the check must be able to fail */
@@ -209,6 +240,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(records_have_columns_and_lines),
         cmocka_unit_test(errors_by_group),
+        cmocka_unit_test(groups_are_judged_by_their_rule),
         cmocka_unit_test(fleet_scatter_is_about_the_type),
         cmocka_unit_test(targets_are_missed_by_a_wrong_model),
         cmocka_unit_test(a_pulse_that_failed_has_missed_its_target),
