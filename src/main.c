@@ -46,8 +46,7 @@ static const char help[] =
     "failed; 2 usage or file system; 3 a script or JSON file is invalid; 4 the solver failed;\n"
     "130 interrupted.\n";
 
-static const char version[] = PACKAGE_STRING
-    "\n"
+static const char version[] =
     "built with " CR_LIBRARIES "\n"
     "sanitizers: " CR_SANITIZERS "\n"
     "Free software under the GNU General Public License, version 3 or later; no warranty.\n";
@@ -83,6 +82,14 @@ static int print(const char *text) {
         return 2;
     }
     return 0;
+}
+
+static int print_version(void) {
+    char text[sizeof version + 200];
+    bool known = cr_commit[0] != '\0';
+    snprintf(text, sizeof text, "%s%s%s\n%s", PACKAGE_STRING, known ? ", commit " : "", cr_commit,
+             version);
+    return print(text);
 }
 
 /* "crumple help": this; "crumple help run": its options; "crumple help sweep": the command */
@@ -214,7 +221,7 @@ int main(int argc, char **argv) {
     const char *word = argc > 1 ? argv[1] : "";
     if (strcmp(word, "--version") == 0 || strcmp(word, "-V") == 0 || strcmp(word, "-v") == 0 ||
         strcmp(word, "version") == 0) {
-        return print(version);
+        return print_version();
     }
     if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0) {
         return print(help);

@@ -13,6 +13,6 @@ if command -v groff >/dev/null 2>&1; then
 else
     skip "the pages are sound" "no groff"
 fi
-version=$("$CRUMPLE" --version | head -n 1)
+version=$("$CRUMPLE" --version | sed -n "1s/, commit .*//p;1s/^\(crumple [0-9.]*\)$/\1/p")
 has "the manual has the version of the program" "$(head -n 1 "$SRC/man/crumple.1")" "\"$version\""
 finish

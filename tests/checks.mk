@@ -38,7 +38,7 @@ EXTRA_DIST += tests/bindings/bindings.sh tests/bindings/solve.py
 check_PROGRAMS += crumple-manual
 crumple_manual_SOURCES = tests/manual.c
 crumple_manual_CFLAGS = $(CR_CFLAGS)
-crumple_manual_LDADD = libcmd.a libfigure.a libstudy.a libdamage.a librender.a libresult.a libscene.a libsolver.a \
+crumple_manual_LDADD = libcmd.a libstudy.a libfigure.a libdamage.a librender.a libresult.a libscene.a libsolver.a \
 	libmodel.a libbase.a $(GSL_LIBS) $(NLOPT_LIBS) $(CJSON_LIBS) $(NETTLE_LIBS) $(CAIRO_LIBS)
 update-manual: crumple-manual$(EXEEXT)
 	./crumple-manual$(EXEEXT) >$(srcdir)/man/crumple-commands.7

@@ -19,4 +19,8 @@ int cr_cli_fit(int argc, char **argv);
 int cr_cli_damage(int argc, char **argv);
 int cr_cli_import(int argc, char **argv);
 
+/* The commit of the sources this program was built from, with "-changed" behind it when they were
+ * not as committed; "" where that is not known, as in a release. */
+extern const char cr_commit[];
+
 #endif

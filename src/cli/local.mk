@@ -36,6 +36,17 @@ CLEANFILES += source-folder
 EXTRA_crumple_DEPENDENCIES = source-folder
 source-folder: Makefile
 	$(AM_V_GEN)echo '$(CR_SRCDIR)' >$@
+# the commit of the sources, where they are a checkout; written anew only when it changed
+nodist_libcli_a_SOURCES = commit.c
+CLEANFILES += commit.c commit.new
+commit.c: always
+	$(AM_V_at)commit=`cd '$(srcdir)' && test -e .git && git rev-parse --short=12 HEAD 2>/dev/null` || :; \
+	if test -n "$$commit" && (cd '$(srcdir)' && ! git diff-index --quiet HEAD --) 2>/dev/null; then \
+	    commit="$$commit-changed"; fi; \
+	printf '%s\n' '#include "cli/cli.h"' "const char cr_commit[] = \"$$commit\";" >commit.new
+	$(AM_V_at)cmp -s commit.new $@ || cp commit.new $@; rm -f commit.new
+.PHONY: always
+always:
 libcli_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)
 clusterdir = $(pkgdatadir)/cluster
 dist_cluster_SCRIPTS = share/cluster/parallel.sh share/cluster/slurm-array.sbatch

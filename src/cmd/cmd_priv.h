@@ -109,6 +109,7 @@ struct cr_session {
     struct cr_compiled *compiled; /* of compiled_rev, NULL: none */
     struct cr_view view;
     struct cr_sweep *sweep;
+    struct cr_mc *mc;               /* the last draws, NULL: none */
     struct cr_damage_notes *damage; /* measured, NULL: none */
     struct cr_pulse_shown *pulse;   /* what the pane of the pulse shows, NULL: |a| of all */
     void (*pulse_free)(struct cr_pulse_shown *pulse); /* of its owner */
@@ -156,6 +157,10 @@ void cr_session_saved(struct cr_session *s, const char *path); /* the present is
 void cr_session_autosave(struct cr_session *s);
 /* The newest autosave that a session which is gone has left behind; false if there is none. */
 bool cr_autosave_find(const char *state_dir, char *path, int size);
+
+/* What the command damage was told of a vehicle; NULL: nothing. */
+struct cr_measured;
+const struct cr_measured *cr_damage_known(const struct cr_session *s, const char *id);
 
 /* Long work: context of runs that report progress and can be cancelled. */
 struct cr_context cr_session_context(struct cr_session *s);

@@ -26,6 +26,10 @@ static struct cr_measured *note_of(struct cr_damage_notes *notes, const char *id
     return NULL;
 }
 
+const struct cr_measured *cr_damage_known(const struct cr_session *s, const char *id) {
+    return note_of(s->damage, id);
+}
+
 /* "12,14,20,22,18,10cm": depths, a unit behind the last counts for all */
 static enum cr_err read_stations(const char *text, struct cr_measured *m, struct cr_error *err) {
     const struct cr_unit *unit = cr_unit_find("m", CR_DIM_LENGTH);

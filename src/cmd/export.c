@@ -158,6 +158,8 @@ static const struct {
     {"top", PICTURE, true, true, cr_export_picture},
     {"front", PICTURE, true, true, cr_export_picture},
     {"risk", PICTURE, true, true, cr_export_picture},
+    {"histogram", PICTURE, false, false, cr_export_mc},
+    {"tornado", PICTURE, false, false, cr_export_mc},
     {"overview", PICTURE, true, true, cr_export_picture},
     {"channels", 1 << CR_EXPORT_MME | 1 << CR_EXPORT_GP, true, true, cr_export_channels},
     {"body", 1 << CR_EXPORT_VTK | 1 << CR_EXPORT_OBJ, true, true, cr_export_body},

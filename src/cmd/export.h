@@ -38,6 +38,8 @@ struct cr_export {
 enum cr_err cr_export_picture(struct cr_export *x, struct cr_error *err);
 /* The last sweep as curves or as a map. */
 enum cr_err cr_export_sweep(struct cr_export *x, struct cr_error *err);
+/* Histogram or tornado of the last draws (mc). */
+enum cr_err cr_export_mc(struct cr_export *x, struct cr_error *err);
 
 /* ISO-MME channels (beside FILE.mme a folder Channel) or a gnuplot pair; a film; the 3D model. */
 enum cr_err cr_export_channels(struct cr_export *x, struct cr_error *err);

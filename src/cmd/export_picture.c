@@ -1,9 +1,11 @@
-/* export: pictures of the session's crash and of its last sweep, as SVG, PDF or PNG. */
+/* export: pictures of the session's crash, of its last draws and sweep, as SVG, PDF or PNG. */
 #include "cmd/export.h"
 
 #include "cmd/measure.h"
 #include "cmd/sweep.h"
+#include "damage/crush.h"
 #include "figure/pictures.h"
+#include "study/charts.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -43,7 +45,30 @@ static enum cr_err time_of(struct cr_export *x, struct cr_picture_source *source
     return code;
 }
 
+/* what the command damage was told of the vehicle that is drawn */
+static void measured_of(struct cr_export *x, int body, struct cr_face_measured *out) {
+    const struct cr_result *r = x->s->result;
+    for (int i = 0; body < 0 && i < r->resolved.n; i++) { /* as the picture chooses */
+        body = r->resolved.part[i].kind == CR_KIND_VEHICLE ? i : body;
+    }
+    const struct cr_measured *m =
+        body >= 0 ? cr_damage_known(x->s, r->resolved.part[body].id) : NULL;
+    if (m == NULL || strcmp(x->what, "damage") != 0) {
+        return;
+    }
+    out->face = m->face;
+    out->n = m->stations;
+    out->from = m->offset - m->length / 2;
+    out->to = m->offset + m->length / 2;
+    memcpy(out->depth, m->depth, (size_t)m->stations * sizeof m->depth[0]);
+    if (m->face != r->of[body].face) {
+        cr_warn(x->s, "%s was measured at the %s, and struck elsewhere: only the computed is drawn",
+                r->resolved.part[body].id, cr_crush_face_word(m->face));
+    }
+}
+
 enum cr_err cr_export_picture(struct cr_export *x, struct cr_error *err) {
+    struct cr_face_measured measured = {.n = 0};
     struct cr_session *s = x->s;
     bool solved = cr_session_fits(s);
     struct cr_canvas *canvas;
@@ -55,6 +80,8 @@ enum cr_err cr_export_picture(struct cr_export *x, struct cr_error *err) {
     if (solved) {
         source.result = s->result;
         source.body = body_of(x, &s->result->resolved);
+        measured_of(x, source.body, &measured);
+        source.measured = measured.n > 0 ? &measured : NULL;
     } else {
         source.compiled = cr_session_compiled(s, err);
         source.scene = cr_session_scene(s);
@@ -68,6 +95,34 @@ enum cr_err cr_export_picture(struct cr_export *x, struct cr_error *err) {
     if (code == CR_ERR_OK) {
         code = cr_picture_draw((enum cr_picture)picture, &source, &canvas, err);
     }
+    if (code == CR_ERR_OK) {
+        code = to_text(x, canvas, err);
+        cr_canvas_free(canvas);
+    }
+    return code;
+}
+
+/* ---- the draws ---- */
+
+enum cr_err cr_export_mc(struct cr_export *x, struct cr_error *err) {
+    const struct cr_mc *mc = x->s->mc;
+    enum cr_mc_chart chart = strcmp(x->what, "tornado") == 0 ? CR_MC_TORNADO : CR_MC_HISTOGRAM;
+    const struct cr_measure *m;
+    struct cr_mc_plot plot;
+    struct cr_canvas *canvas;
+    int n;
+    if (mc == NULL) {
+        cr_err_set(err, CR_ERR_MISSING, "no inputs were drawn yet");
+        cr_err_hint(err, "for example: mc A.speed=56+-3km/h, then export %s", x->what);
+        return CR_ERR_MISSING;
+    }
+    enum cr_err code =
+        cr_measure_plot(x->call, mc->id, mc->participants, &plot.participant, &m, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    plot.measure = (int)(m - cr_measures(&n));
+    code = cr_mc_chart(mc, chart, &plot, NULL, &canvas, err);
     if (code == CR_ERR_OK) {
         code = to_text(x, canvas, err);
         cr_canvas_free(canvas);

@@ -209,6 +209,8 @@ static enum cr_err draw(struct cr_call *call, const struct cr_study *study,
     const struct cr_context ctx = {
         .models = s->models, .max_bytes = cr_work_max_bytes(s), .max_seconds = s->opts.max_seconds};
     struct cr_mc *mc = NULL;
+    cr_mc_free(s->mc); /* the last ones go before there are new ones: both might be large */
+    s->mc = NULL;
     s->solving = true;
     cr_work_begin(s);
     enum cr_err code = cr_mc_run(study, &opts, &ctx, &mc, err);
@@ -219,7 +221,13 @@ static enum cr_err draw(struct cr_call *call, const struct cr_study *study,
         enum cr_err told = tell(call, mc, plot, code == CR_ERR_OK ? err : &other);
         code = code == CR_ERR_OK ? told : code;
     }
-    cr_mc_free(mc);
+    if (mc != NULL && mc->done > 1) { /* for export; the scene may change meanwhile */
+        mc->study.scene = NULL;
+        mc->study.user = NULL;
+        s->mc = mc;
+    } else {
+        cr_mc_free(mc);
+    }
     return code;
 }
 

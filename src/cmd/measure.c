@@ -149,3 +149,22 @@ enum cr_err cr_measure_eval(struct cr_session *s, const char *name, struct cr_qu
     }
     return CR_ERR_OK;
 }
+
+enum cr_err cr_measure_plot(struct cr_call *call, const char (*id)[CR_NAME_MAX], int n, int *part,
+                            const struct cr_measure **m, struct cr_error *err) {
+    const char *text = cr_cmd_text(call, "plot", "ees");
+    const char *dot = strchr(text, '.');
+    *part = -1;
+    for (int i = 0; dot != NULL && i < n; i++) {
+        if (strlen(id[i]) == (size_t)(dot - text) && strncmp(id[i], text, strlen(id[i])) == 0) {
+            *part = i;
+        }
+    }
+    *m = cr_measure_find(dot != NULL ? dot + 1 : text);
+    if (*m == NULL || (dot != NULL && *part < 0)) {
+        cr_err_set(err, CR_ERR_NAME, "'%.60s' cannot be plotted", text);
+        cr_err_hint(err, "for example plot=%s.delta_v", id[0]);
+        return cr_cmd_blame(call, "plot", CR_ERR_NAME);
+    }
+    return CR_ERR_OK;
+}

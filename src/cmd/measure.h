@@ -18,4 +18,9 @@ struct cr_quantity_value {
 enum cr_err cr_measure_eval(struct cr_session *s, const char *name, struct cr_quantity_value *out,
                             struct cr_error *err);
 
+/* Which result of which of n participants (-1: all) the argument plot= names: "A.ees"; else the EES
+ * of all. Errors: NAME. */
+enum cr_err cr_measure_plot(struct cr_call *call, const char (*id)[CR_NAME_MAX], int n, int *part,
+                            const struct cr_measure **m, struct cr_error *err);
+
 #endif

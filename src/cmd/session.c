@@ -4,6 +4,7 @@
 
 #include "base/grow.h"
 #include "base/show.h"
+#include "study/study.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -95,6 +96,7 @@ void cr_session_free(struct cr_session *s) {
     free(s->state);
     drop_compiled(s);
     cr_sweep_free(s->sweep);
+    cr_mc_free(s->mc);
     if (s->pulse != NULL) {
         s->pulse_free(s->pulse);
     }

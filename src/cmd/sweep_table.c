@@ -125,22 +125,7 @@ enum cr_err cr_sweep_csv(struct cr_session *s, struct cr_str *out, struct cr_err
 
 enum cr_err cr_sweep_what(struct cr_call *call, const struct cr_sweep *sweep, int *part,
                           const struct cr_measure **m, struct cr_error *err) {
-    const char *text = cr_cmd_text(call, "plot", "ees");
-    const char *dot = strchr(text, '.');
-    *part = -1;
-    for (int i = 0; dot != NULL && i < sweep->participants; i++) {
-        if (strlen(sweep->id[i]) == (size_t)(dot - text) &&
-            strncmp(sweep->id[i], text, (size_t)(dot - text)) == 0) {
-            *part = i;
-        }
-    }
-    *m = cr_measure_find(dot != NULL ? dot + 1 : text);
-    if (*m == NULL || (dot != NULL && *part < 0)) {
-        cr_err_set(err, CR_ERR_NAME, "'%.60s' cannot be plotted", text);
-        cr_err_hint(err, "for example plot=%s.delta_v", sweep->id[0]);
-        return cr_cmd_blame(call, "plot", CR_ERR_NAME);
-    }
-    return CR_ERR_OK;
+    return cr_measure_plot(call, sweep->id, sweep->participants, part, m, err);
 }
 
 enum cr_err cr_sweep_plots(struct cr_call *call, const struct cr_sweep *sweep,

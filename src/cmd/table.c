@@ -380,7 +380,8 @@ static const struct cr_arg save_args[] = {
 static const struct cr_arg export_args[] = {
     POSITION("WHAT", CR_VALUE_STEM,
              .words = "result|scene|field|pulse|steps|sweep|report|before|contact|engagement|after|"
-                      "energy|damage|side|top|front|risk|overview|channels|body|film",
+                      "energy|damage|side|top|front|risk|histogram|tornado|overview|channels|"
+                      "body|film",
              .help = "what is written; with a suffix (after.svg) it is the file as well"),
     OPTION("FILE", CR_VALUE_FILE,
            .words = ".csv|.json|.txt|.svg|.pdf|.png|.mme|.gp|.vtk|.obj|.cast",
@@ -390,7 +391,7 @@ static const struct cr_arg export_args[] = {
         .words = "start|compression|end", .def = "as shown",
         .help = "of the scene, ms after the first contact"),
     KEY("plot", CR_VALUE_TEXT, .def = "ees of all",
-        .help = "result of a sweep to draw: A.ees, B.delta_v ..."),
+        .help = "result of a sweep or of mc to draw: A.ees, B.delta_v ..."),
     END,
 };
 

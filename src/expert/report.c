@@ -10,6 +10,7 @@
 
 #include "base/file.h"
 #include "base/hash.h"
+#include "damage/crush.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -24,7 +25,7 @@ enum { DRAWS = 300, VARIANTS = 8 };
 struct options {
     int lang, paper, draws, seed, jobs;
     bool no_tests, quiet;
-    const char *out;
+    const char *out, *damage;
     struct cr_report_source head; /* title, author ... as they were given */
     struct cr_option_values set;
     struct cr_cli_budget budget;
@@ -50,6 +51,7 @@ struct work {
     struct cr_mc *mc;
     struct cr_validity validity;
     struct cr_variant variant[VARIANTS];
+    struct cr_face_measured measured[CR_BODY_MAX];
     struct cr_str verdict;
     struct cr_report_source source;
 };
@@ -152,8 +154,57 @@ static enum cr_err hash_result(struct work *w, struct cr_error *err) {
     return code;
 }
 
+/* crush as it was measured, vehicle by vehicle, out of a damage file */
+static enum cr_err read_damage(struct work *w, struct cr_error *err) {
+    struct cr_crush_file file;
+    if (w->opt->damage == NULL) {
+        return CR_ERR_OK;
+    }
+    enum cr_err code = cr_crush_read(w->opt->damage, &file, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    for (int k = 0; k < file.n && code == CR_ERR_OK; k++) {
+        const struct cr_measured *m = &file.crush[k];
+        const char *id = file.scene.part[k].id;
+        const struct cr_participant *p = cr_scene_find(&w->result->resolved, id);
+        if (p == NULL || p->kind != CR_KIND_VEHICLE) {
+            cr_err_set(err, CR_ERR_NAME, "the scene has no vehicle '%.60s'", id);
+            cr_err_hint(err, "give the vehicles of the damage file the ids of the scene");
+            cr_err_place(err, w->opt->damage, 0, 0);
+            code = CR_ERR_NAME;
+            continue;
+        }
+        struct cr_face_measured *to = &w->measured[p - w->result->resolved.part];
+        *to = (struct cr_face_measured){.face = m->face,
+                                        .n = m->stations,
+                                        .from = m->offset - m->length / 2,
+                                        .to = m->offset + m->length / 2};
+        memcpy(to->depth, m->depth, (size_t)m->stations * sizeof m->depth[0]);
+    }
+    w->source.measured = w->measured;
+    cr_crush_file_fini(&file);
+    return code;
+}
+
+static enum cr_err hash_all(struct work *w, struct cr_error *err) {
+    char rules[4200];
+    enum cr_err code = cr_model_need_all(w->shared.models, err);
+    if (code == CR_ERR_OK) {
+        code = cr_cli_data("damage/calibration.json", rules, sizeof rules, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_result_data_hash(w->shared.models, w->shared.ctx.irf, rules, w->source.data_hash,
+                                   err);
+    }
+    return code == CR_ERR_OK ? hash_result(w, err) : code;
+}
+
 static enum cr_err gather(struct work *w, const char *name, struct cr_error *err) {
-    enum cr_err code = hash_result(w, err);
+    enum cr_err code = hash_all(w, err);
+    if (code == CR_ERR_OK) {
+        code = read_damage(w, err);
+    }
     if (code == CR_ERR_OK && w->is_result) {
         w->source.assumed = &w->assumed;
         code = compare(w, name, err);
@@ -197,6 +248,7 @@ static void begin(struct work *w, const struct options *opt, const char *command
     cr_scene_init(&w->scene);
     w->source.lang = opt->lang == 1 ? CR_LANG_DE : CR_LANG_EN;
     w->source.program = PACKAGE_STRING;
+    w->source.commit = cr_commit;
     w->source.libraries = CR_LIBRARIES;
     w->source.command = command;
 }
@@ -284,6 +336,7 @@ static int run(struct options *opt, int argc, char **argv) {
         NUMBER("draws", 0, 100000, &opt->draws, "draws for the intervals (300); 0: none"),
         NUMBER("seed", 0, 1000000000, &opt->seed, "of the draws (1)"),
         NUMBER("jobs", 0, 256, &opt->jobs, "threads for the draws (0: one per processor)"),
+        TEXT("damage", "FILE", &opt->damage, "what was measured (as of crumple damage), beside it"),
         {.name = "no-tests", .flag = &opt->no_tests, .help = "without crash tests for comparison"},
         {.name = "quiet", .letter = 'q', .flag = &opt->quiet, .help = "do not tell how far it is"},
         {.name = "set",

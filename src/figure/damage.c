@@ -79,9 +79,11 @@ static void profile(const struct view *v, bool measured) {
         char text[24];
         cr_figure_rule(v->canvas, (struct cr_line){u, v->y0, u, py(v, depth[i])}, ink, 0.5,
                        CR_DASH_DOT);
-        cr_canvas_circle(v->canvas, u, py(v, depth[i]), 2);
         snprintf(text, sizeof text, "%.0f", 100 * depth[i]);
         cr_canvas_text(v->canvas, u, v->y0 - (measured ? 17 : 6), &face, text);
+    }
+    for (int i = 0; i < n; i++) {
+        cr_canvas_circle(v->canvas, px(v, station(from, to, n, i)), py(v, depth[i]), 2);
     }
     cr_canvas_paint(v->canvas, &(struct cr_paint){.fill = ink, .line = CR_NO_INK});
 }

@@ -173,14 +173,14 @@ static enum cr_err vehicle_of(const struct cr_picture_source *s, int *body, stru
     return cr_err_set(err, CR_ERR_MISSING, "there is no vehicle in the scene");
 }
 
-/* C1 and C6 along the struck face, m from the middle of the vehicle's box: from left to right on
- * the ends, from rear to front on the sides. */
-static void span(const struct cr_result *r, int body, struct cr_damage_plan *p) {
+void cr_picture_profile_span(const struct cr_result *r, int body, double *from, double *to) {
     const struct cr_severity *of = &r->of[body];
-    double middle = cr_face_is_end(p->face) ? p->centre.y - of->profile_middle
-                                            : of->profile_middle - p->centre.x;
-    p->from = middle - 0.5 * of->profile_width;
-    p->to = middle + 0.5 * of->profile_width;
+    const struct cr_grid *g = &r->compiled.cs.body[body].grid;
+    struct cr_vec2 centre = cr_vec2(g->x0 + g->nx * g->h / 2, g->y0 + g->ny * g->h / 2);
+    double middle =
+        cr_face_is_end(of->face) ? centre.y - of->profile_middle : of->profile_middle - centre.x;
+    *from = middle - 0.5 * of->profile_width;
+    *to = middle + 0.5 * of->profile_width;
 }
 
 static enum cr_err damage(const struct cr_picture_source *s, struct cr_canvas **out,
@@ -200,15 +200,17 @@ static enum cr_err damage(const struct cr_picture_source *s, struct cr_canvas **
                                .width = g->ny * g->h,
                                .stations = CR_PROFILE,
                                .depth = of->profile,
-                               .measured = s->measured != NULL ? s->measured_n : 0,
-                               .measured_depth = s->measured,
                                .outline_n = of->outline_n,
                                .outline = of->outline};
     char title[120];
     p.centre = cr_vec2(g->x0 + p.length / 2, g->y0 + p.width / 2);
-    span(s->result, body, &p);
-    p.measured_from = p.from;
-    p.measured_to = p.to;
+    cr_picture_profile_span(s->result, body, &p.from, &p.to);
+    if (s->measured != NULL && s->measured->face == of->face) {
+        p.measured = s->measured->n;
+        p.measured_depth = s->measured->depth;
+        p.measured_from = s->measured->from;
+        p.measured_to = s->measured->to;
+    }
     snprintf(title, sizeof title, "%s: %s, %s", part->id, say(s, faces[of->face]),
              say(s, "residual crush C1 to C6"));
     p.title = title;

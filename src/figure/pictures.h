@@ -30,18 +30,29 @@ const char *cr_picture_word(enum cr_picture picture);
 bool cr_picture_needs_result(enum cr_picture picture);
 int cr_picture_find(const char *word); /* -1: none */
 
+enum { CR_FACE_MEASURED_MAX = 64 };
+
+/* Crush that was measured on a face, at even stations: from left to right on the ends, from rear to
+ * front on the sides, m from the middle of the vehicle. */
+struct cr_face_measured {
+    enum cr_face face;
+    int n; /* 0: nothing */
+    double from, to;
+    double depth[CR_FACE_MEASURED_MAX]; /* m */
+};
+
 /* What they are made of. */
 struct cr_picture_source {
-    const struct cr_result *result;     /* NULL: not solved */
-    const struct cr_scene *scene;       /* without a result: resolved */
-    const struct cr_compiled *compiled; /* likewise */
-    const struct cr_model_lib *models;  /* of the 3D models */
-    const struct cr_irf_set *irf;       /* of the risk curves */
-    struct cr_scene_view view;          /* of the scene; time NaN: after the crash */
-    int body;                           /* of damage, 3D models, risk; -1: the first vehicle */
-    enum cr_quantity quantity;          /* of the pulse; CR_QUANTITIES: |a| */
-    const double *measured;             /* [measured_n] m, crush beside the computed; NULL: none */
-    int measured_n;
+    const struct cr_result *result;          /* NULL: not solved */
+    const struct cr_scene *scene;            /* without a result: resolved */
+    const struct cr_compiled *compiled;      /* likewise */
+    const struct cr_model_lib *models;       /* of the 3D models */
+    const struct cr_irf_set *irf;            /* of the risk curves */
+    struct cr_scene_view view;               /* of the scene; time NaN: after the crash */
+    int body;                                /* of damage, 3D models, risk; -1: the first vehicle */
+    enum cr_quantity quantity;               /* of the pulse; CR_QUANTITIES: |a| */
+    const struct cr_face_measured *measured; /* crush beside the computed; NULL: none, and of
+                                                another face it is left out */
     struct cr_figure_words words;
 };
 
@@ -53,6 +64,8 @@ CR_MUST_CHECK enum cr_err cr_picture_draw(enum cr_picture picture,
 
 /* The time that a picture of the scene shows, s; NaN: after the crash. */
 double cr_picture_time(enum cr_picture picture, const struct cr_result *result, double otherwise);
+/* C1 and C6 along the struck face of a vehicle, m, as in struct cr_face_measured. */
+void cr_picture_profile_span(const struct cr_result *result, int body, double *from, double *to);
 /* "after the crash, 165.5 ms after first contact" in the words of the source. */
 void cr_picture_title(const struct cr_picture_source *source, double time, char *buf, int size);
 

@@ -20,27 +20,6 @@ int crumple_version_number(void) {
     return CRUMPLE_VERSION_NUMBER;
 }
 
-/* of all that a solve reads, in the order it is read */
-static enum cr_err hash_data(struct crumple *lib, const char *rules, struct cr_error *err) {
-    struct cr_str all = {0};
-    char *text = NULL;
-    size_t len = 0;
-    for (int i = 0; i < CR_TYPES; i++) {
-        cr_str_add(&all, cr_model_hash(lib->models, (enum cr_type)i));
-    }
-    cr_str_add(&all, cr_irf_hash(lib->irf));
-    enum cr_err code = cr_file_read(rules, &text, &len, err);
-    cr_str_addn(&all, text != NULL ? text : "", len);
-    free(text);
-    if (code == CR_ERR_OK && all.failed) {
-        code = cr_err_set(err, CR_ERR_MEMORY, "no memory for the hash of the data");
-    } else if (code == CR_ERR_OK) {
-        cr_hash_hex(all.s, all.len, lib->hash);
-    }
-    cr_str_fini(&all);
-    return code;
-}
-
 static enum cr_err open_data(struct crumple *lib, const char *dir, struct cr_error *err) {
     char models[4200], irf[4200], rules[4200];
     cr_file_part(dir, "irf", irf, sizeof irf);
@@ -57,7 +36,7 @@ static enum cr_err open_data(struct crumple *lib, const char *dir, struct cr_err
         code = cr_crush_rules_read(rules, &lib->rules, err);
     }
     if (code == CR_ERR_OK) {
-        code = hash_data(lib, rules, err);
+        code = cr_result_data_hash(lib->models, lib->irf, rules, lib->hash, err);
     }
     return code;
 }

@@ -12,5 +12,6 @@ libreport_a_SOURCES = \
 	src/report/section_pictures.c \
 	src/report/sections.h \
 	src/report/validity.h \
+	src/report/warnings.c \
 	src/report/words.c
 libreport_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)

@@ -3,6 +3,7 @@
 #ifndef CR_REPORT_REPORT_H
 #define CR_REPORT_REPORT_H
 
+#include "figure/pictures.h"
 #include "report/document.h"
 #include "report/validity.h"
 #include "result/result.h"
@@ -16,6 +17,9 @@ __attribute__((format_arg(2)))
 const char *
 cr_words(enum cr_lang lang, const char *english);
 
+/* A warning of a result (English) in a language, appended; as it is where it is not known. */
+void cr_warning_words(enum cr_lang lang, const char *english, struct cr_str *out);
+
 struct cr_report_source {
     const struct cr_result *result;
     const struct cr_context *ctx;
@@ -23,15 +27,17 @@ struct cr_report_source {
     /* of the head; NULL: left out */
     const char *title, *author, *case_no, *order, *date, *question;
     const char *program;              /* name and version */
+    const char *commit;               /* of the sources it was built from; "": not known */
     const char *libraries;            /* it was built with */
     const char *command;              /* that makes this report again */
     const char *scene_text;           /* the scene as it was given */
     const char *from_result;          /* what was found when a result file was computed again */
     const struct cr_assumed *assumed; /* of that result; NULL: those of the result here */
-    char scene_hash[CR_HASH_SIZE], result_hash[CR_HASH_SIZE];
+    char scene_hash[CR_HASH_SIZE], result_hash[CR_HASH_SIZE], data_hash[CR_HASH_SIZE];
     const struct cr_mc *mc; /* NULL: no draws were made, and why: */
     const char *no_mc;
-    const struct cr_validity *validity; /* NULL: not compared */
+    const struct cr_validity *validity;      /* NULL: not compared */
+    const struct cr_face_measured *measured; /* [participants] crush as measured; NULL: none */
     int variants;
     const struct cr_variant *variant;
 };

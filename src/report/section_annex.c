@@ -54,6 +54,11 @@ void cr_section_annex(struct cr_paper *p) {
                      "report again; the result then has the SHA-256 of section 1."),
                 p->s->program);
     cr_doc_add(p->doc, CR_BLOCK_CODE, p->s->command);
+    if (p->s->commit != NULL && p->s->commit[0] != '\0') {
+        cr_doc_addf(p->doc, CR_BLOCK_TEXT, W(p, "The program was built from commit %s."),
+                    p->s->commit);
+    }
+    cr_doc_addf(p->doc, CR_BLOCK_TEXT, W(p, "Its data have the SHA-256 %s."), p->s->data_hash);
     cr_doc_add(p->doc, CR_BLOCK_HEADING, W(p, "13 Annex"));
     cr_doc_add(p->doc, CR_BLOCK_MINOR, W(p, "The scene as it was given"));
     cr_doc_add(p->doc, CR_BLOCK_CODE, p->s->scene_text);

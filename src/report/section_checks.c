@@ -2,7 +2,7 @@
 #include "report/sections.h"
 
 #include "base/vec.h"
-#include "figure/figure.h"
+#include "study/charts.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -46,69 +46,25 @@ static double shown(const struct cr_measure *m, double si) {
     return cr_unit_from_si(cr_measure_unit(m), si);
 }
 
-static void histogram(struct cr_paper *p, int body, const struct cr_measure *m,
-                      const struct cr_mc_stats *st) {
-    enum { W_PT = 500, H_PT = 210 };
-    static const char *const names[] = {"2.5 %", "median", "97.5 %"};
-    const double mark[3] = {shown(m, st->quantile[0]), shown(m, st->quantile[2]),
-                            shown(m, st->quantile[4])};
-    char title[96];
-    snprintf(title, sizeof title, "%s %s", p->r->resolved.part[body].id, m->name);
-    struct cr_histogram h = {.title = title,
-                             .x_name = m->unit,
-                             .bins = CR_MC_BINS,
-                             .lo = shown(m, st->lo),
-                             .hi = shown(m, st->hi),
-                             .count = st->bin,
-                             .marks = 3,
-                             .mark = mark,
-                             .name = names,
-                             .point = shown(m, st->nominal)};
+static enum cr_err charts(struct cr_paper *p, int body, int measure, const struct cr_mc_stats *st,
+                          struct cr_error *err) {
+    const struct cr_mc_plot plot = {.participant = body, .measure = measure};
+    const char *caption[2] = {
+        W(p, "Red: the inputs as given."),
+        cr_doc_text(p->doc,
+                    W(p, "Linear regression over all draws; it explains %.0f %% of the variance."),
+                    100 * st->explained)};
     struct cr_figure_words words = words_of(p);
-    struct cr_canvas *c = h.hi > h.lo ? cr_canvas_new(W_PT, H_PT) : NULL;
-    if (c != NULL) {
-        cr_figure_histogram(c, (struct cr_box){10, 10, W_PT - 20, H_PT - 20}, &h, &words);
-        cr_doc_figure(p->doc, c, W(p, "Red: the inputs as given."));
+    for (int chart = CR_MC_HISTOGRAM; chart <= CR_MC_TORNADO; chart++) {
+        struct cr_canvas *c;
+        enum cr_err code = cr_mc_chart(p->s->mc, (enum cr_mc_chart)chart, &plot, &words, &c, err);
+        if (code == CR_ERR_OK) {
+            cr_doc_figure(p->doc, c, caption[chart]);
+        } else if (code != CR_ERR_MISSING) { /* what does not scatter has no picture */
+            return code;
+        }
     }
-}
-
-static int by_width(const void *a, const void *b) {
-    const struct cr_tornado_bar *x = a, *y = b;
-    double u = fabs(x->at_hi - x->at_lo), v = fabs(y->at_hi - y->at_lo);
-    return u < v ? 1 : u > v ? -1 : strcmp(x->name, y->name);
-}
-
-static void tornado(struct cr_paper *p, int body, const struct cr_measure *m,
-                    const struct cr_mc_stats *st) {
-    enum { W_PT = 500, MOST = 12 };
-    struct cr_tornado_bar bar[CR_STUDY_INPUTS];
-    char title[96];
-    for (int d = 0; d < st->effects; d++) {
-        char name[160];
-        cr_mc_dim_name(p->s->mc, d, name, sizeof name);
-        bar[d] = (struct cr_tornado_bar){cr_doc_text(p->doc, "%s", name),
-                                         shown(m, st->nominal - st->effect[d]),
-                                         shown(m, st->nominal + st->effect[d])};
-    }
-    qsort(bar, (size_t)st->effects, sizeof *bar, by_width);
-    snprintf(title, sizeof title, "%s %s, %s", p->r->resolved.part[body].id, m->name,
-             W(p, "effect of each tolerance"));
-    struct cr_tornado t = {.title = title,
-                           .x_name = m->unit,
-                           .middle = shown(m, st->nominal),
-                           .bars = st->effects < MOST ? st->effects : MOST,
-                           .bar = bar};
-    struct cr_figure_words words = words_of(p);
-    double h = 82 + 22.0 * t.bars;
-    struct cr_canvas *c = t.bars > 0 ? cr_canvas_new(W_PT, h) : NULL;
-    if (c != NULL) {
-        cr_figure_tornado(c, (struct cr_box){10, 10, W_PT - 20, h - 20}, &t, &words);
-        cr_doc_figure(p->doc, c,
-                      cr_doc_text(p->doc,
-                                  W(p, "Linear regression over all draws; it explains %.0f %% of "
-                                       "the variance."),
-                                  100 * st->explained));
-    }
+    return CR_ERR_OK;
 }
 
 static enum cr_err drawn_result(struct cr_paper *p, int body, const char *name, bool pictures,
@@ -116,14 +72,13 @@ static enum cr_err drawn_result(struct cr_paper *p, int body, const char *name, 
     const struct cr_measure *m = cr_measure_find(name);
     struct cr_mc_stats st;
     int n;
-    enum cr_err code = cr_mc_stats(p->s->mc, body, (int)(m - cr_measures(&n)), &st, err);
+    int measure = (int)(m - cr_measures(&n));
+    enum cr_err code = cr_mc_stats(p->s->mc, body, measure, &st, err);
     if (code != CR_ERR_OK) {
         return code;
     }
     if (pictures) {
-        histogram(p, body, m, &st);
-        tornado(p, body, m, &st);
-        return CR_ERR_OK;
+        return charts(p, body, measure, &st, err);
     }
     const char *cell[CR_COLUMNS] = {
         cr_doc_text(p->doc, "%s %s, %s", p->r->resolved.part[body].id, m->name, m->unit),
@@ -251,7 +206,10 @@ static void validity_tables(struct cr_paper *p, const struct cr_validity *v) {
 void cr_section_validity(struct cr_paper *p) {
     cr_doc_add(p->doc, CR_BLOCK_HEADING, W(p, "10 Validity"));
     for (int i = 0; i < p->r->warnings; i++) {
-        cr_doc_addf(p->doc, CR_BLOCK_WARNING, "%s", p->r->warning[i]);
+        struct cr_str text = {0};
+        cr_warning_words(p->s->lang, p->r->warning[i], &text);
+        cr_doc_addf(p->doc, CR_BLOCK_WARNING, "%s", cr_str_get(&text));
+        cr_str_fini(&text);
     }
     if (p->r->warnings == 0) {
         cr_doc_add(p->doc, CR_BLOCK_TEXT, W(p, "The program gave no warning on this crash."));

@@ -64,6 +64,7 @@ static void hashes(struct cr_paper *p) {
     if (p->s->ctx->irf != NULL) {
         line(p, "Risk functions, SHA-256", cr_irf_hash(p->s->ctx->irf));
     }
+    line(p, "Program data, SHA-256", p->s->data_hash);
     line(p, "Result, SHA-256", p->s->result_hash);
 }
 
@@ -78,6 +79,7 @@ void cr_section_head(struct cr_paper *p) {
     line(p, "Date", s->date);
     line(p, "Scene", p->r->resolved.name);
     line(p, "Program", s->program);
+    line(p, "Commit", s->commit);
     line(p, "Libraries", s->libraries);
     line(p, "Method", p->r->resolved.set.method == CR_METHOD_PAPER ? "paper" : "extended");
     hashes(p);

@@ -4,7 +4,6 @@
 #include "scene/keys.h"
 
 #include <cjson/cJSON.h>
-#include <cjson/cJSON.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -12,14 +11,29 @@ static const struct cr_assumed *assumed_of(const struct cr_paper *p) {
     return p->s->assumed != NULL ? p->s->assumed : &p->r->assumed;
 }
 
-static bool is_assumed(const struct cr_paper *p, const char *key) {
+/* where an assumed value comes from, "" when from type and mass; NULL: it was not assumed */
+static const char *assumed_from(const struct cr_paper *p, const char *key) {
     const struct cr_assumed *a = assumed_of(p);
     for (int i = 0; i < a->n; i++) {
         if (strcmp(a->key[i], key) == 0) {
-            return true;
+            return a->from != NULL ? a->from[i] : "";
         }
     }
-    return false;
+    return NULL;
+}
+
+/* given, or taken from a file, a row of the catalogue, a rule, the program */
+static const char *origin_of(struct cr_paper *p, const struct cr_key *key, const char *assumed,
+                             bool given) {
+    if (assumed != NULL) {
+        return assumed[0] != '\0' ? cr_doc_text(p->doc, W(p, "catalogue: %s"), assumed)
+                                  : W(p, "assumed: from type and mass");
+    }
+    if (!given && strcmp(key->name, "mass_kg") == 0) { /* else it would be assumed */
+        return W(p, "kerb mass and load");
+    }
+    bool imported = p->r->scene.source[CR_SOURCE_FILE][0] != '\0';
+    return !given ? W(p, "the program's default") : imported ? W(p, "imported") : W(p, "given");
 }
 
 /* "+- 3 km/h, normal", "" without a tolerance */
@@ -43,17 +57,14 @@ static void value_row(struct cr_paper *p, const char *id, const struct cr_key *k
     char full[CR_NAME_MAX + 64];
     snprintf(full, sizeof full, "%s%s%s", id, id[0] != '\0' ? "." : "", key->name);
     if (cr_scene_get(&p->r->resolved, full, &value, NULL) == CR_ERR_OK && value.len > 0) {
-        bool guess = is_assumed(p, full);
-        const char *origin = guess   ? W(p, "assumed: from type and mass")
-                             : given ? W(p, "given")
-                                     : W(p, "the program's default");
+        const char *assumed = assumed_from(p, full);
         /* of a list the commas separate */
         const char *text = cr_str_get(&value);
         text = text[0] == '[' ? text : cr_doc_text(p->doc, "%s", text);
-        struct cr_doc_row *row =
-            ROW(p, key->name, text, key->unit != NULL ? key->unit : "", half, origin);
+        struct cr_doc_row *row = ROW(p, key->name, text, key->unit != NULL ? key->unit : "", half,
+                                     origin_of(p, key, assumed, given));
         if (row != NULL) {
-            row->marked = guess;
+            row->marked = assumed != NULL;
         }
     }
     p->doc->failed = p->doc->failed || value.failed;
@@ -81,6 +92,25 @@ static void notes(struct cr_paper *p, const char *extra) {
         }
     }
     cJSON_Delete(json);
+}
+
+/* the file that the scene was imported from, and what is known of it */
+static void imported(struct cr_paper *p) {
+    const struct cr_scene *scene = &p->r->scene;
+    if (scene->source[CR_SOURCE_FILE][0] == '\0') {
+        return;
+    }
+    cr_doc_table(p->doc, 2);
+    HEAD(p, W(p, "Imported from"), "");
+    int n;
+    const struct cr_key *key = cr_scene_keys(CR_KEYS_SCENE, &n);
+    for (int i = 0; i < n; i++) {
+        const char *name = strchr(key[i].name, '.');
+        const char *text = (const char *)scene + key[i].at;
+        if (name != NULL && strncmp(key[i].name, "source.", 7) == 0 && text[0] != '\0') {
+            ROW(p, name + 1, text);
+        }
+    }
 }
 
 static void one_participant(struct cr_paper *p, int body) {
@@ -112,6 +142,7 @@ void cr_section_inputs(struct cr_paper *p) {
                W(p,
                  "Every value that entered the computation. Values assumed by rule are marked in "
                  "the margin; a value without tolerance was taken as exact."));
+    imported(p);
     notes(p, p->r->scene.extra);
     for (int i = 0; i < p->r->resolved.n; i++) {
         one_participant(p, i);

@@ -99,6 +99,48 @@ enum cr_err cr_section_pulses(struct cr_paper *p, struct cr_error *err) {
 
 /* ---- 7 ---- */
 
+/* what was measured of a vehicle; NULL: nothing */
+static const struct cr_face_measured *measured_of(const struct cr_paper *p, int body) {
+    return p->s->measured != NULL && p->s->measured[body].n > 0 ? &p->s->measured[body] : NULL;
+}
+
+/* depth of the computed profile at a place along the face; NaN beyond its ends */
+static double computed_at(const struct cr_severity *of, double from, double to, double at) {
+    double u = (at - from) / (to - from) * (CR_PROFILE - 1);
+    int i = (int)cr_clamp(floor(u), 0, CR_PROFILE - 2);
+    return u >= -1e-9 && u <= CR_PROFILE - 1 + 1e-9
+               ? of->profile[i] + (u - i) * (of->profile[i + 1] - of->profile[i])
+               : (double)NAN;
+}
+
+static void beside_measured(struct cr_paper *p, int body) {
+    const struct cr_face_measured *m = measured_of(p, body);
+    const struct cr_severity *of = &p->r->of[body];
+    double from, to;
+    if (m == NULL) {
+        return;
+    }
+    if (m->face != of->face) {
+        cr_doc_addf(p->doc, CR_BLOCK_WARNING,
+                    W(p, "%s was measured on another face than the one that was struck."),
+                    p->r->resolved.part[body].id);
+        return;
+    }
+    cr_picture_profile_span(p->r, body, &from, &to);
+    cr_doc_table(p->doc, 5);
+    HEAD(p, W(p, "Station"), W(p, "along the face, m"), W(p, "measured, cm"), W(p, "computed, cm"),
+         W(p, "difference, cm"));
+    for (int i = 0; i < m->n; i++) {
+        double at = m->n > 1 ? m->from + (m->to - m->from) * i / (m->n - 1) : m->from;
+        double depth = computed_at(of, from, to, at);
+        bool known = isfinite(depth);
+        ROW(p, cr_doc_text(p->doc, "%s %d", p->r->resolved.part[body].id, i + 1),
+            cr_doc_text(p->doc, "%+.2f", at), cr_doc_text(p->doc, "%.0f", 100 * m->depth[i]),
+            known ? cr_doc_text(p->doc, "%.0f", 100 * depth) : "-",
+            known ? cr_doc_text(p->doc, "%+.0f", 100 * (depth - m->depth[i])) : "-");
+    }
+}
+
 static void profile(struct cr_paper *p, int body) {
     const struct cr_severity *of = &p->r->of[body];
     const char *cell[CR_COLUMNS] = {p->r->resolved.part[body].id};
@@ -120,6 +162,7 @@ enum cr_err cr_section_damage(struct cr_paper *p, struct cr_error *err) {
             continue;
         }
         source.body = i;
+        source.measured = measured_of(p, i);
         code = draw(p, CR_PICTURE_DAMAGE, &source,
                     cr_doc_text(p->doc, W(p, "Struck face of %s from above, residual."),
                                 p->r->resolved.part[i].id),
@@ -134,6 +177,9 @@ enum cr_err cr_section_damage(struct cr_paper *p, struct cr_error *err) {
         if (cr_paper_is_vehicle(p, i)) {
             profile(p, i);
         }
+    }
+    for (int i = 0; i < p->r->resolved.n; i++) {
+        beside_measured(p, i);
     }
     cr_doc_add(p->doc, CR_BLOCK_TEXT,
                W(p,

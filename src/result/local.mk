@@ -4,6 +4,7 @@ libresult_a_SOURCES = \
 	src/result/cdc.c src/result/cdc.h \
 	src/result/corridor.c src/result/compare.c src/result/compare.h \
 	src/result/csv.c \
+	src/result/data.c \
 	src/result/damage.c src/result/damage.h \
 	src/result/deform.c src/result/deform.h \
 	src/result/event.c src/result/event.h \

@@ -157,6 +157,13 @@ void cr_irf_free(struct cr_irf_set *set);
 /* SHA-256 of all files of the set. */
 const char *cr_irf_hash(const struct cr_irf_set *set);
 
+/* SHA-256 of the hashes of all models (which have been read, cr_model_need_all), of the risk
+ * functions and of the file of damage rules: one number for all that a computation reads. Errors:
+ * IO, MEMORY. */
+CR_MUST_CHECK enum cr_err cr_result_data_hash(const struct cr_model_lib *models,
+                                              const struct cr_irf_set *irf, const char *rules,
+                                              char hex[CR_HASH_SIZE], struct cr_error *err);
+
 /* The injury risks of a participant at another delta-v, m/s, with the direction and partner of the
  * result and with closing speed and EES changed in proportion, into out->injury. irf NULL: none. */
 void cr_result_risk(const struct cr_result *result, const struct cr_irf_set *irf, int body,

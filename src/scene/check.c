@@ -175,13 +175,13 @@ static enum cr_err check_trajectory(struct cr_reader *r, const struct cr_partici
 static enum cr_err check_place(struct cr_reader *r, const struct cr_participant *p) {
     int n;
     const struct cr_key *row = cr_scene_keys(CR_KEYS_PARTICIPANT, &n);
-    for (int i = 0; i < n && !cr_scene_is_placed(p); i++) {
+    for (int i = 0; i < n && p->place.against[0] == '\0'; i++) {
         if (strncmp(row[i].name, "place.", 6) == 0 && (p->given >> i & 1) != 0) {
             return at_key(r, "place", "\"against\" names the participant that stays",
                           "a place without the other one that it is against");
         }
     }
-    if (cr_scene_is_placed(p) && p->waypoints > 0) {
+    if (p->place.against[0] != '\0' && p->waypoints > 0) {
         return at_key(r, "place", "keep one of the two",
                       "a place cannot stand beside a trajectory");
     }
@@ -223,7 +223,7 @@ enum cr_err cr_scene_part_complete(struct cr_reader *r, const struct cr_particip
         const struct cr_key *key = &row[i];
         bool placed = key->type == CR_KEY_PAIR;
         bool there = placed ? (p->given >> i & 1) != 0 || p->waypoints > 0 || r->draft ||
-                                  cr_scene_is_placed(p)
+                                  p->place.against[0] != '\0'
                             : cr_scene_value_known(key, p);
         if ((key->required & mask) == 0 || there) {
             continue;

@@ -313,3 +313,33 @@ enum cr_err cr_scene_resolve(struct cr_scene *scene, const struct cr_model_lib *
     }
     return code;
 }
+
+enum cr_err cr_scene_settle(struct cr_scene *scene, const struct cr_model_lib *models,
+                            struct cr_error *err) {
+    struct cr_scene full;
+    bool any = false;
+    for (int i = 0; i < scene->n; i++) {
+        any = any || cr_scene_is_placed(&scene->part[i]);
+    }
+    if (!any) {
+        return CR_ERR_OK;
+    }
+    enum cr_err code = cr_scene_copy(scene, &full, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    code = cr_scene_resolve(&full, models, NULL, err);
+    for (int i = 0; i < scene->n && code == CR_ERR_OK; i++) {
+        const struct cr_participant *from = &full.part[i];
+        struct cr_participant *to = &scene->part[i];
+        if (cr_scene_is_placed(to)) {
+            cr_scene_pose(to, from->pos, from->heading);
+        }
+        if (cr_scene_is_placed(to) &&
+            cr_scene_slides(from, cr_scene_find(&full, from->place.against))) {
+            cr_scene_course(to, from->course);
+        }
+    }
+    cr_scene_fini(&full);
+    return code;
+}

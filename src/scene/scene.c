@@ -32,6 +32,23 @@ void cr_scene_part_init(struct cr_participant *part, enum cr_kind kind) {
     part->place.at = CR_AT_AUTO;
 }
 
+bool cr_scene_is_placed(const struct cr_participant *p) {
+    return p->place.against[0] != '\0';
+}
+
+void cr_scene_unplace(struct cr_participant *p) {
+    int n;
+    const struct cr_key *row = cr_scene_keys(CR_KEYS_PARTICIPANT, &n);
+    struct cr_participant blank;
+    cr_scene_part_init(&blank, p->kind);
+    p->place = blank.place;
+    for (int i = 0; i < n; i++) {
+        if (strncmp(row[i].name, "place.", 6) == 0) {
+            p->given &= ~((uint64_t)1 << i);
+        }
+    }
+}
+
 void cr_scene_part_fini(struct cr_participant *part) {
     free(part->waypoint);
     free(part->extra);

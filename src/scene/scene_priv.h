@@ -134,6 +134,8 @@ double cr_scene_guess_mass(const struct cr_participant *p, const struct cr_model
 /* Pose and course that follow from how it stands, as given ones; a trajectory is dropped. */
 void cr_scene_pose(struct cr_participant *p, struct cr_vec2 pos, double heading);
 void cr_scene_course(struct cr_participant *p, double course);
+/* Does a vehicle slide into a pole with its own flank? Its course follows from that, too. */
+bool cr_scene_slides(const struct cr_participant *p, const struct cr_participant *other);
 /* Puts those that stand against another, in a scene with all dimensions (stand.c). */
 CR_MUST_CHECK enum cr_err cr_scene_stand(struct cr_scene *scene, const struct cr_model_lib *models,
                                          struct cr_error *err);

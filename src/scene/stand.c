@@ -6,23 +6,6 @@
 #include <stdio.h>
 #include <string.h>
 
-bool cr_scene_is_placed(const struct cr_participant *p) {
-    return p->place.against[0] != '\0';
-}
-
-void cr_scene_unplace(struct cr_participant *p) {
-    int n;
-    const struct cr_key *row = cr_scene_keys(CR_KEYS_PARTICIPANT, &n);
-    struct cr_participant blank;
-    cr_scene_part_init(&blank, p->kind);
-    p->place = blank.place;
-    for (int i = 0; i < n; i++) {
-        if (strncmp(row[i].name, "place.", 6) == 0) {
-            p->given &= ~((uint64_t)1 << i);
-        }
-    }
-}
-
 /* where along the flank of a vehicle with known dimensions, m behind its front end */
 static double along_of(const struct cr_stand *s, const struct cr_participant *v,
                        const struct cr_model_lib *models) {
@@ -98,7 +81,7 @@ static struct cr_place face_place(const struct cr_stand *s, const struct cr_part
     return how;
 }
 
-static bool slides_into_pole(const struct cr_participant *p, const struct cr_participant *other) {
+bool cr_scene_slides(const struct cr_participant *p, const struct cr_participant *other) {
     bool pole = other->kind == CR_KIND_OBJECT && other->shape == CR_OBJECT_POLE;
     return p->place.how == CR_PLACE_HITTING && pole && is_flank((int)p->place.side) &&
            p->kind == CR_KIND_VEHICLE;
@@ -108,7 +91,7 @@ static bool slides_into_pole(const struct cr_participant *p, const struct cr_par
 static enum cr_err stand(struct cr_scene *scene, struct cr_participant *p,
                          const struct cr_model_lib *models, struct cr_error *err) {
     const struct cr_participant *other = cr_scene_find(scene, p->place.against);
-    if (slides_into_pole(p, other)) {
+    if (cr_scene_slides(p, other)) {
         return flank_at_pole(p, other, models, err);
     }
     struct cr_place how = face_place(&p->place, other, models);
@@ -173,35 +156,5 @@ enum cr_err cr_scene_stand(struct cr_scene *scene, const struct cr_model_lib *mo
             code = fail_at(scene, &scene->part[i], "/against", CR_ERR_NAME, err);
         }
     }
-    return code;
-}
-
-enum cr_err cr_scene_settle(struct cr_scene *scene, const struct cr_model_lib *models,
-                            struct cr_error *err) {
-    struct cr_scene full;
-    bool any = false;
-    for (int i = 0; i < scene->n; i++) {
-        any = any || cr_scene_is_placed(&scene->part[i]);
-    }
-    if (!any) {
-        return CR_ERR_OK;
-    }
-    enum cr_err code = cr_scene_copy(scene, &full, err);
-    if (code != CR_ERR_OK) {
-        return code;
-    }
-    code = cr_scene_resolve(&full, models, NULL, err);
-    for (int i = 0; i < scene->n && code == CR_ERR_OK; i++) {
-        const struct cr_participant *from = &full.part[i];
-        struct cr_participant *to = &scene->part[i];
-        if (cr_scene_is_placed(to)) {
-            cr_scene_pose(to, from->pos, from->heading);
-        }
-        if (cr_scene_is_placed(to) &&
-            slides_into_pole(from, cr_scene_find(&full, from->place.against))) {
-            cr_scene_course(to, from->course);
-        }
-    }
-    cr_scene_fini(&full);
     return code;
 }

@@ -1,5 +1,6 @@
 noinst_LIBRARIES += libstudy.a
 libstudy_a_SOURCES = \
+	src/study/charts.c src/study/charts.h \
 	src/study/draw.c src/study/draw.h \
 	src/study/evidence.c \
 	src/study/fit.c src/study/fit.h \

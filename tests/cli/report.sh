@@ -113,6 +113,67 @@ refused "a scene is no result" 3 'no result of crumple run' audit "$tmp/wall.jso
 scene torn.json '{ "crumple_result": 2,'
 refused "a torn result" 3 'torn.json:' audit "$tmp/torn.json"
 
+# ---- origins, hashes, measured damage ----
+
+cat >"$tmp/car.json" <<'END'
+{"crumple": 1, "name": "imported", "source": {"format": "csv", "file": "crashes.csv", "case": "7"},
+ "participants": [{"id": "A", "kind": "vehicle", "car": "Fiat 500 Hatchback 2014",
+ "position_m": [0, 0], "speed_kmh": 50},
+ {"id": "W", "kind": "object", "shape": "wall", "position_m": [4, 0], "heading_deg": 180}]}
+END
+cat >"$tmp/measured.json" <<'END'
+{"crumple_damage": 1, "vehicles": [{"id": "A", "type": "compact", "mass_kg": 1400,
+ "damage": {"face": "front", "field_length_m": 1.2,
+ "crush_m": [0.30, 0.35, 0.4, 0.4, 0.35, 0.30]}}]}
+END
+run report "$tmp/car.json" --draws=0 --no-tests -o "$tmp/car.html" --damage "$tmp/measured.json"
+same "a scene of a catalogue car, with measured damage" "$status$errs" 0
+car=$(cat "$tmp/car.html")
+has "what came from the catalogue, with its row" "$car" \
+    '<td>length_m</td>.*<td>catalogue: .*[a-z]\.csv:[0-9]+'
+has "what came with the file" "$car" \
+    '<td>speed_kmh</td><td>50</td><td>km/h</td><td></td><td>imported'
+has "and which file" "$car" '<td>file</td><td>crashes.csv</td>'
+has "measured beside computed in the picture" "$car" '<text[^>]*>measured, cm</text>'
+has "and in a table with the difference" "$car" \
+    '<td>A 1</td><td>-0\.60</td><td>30</td><td>[0-9]+</td>'
+has "the hash of the program's data" "$car" 'Program data, SHA-256</td><td>[0-9a-f]{64}<'
+commit=$("$crumple" --version | sed -n '1s/.*commit //p')
+if [ -n "$commit" ]; then
+    has "the commit" "$car" "<td>Commit</td><td>$commit</td>"
+else
+    skip "the commit" "not built from a checkout"
+fi
+sed 's/"id": "A"/"id": "Z"/' "$tmp/measured.json" >"$tmp/other.json"
+refused "damage of a vehicle that is not there" 3 "no vehicle 'Z'" \
+    report "$tmp/wall.json" --draws=0 --no-tests -o "$tmp/none.html" --damage "$tmp/other.json"
+
+# ---- every warning has its German ----
+
+sed 's/"speed_kmh": 50/"speed_kmh": 90/' "$tmp/wall.json" >"$tmp/fast.json"
+run report "$tmp/fast.json" --draws=0 --no-tests --lang=de -o "$tmp/fast.html"
+has "a warning in German, with its numbers" "$(cat "$tmp/fast.html")" \
+    'class="warning">A: Annäherung 90 km/h liegt außerhalb von 38 bis 58 km/h'
+if python3 -c '' 2>/dev/null; then
+    python3 - "$SRC" <<'END' >"$tmp/errs" 2>&1
+import glob, re, sys
+text = r'"((?:[^"\\]|\\.)*)"'
+table = open(sys.argv[1] + "/src/report/warnings.c").read()
+known = {"".join(re.findall(text, m)) for m in re.findall(r"\{((?:" + text + r"\s*)+),", table)
+         for m in [m[0]]}
+for name in glob.glob(sys.argv[1] + "/src/result/*.c"):
+    for m in re.finditer(r'cr_result_warn\(\s*r(?:esult)?,\s*"[^"]*",\s*((?:' + text + r"\s*)+)",
+                         open(name).read()):
+        english = "".join(re.findall(text, m.group(1)))
+        pattern = re.sub(r"%[-+ 0-9.]*[a-z]|%%", "%", english)
+        if pattern not in known:
+            print("src/report/warnings.c has no German for:", pattern)
+END
+    same "every warning of the program has German" "$(cat "$tmp/errs")" ''
+else
+    skip "every warning of the program has German" "no python3"
+fi
+
 # shellcheck disable=SC2086
 run report "$tmp/result.json" $quick -o "$tmp/again.html"
 has "the report of a result computes it again" "$(cat "$tmp/again.html")" \

@@ -4,7 +4,7 @@ fuzz_ldadd = libscene.a libsolver.a libmodel.a libbase.a $(CJSON_LIBS) $(NETTLE_
 EXTRA_PROGRAMS += fuzz_scene fuzz_model fuzz_cmd
 fuzz_cmd_SOURCES = tests/fuzz/fuzz_cmd.c tests/fuzz/fuzz.h
 fuzz_cmd_CFLAGS = $(CR_CFLAGS)
-fuzz_cmd_LDADD = libcmd.a libfigure.a libstudy.a libdamage.a librender.a libresult.a $(fuzz_ldadd) $(GSL_LIBS) $(NLOPT_LIBS) \
+fuzz_cmd_LDADD = libcmd.a libstudy.a libfigure.a libdamage.a librender.a libresult.a $(fuzz_ldadd) $(GSL_LIBS) $(NLOPT_LIBS) \
 	$(CAIRO_LIBS)
 fuzz_scene_SOURCES = tests/fuzz/fuzz_scene.c tests/fuzz/fuzz.h
 fuzz_scene_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)
@@ -14,7 +14,7 @@ fuzz_model_CFLAGS = $(CR_CFLAGS)
 fuzz_model_LDADD = $(fuzz_ldadd)
 # readers of files, results and whole solves
 fuzz_files = fuzz_signal fuzz_table fuzz_feed fuzz_data fuzz_crash fuzz_import fuzz_records
-fuzz_files_ldadd = libtrial.a libcli.a libfigure.a libstudy.a libdamage.a librender.a libresult.a \
+fuzz_files_ldadd = libtrial.a libcli.a libstudy.a libfigure.a libdamage.a librender.a libresult.a \
 	$(fuzz_ldadd) $(GSL_LIBS) $(NLOPT_LIBS) $(CAIRO_LIBS)
 EXTRA_PROGRAMS += $(fuzz_files)
 fuzz_signal_SOURCES = tests/fuzz/fuzz_signal.c tests/fuzz/fuzz.h tests/fuzz/scratch.h

@@ -328,8 +328,12 @@ static void test_damage(void **state) {
     struct cr_picture_source source = source_of(&d);
     d.result.of[0].profile_width = 1.5;
     d.result.of[0].profile_middle = 0.2; /* left of the centre line */
-    source.measured = measured;
-    source.measured_n = 3;
+    const struct cr_face_measured taken = {.face = d.result.of[0].face,
+                                           .n = 3,
+                                           .from = -0.6,
+                                           .to = 0.4,
+                                           .depth = {measured[0], measured[1], measured[2]}};
+    source.measured = &taken;
     char *svg = picture(CR_PICTURE_DAMAGE, &source);
     double at[3][2], own[6][2], face[2][2];
     const char *data;
@@ -344,6 +348,8 @@ static void test_damage(void **state) {
         check_near((at[i][1] - face[0][1]) / k, measured[i], 0.001);
     }
     double middle = (face[0][0] + face[1][0]) / 2; /* left is at the left */
+    check_near((at[0][0] - middle) / k, taken.from, 0.001);
+    check_near((at[2][0] - middle) / k, taken.to, 0.001);
     check_near((own[0][0] - middle) / k, -0.2 - 0.75, 0.001);
     check_near((own[5][0] - middle) / k, -0.2 + 0.75, 0.001);
     for (int i = 0; i < 6; i++) {

@@ -18,7 +18,7 @@ TESTS += test_tui_frame
 test_tui_frame_SOURCES = tests/unit/test_tui_frame.c
 test_tui_frame_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 test_tui_frame_LDADD = libtui.a $(CMOCKA_LIBS)
-tui_test_libs = libtui.a libcmd.a libfigure.a libstudy.a libdamage.a librender.a libresult.a libscene.a libsolver.a \
+tui_test_libs = libtui.a libcmd.a libstudy.a libfigure.a libdamage.a librender.a libresult.a libscene.a libsolver.a \
 	libmodel.a libbase.a $(CMOCKA_LIBS) $(GSL_LIBS) $(NLOPT_LIBS) $(NCURSES_LIBS) $(READLINE_LIBS) \
 	 $(CJSON_LIBS) $(NETTLE_LIBS) $(CAIRO_LIBS)
 tui_double = tests/unit/tui_double.c tests/unit/tui_double.h tests/unit/render_double.c \
