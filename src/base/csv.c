@@ -511,11 +511,16 @@ const char *cr_csv_cell(const struct cr_csv *csv, int column) {
 
 bool cr_csv_scan(const char *text, bool comma, double *out) {
     char buf[64];
+    text += strspn(text, " \t");
     size_t n = strlen(text);
+    while (n > 0 && (text[n - 1] == ' ' || text[n - 1] == '\t')) {
+        n--;
+    }
     if (n >= sizeof buf) {
         return false;
     }
-    memcpy(buf, text, n + 1);
+    memcpy(buf, text, n);
+    buf[n] = '\0';
     char *point = comma ? strchr(buf, ',') : NULL;
     if (point != NULL) {
         *point = '.';

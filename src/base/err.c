@@ -68,7 +68,9 @@ const char *cr_err_word(enum cr_err code) {
 char *cr_err_format(const struct cr_error *err, char *buf, int size) {
     char place[320] = "", where[4 * sizeof err->where];
     cr_show(err->where, where, sizeof where);
-    if (err->src[0] != '\0' && err->line > 0) {
+    if (err->src[0] != '\0' && err->line > 0 && err->col == 0) {
+        snprintf(place, sizeof place, "%s:%d: ", err->src, err->line);
+    } else if (err->src[0] != '\0' && err->line > 0) {
         snprintf(place, sizeof place, "%s:%d:%d: ", err->src, err->line, err->col);
     } else if (err->src[0] != '\0') {
         snprintf(place, sizeof place, "%s: ", err->src);

@@ -19,8 +19,9 @@ const char *cr_import_formats(void);
     X(CG, "cg")                                                                                    \
     X(CENTRE, "centre")                                                                            \
     X(REAR_AXLE, "rear-axle")                                                                      \
+    X(REAR, "rear")                                                                                \
     X(FRONT, "front")
-#define CR_POINTS "cg|centre|rear-axle|front"
+#define CR_POINTS "cg|centre|rear-axle|rear|front"
 
 enum cr_point {
 #define X(name, word) CR_POINT_##name,

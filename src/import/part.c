@@ -120,6 +120,8 @@ static double shift_of(const struct cr_participant *p, enum cr_point point) {
         return p->length / 2 - front;
     case CR_POINT_REAR_AXLE:
         return p->wheelbase - p->cg_behind_front_axle;
+    case CR_POINT_REAR:
+        return p->length - front;
     case CR_POINT_FRONT:
         return -front;
     default:
@@ -144,7 +146,7 @@ static void pin(struct cr_import *im, struct cr_import_part *part, enum cr_point
     if (point != CR_POINT_REAR_AXLE && isnan(p->front_overhang)) {
         full->front_overhang = p->front_overhang = cr_round_decimals(full->front_overhang, 4);
     }
-    if (point == CR_POINT_CENTRE && isnan(p->length)) {
+    if ((point == CR_POINT_CENTRE || point == CR_POINT_REAR) && isnan(p->length)) {
         full->length = p->length = cr_round_decimals(full->length, 4);
     }
 }

@@ -290,7 +290,7 @@ cJSON *cr_result_error_tree(const char *scene, const struct cr_error *what,
         cr_str_addf(&s, "%s:", what->src);
     }
     if (what->line > 0) {
-        cr_str_addf(&s, "%d:%d:", what->line, what->col);
+        cr_str_addf(&s, what->col > 0 ? "%d:%d:" : "%d:", what->line, what->col);
     }
     cr_str_add(&s, what->where);
     cr_tree_str(e, "where", &s);

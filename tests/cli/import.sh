@@ -26,6 +26,9 @@ refused() {
 }
 
 . "$SRC/tests/cli/import_csv.sh"
+. "$SRC/tests/cli/import_xml.sh"
+. "$SRC/tests/cli/import_logs.sh"
+. "$SRC/tests/cli/import_tests.sh"
 . "$SRC/tests/cli/import_pcm.sh"
 . "$SRC/tests/cli/import_edr.sh"
 finish

@@ -1,0 +1,44 @@
+/* What the two files that read ISO-MME share: descriptor files. */
+#ifndef CR_IMPORT_MME_PRIV_H
+#define CR_IMPORT_MME_PRIV_H
+
+#include "base/str.h"
+#include "import/channel.h"
+
+#include <stdbool.h>
+
+enum { CR_MME_CODE = 17 };
+
+/* Lines "key :value" of a text, UTF-8 or Latin-1. */
+struct cr_mme {
+    char *text; /* owned UTF-8, cut into keys and values */
+    int n, size, lines;
+    struct cr_mme_line {
+        const char *key, *value;
+        int line;
+    } * item;
+};
+
+/* Read the descriptors at the begin of a text, up to the first line that has no colon. cr_mme_fini
+ * gives back, also after an error. Errors: RANGE, MEMORY. */
+CR_MUST_CHECK enum cr_err cr_mme_parse(const char *text, const char *shown, struct cr_mme *out,
+                                       struct cr_error *err);
+void cr_mme_fini(struct cr_mme *mme);
+
+/* Value of a key, in any case; NULL if there is none or it is NOVALUE. *line (nullable) is its
+ * line. */
+const char *cr_mme_get(const struct cr_mme *mme, const char *key, int *line);
+/* The same as a number, NaN where there is none. Errors: TYPE with the line. */
+CR_MUST_CHECK enum cr_err cr_mme_number(const struct cr_mme *mme, const char *shown,
+                                        const char *key, double *out, struct cr_error *err);
+
+/* A channel file: its code, its unit, its samples. */
+struct cr_mme_channel {
+    char code[CR_MME_CODE], unit[32];
+    struct cr_channel samples;
+};
+/* Errors: MISSING, TYPE, SYNTAX with the line; TYPE for a channel over another. */
+CR_MUST_CHECK enum cr_err cr_mme_channel(const char *text, const char *shown,
+                                         struct cr_mme_channel *out, struct cr_error *err);
+
+#endif

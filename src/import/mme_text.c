@@ -1,0 +1,183 @@
+/* Descriptor and channel files of ISO-MME: lines of key and value, then numbers. */
+#include "import/mme_priv.h"
+
+#include "base/csv.h"
+#include "base/grow.h"
+#include "base/show.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+enum { ITEMS_MAX = 100000 };
+
+/* what is no UTF-8 is Latin-1 */
+static char *to_utf8(const char *text, struct cr_error *err) {
+    struct cr_str out = {0};
+    size_t left = strlen(text);
+    for (const char *p = text; left > 0;) {
+        size_t n = cr_utf8_length(p, left);
+        char latin[4];
+        if (n > 0) {
+            cr_str_addn(&out, p, n);
+        } else {
+            cr_str_addn(&out, latin, cr_utf8_put((unsigned char)*p, latin));
+            n = 1;
+        }
+        p += n;
+        left -= n;
+    }
+    char *copy = out.failed ? NULL : strdup(cr_str_get(&out));
+    cr_str_fini(&out);
+    if (copy == NULL) {
+        cr_err_set(err, CR_ERR_MEMORY, "no memory for a descriptor file");
+    }
+    return copy;
+}
+
+static char *trim(char *s) {
+    s += strspn(s, " \t");
+    size_t n = strlen(s);
+    while (n > 0 && strchr(" \t\r", s[n - 1]) != NULL) {
+        s[--n] = '\0';
+    }
+    return s;
+}
+
+enum cr_err cr_mme_parse(const char *text, const char *shown, struct cr_mme *out,
+                         struct cr_error *err) {
+    *out = (struct cr_mme){.text = NULL};
+    out->text = to_utf8(text, err);
+    if (out->text == NULL) {
+        return CR_ERR_MEMORY;
+    }
+    char *line = out->text;
+    line += strncmp(line, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;
+    while (line != NULL && *line != '\0') {
+        char *next = strchr(line, '\n');
+        if (next != NULL) {
+            *next++ = '\0';
+        }
+        char *colon = strchr(line, ':');
+        if (colon == NULL && *trim(line) != '\0') {
+            break;
+        }
+        out->lines++;
+        if (out->n == ITEMS_MAX) {
+            cr_err_set(err, CR_ERR_RANGE, "more than %d descriptors", ITEMS_MAX);
+            cr_err_place(err, shown, out->lines, 0);
+            return CR_ERR_RANGE;
+        }
+        if (colon != NULL && !cr_grow(&out->item, &out->size, out->n, sizeof *out->item)) {
+            return cr_err_set(err, CR_ERR_MEMORY, "no memory for a descriptor file");
+        }
+        if (colon != NULL) {
+            *colon = '\0';
+            out->item[out->n++] = (struct cr_mme_line){trim(line), trim(colon + 1), out->lines};
+        }
+        line = next;
+    }
+    return CR_ERR_OK;
+}
+
+void cr_mme_fini(struct cr_mme *mme) {
+    free(mme->text);
+    free(mme->item);
+    *mme = (struct cr_mme){.text = NULL};
+}
+
+const char *cr_mme_get(const struct cr_mme *mme, const char *key, int *line) {
+    for (int i = 0; i < mme->n; i++) {
+        const struct cr_mme_line *l = &mme->item[i];
+        if (strcasecmp(l->key, key) == 0) {
+            bool none = l->value[0] == '\0' || strcasecmp(l->value, "NOVALUE") == 0 ||
+                        strcmp(l->value, "-") == 0;
+            if (line != NULL) {
+                *line = l->line;
+            }
+            return none ? NULL : l->value;
+        }
+    }
+    return NULL;
+}
+
+enum cr_err cr_mme_number(const struct cr_mme *mme, const char *shown, const char *key, double *out,
+                          struct cr_error *err) {
+    int line = 0;
+    const char *text = cr_mme_get(mme, key, &line);
+    *out = NAN;
+    if (text == NULL || cr_csv_scan(text, false, out)) {
+        return CR_ERR_OK;
+    }
+    cr_err_set(err, CR_ERR_TYPE, "%.60s: no number: \"%.60s\"", key, text);
+    cr_err_place(err, shown, line, 0);
+    return CR_ERR_TYPE;
+}
+
+/* ---- channels ---- */
+
+static enum cr_err lacks(const char *shown, const char *key, struct cr_error *err) {
+    cr_err_set(err, CR_ERR_MISSING, "no \"%s\"", key);
+    cr_err_place(err, shown, 0, 0);
+    return CR_ERR_MISSING;
+}
+
+static enum cr_err head(const struct cr_mme *mme, const char *shown, struct cr_mme_channel *out,
+                        double when[3], struct cr_error *err) {
+    static const char *const keys[] = {"Time of first sample", "Sampling interval",
+                                       "Number of samples"};
+    const char *code_text = cr_mme_get(mme, "Channel code", NULL);
+    const char *unit = cr_mme_get(mme, "Unit", NULL);
+    const char *over = cr_mme_get(mme, "Reference channel", NULL);
+    if (code_text == NULL) {
+        return lacks(shown, "Channel code", err);
+    }
+    if (unit == NULL) {
+        return lacks(shown, "Unit", err);
+    }
+    if (over != NULL && strcasecmp(over, "explicit") == 0) {
+        cr_err_set(err, CR_ERR_TYPE, "a channel over another one (Reference channel: explicit)");
+        cr_err_place(err, shown, 0, 0);
+        return CR_ERR_TYPE;
+    }
+    snprintf(out->code, sizeof out->code, "%.16s", code_text);
+    snprintf(out->unit, sizeof out->unit, "%.31s", unit);
+    for (int i = 0; i < 3; i++) {
+        enum cr_err code = cr_mme_number(mme, shown, keys[i], &when[i], err);
+        if (code == CR_ERR_OK && isnan(when[i])) {
+            code = lacks(shown, keys[i], err);
+        }
+        if (code != CR_ERR_OK) {
+            return code;
+        }
+    }
+    if (!(when[1] > 0)) {
+        cr_err_set(err, CR_ERR_RANGE, "Sampling interval must be above 0 s, got %g", when[1]);
+        cr_err_place(err, shown, 0, 0);
+        return CR_ERR_RANGE;
+    }
+    return CR_ERR_OK;
+}
+
+enum cr_err cr_mme_channel(const char *text, const char *shown, struct cr_mme_channel *out,
+                           struct cr_error *err) {
+    struct cr_mme mme;
+    double when[3];
+    *out = (struct cr_mme_channel){.code = ""};
+    enum cr_err code = cr_mme_parse(text, shown, &mme, err);
+    code = code == CR_ERR_OK ? head(&mme, shown, out, when, err) : code;
+    if (code == CR_ERR_OK) {
+        const struct cr_sampling at = {mme.lines + 1, when[0], when[1]};
+        code = cr_channel_values(text, shown, &at, &out->samples, err);
+    }
+    if (code == CR_ERR_OK && out->samples.n != when[2]) {
+        cr_err_set(err, CR_ERR_SYNTAX, "%d samples, but \"Number of samples\" says %.0f",
+                   out->samples.n, when[2]);
+        cr_err_place(err, shown, mme.lines + out->samples.n, 0);
+        code = CR_ERR_SYNTAX;
+    }
+    cr_mme_fini(&mme);
+    return code;
+}
