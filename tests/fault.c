@@ -1,6 +1,6 @@
 /* Preloaded into the program by tests: refuses the N-th call of one kind, or kills the process at
- * it. FAULT_KIND is memory, open, read, write, sync, rename, link or unlink; FAULT_AT counts from 0;
- * FAULT_KILL makes it a kill -9, FAULT_SIGNAL=N a signal just before the call, which goes on;
+ * it. FAULT_KIND is memory, open, read, write, sync, rename, link or unlink; FAULT_AT counts from
+ * 0; FAULT_KILL makes it a kill -9, FAULT_SIGNAL=N a signal just before the call, which goes on;
  * FAULT_COUNT names a descriptor that gets the number of calls. */
 #define _GNU_SOURCE
 #include <dlfcn.h>

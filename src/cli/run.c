@@ -169,13 +169,8 @@ int cr_cli_run(int argc, char **argv) {
         CR_CLI_BUDGET_OPTIONS(&opt.budget),
         CR_CLI_LOOK_OPTIONS(&opt.look),
     };
-    const struct cr_usage usage = {.word = "run",
-                                   .operands = "SCENE.json",
-                                   .about = about,
-                                   .option = table,
-                                   .options = sizeof table / sizeof *table,
-                                   .least = 1,
-                                   .most = 1};
+    const struct cr_usage usage = {
+        "run", "SCENE.json", about, table, sizeof table / sizeof *table, 1, 1};
     struct cr_error err = {0};
     int operands, status = cr_cli_options(&usage, argc, argv, &operands);
     if (status >= 0) {

@@ -21,20 +21,16 @@ struct face {
     struct cr_line *line;
 };
 
-/* Slope of the structure beside a line at a depth, between the lines i and i + 1. An engine is
- * pushed along as one, and takes the wheel houses with it; they do not take it with them. */
-static double slope_at(const struct face *f, int i, bool up, double depth) {
+/* Slope of the structure beside a line at a depth, between the lines i and i + 1. Behind its front an
+ * engine is pushed along as one. */
+static double slope_at(const struct face *f, int i, double depth) {
     const struct cr_grid *g = f->k->m->surface.grid;
-    double k = g->drag_slope[f->face], out = 2.0 * (i + 1) / f->lines.n - 1;
-    double block = g->block[f->face], beyond = fmax(k, cr_beyond_rails);
-    double in_block = block > 0 ? cr_clamp((depth - block) / cr_block_rise, 0, 1) : 0;
-    if (!cr_face_is_end(f->face)) {
-        return k;
+    double k = g->drag_slope[f->face], block = g->block[f->face];
+    double out = fabs(2.0 * (i + 1) / f->lines.n - 1);
+    if (cr_face_is_end(f->face) && out > cr_rails_share) {
+        return fmax(k, cr_beyond_rails);
     }
-    if (fabs(out) <= cr_rails_share) {
-        return k * (1 - in_block);
-    }
-    return (out > 0) == up ? beyond + in_block * (k - beyond) : beyond;
+    return block > 0 ? k * (1 - cr_clamp((depth - block) / cr_block_rise, 0, 1)) : k;
 }
 
 /* How deep a place lies below the undeformed outline of the body, m. */
@@ -80,7 +76,7 @@ static void hold(struct face *f, struct cr_vec2 place) {
     for (int i = from; i <= to; i++) {
         bool up = i > at;
         double slope = up ? f->up : f->down;
-        slope += slope_at(f, up ? i - 1 : i, up, deep) / faces;
+        slope += slope_at(f, up ? i - 1 : i, deep) / faces;
         bool beside = fabs(i - at) > 0.499; /* the contact itself is not on that line */
         struct cr_hold *held = beside ? &f->line[i].tow[up] : &f->line[i].own;
         deepen(held, deep - 2 * hidden - slope * fabs(i - at) * h, faces);
@@ -134,7 +130,7 @@ static void limit_slopes(const struct face *f, bool up) {
         struct cr_hold from = line[i].own;
         deepen(&from, line[i].tow[up].depth, line[i].tow[up].in);
         double slope = up ? f->up : f->down;
-        slope += slope_at(f, up ? i : next, up, from.depth) / from.in;
+        slope += slope_at(f, up ? i : next, from.depth) / from.in;
         deepen(&line[next].tow[up], from.depth - fmax(o[i] - o[next], 0) - slope * h, from.in);
     }
 }
@@ -221,7 +217,7 @@ static bool tow_face(struct cr_duo *d, int side, struct face *f) {
             double stands = fmax(*limit, s->first[f->face][i] * s->grid->h);
             tow = fmin(tow, stands + cr_pass_most * k->advance / f->in);
             *limit = fmax(*limit, tow);
-            if (!crush_line(f, i, tow, slope_at(f, up ? i - 1 : i, up, tow))) {
+            if (!crush_line(f, i, tow, slope_at(f, up ? i - 1 : i, tow))) {
                 return false;
             }
         }

@@ -81,8 +81,8 @@ static bool strikes(struct cr_duo *d) {
 
 /* how long after the last contact a pair is waited for, s */
 static double patience(const struct cr_duo *d) {
-    bool fixed = d->ma->inv_mass == 0 && d->mb->inv_mass == 0;
-    return fixed ? 0 : d->touch->spent > 0 ? cr_again : cr_horizon;
+    bool a = d->ma->inv_mass > 0, b = d->mb->inv_mass > 0;
+    return !a && !b ? 0 : a && b && d->touch->spent > 0 ? cr_again : cr_horizon;
 }
 
 /* Time until any two bodies strike if they fly on freely, infinite where that is too late to belong

@@ -18,8 +18,8 @@ static const double cr_crumb = 0.05;
 static const double cr_passed_by = 0.05;
 /* fitted: which of two structures gives way. They are stronger when they are crushed faster, by an
  * exponent of 0.02 to 0.03 (1.1 to 1.3 at 15 m/s against static tests), and their strength differs
- * from place to place, so that where nearly equal ones meet both give way somewhere. 0.08 stands for
- * both: at 0.03 the ripple of a force over the voxels decides, and the split of the demo hangs on
+ * from place to place, so that where nearly equal ones meet both give way somewhere. 0.08 stands
+ * for both: at 0.03 the ripple of a force over the voxels decides, and the split of the demo hangs on
  * the slice; the crash tests do not tell the two apart. */
 static const double cr_rate_exponent = 0.08;
 /* guard: overlap that is left over from before is taken away at most this much faster than the
@@ -60,9 +60,10 @@ static const double cr_patch_reach = 0.75;
 static const double cr_free_stretch = 4;
 /* source: limits of the elastic phases where the force decides, s; the paper takes 5 ms. */
 static const double cr_elastic_least = 5e-3, cr_elastic_most = 0.03;
-/* source: definition. How long after the last contact bodies that have not met yet are waited for,
- * s: a pile-up is one crash. Those that have parted are waited for less: where they turn, whether
- * they slap at all later than that hangs on the last digit. And the step in which it is looked. */
+/* source: definition. How long after the last contact another touch belongs to the same crash, s: a
+ * pile-up is one crash, and so is the other end of a car that slaps the same wall. Two bodies that
+ * both move and have parted are waited for less: whether they slap at all later than that hangs on
+ * the last digit. And the step in which it is looked for. */
 static const double cr_horizon = 0.3, cr_again = 0.1, cr_probe_step = 0.01;
 /* source: definition. A touch foreseen is waited for if its energy of approach is this share of the
  * crash so far, and this far from the last one, m. */

@@ -70,7 +70,8 @@ dist_validationnarrow_DATA = \
 	share/validation/narrow/field.jsonl
 validationbarriersdir = $(pkgdatadir)/validation/barriers
 dist_validationbarriers_DATA = share/validation/barriers/barriers.jsonl
-EXTRA_DIST += share/validation/make-scenes.py
+validationdir = $(pkgdatadir)/validation
+dist_validation_DATA = share/validation/make-scenes.py
 validationpulsedir = $(pkgdatadir)/validation/pulse
 dist_validationpulse_DATA = \
 	share/validation/pulse/camry-10146.json

@@ -24,7 +24,8 @@ same "models" "$(offers "$crumple" models sedan/12)" sedan/12
 same "schemas" "$(offers "$crumple" schema re)" "result recipe"
 same "settings after -s" "$(offers "$crumple" run -s restit)" restitution=
 same "keys of the scene on the line" "$(offers "$crumple" run "$demo" -s A.sp)" A.speed_kmh=
-same "also with --set=" "$(offers "$crumple" run "$demo" --set = B.brak)" B.brake=
+same "also with --set=" "$(offers "$crumple" run "$demo" --set = B.brak)" \
+    "B.brake= B.brake_after.deceleration_mps2= B.brake_after.reaction_s="
 same "no key of another kind" "$(offers "$crumple" run "$demo" -s A.radius)" ""
 touch "$tmp/a.crumple" "$tmp/b.json"
 same "command files" "$(offers "$crumple" "$tmp/a")" "$tmp/a.crumple"

@@ -25,7 +25,7 @@ has "of a word too" "$out" '^usage: crumple run '
 run help sweep
 has "or of a command" "$out" 'sweep: solve for'
 run help nothing
-has "help of nothing" "$errs" "there is no command 'nothing'"
+has "help of nothing" "$errs" "there is no command or term 'nothing'"
 run "$SRC/share/scenes/q7-fiat500.json"
 same "a scene into a pipe is solved" "$status" 0
 by_run=$(printf '%s' "$out" | cksum)

@@ -13,7 +13,8 @@ CRUMPLE_DATA=$SRC LC_ALL=C.UTF-8 ASAN_OPTIONS=abort_on_error=1
 export CRUMPLE_DATA LC_ALL ASAN_OPTIONS
 unset NO_COLOR COLUMNS LINES ESCDELAY
 # shellcheck disable=SC2086
-python3 -B "$SRC/tests/tui/monkey.py" "$crumple" "${CR_MONKEY_SECONDS:-6}" $CR_MONKEY_SEED >told 2>&1
+python3 -B "$SRC/tests/tui/monkey.py" "$crumple" "${CR_MONKEY_SECONDS:-6}" $CR_MONKEY_SEED \
+    >told 2>&1
 same "whatever is typed, and however it ends, the terminal is whole" "$?" 0
 explain <told
 has "a good many things were done" "$(tail -n 1 told)" 'rounds from seed [0-9]+, [0-9]{2,} acts'

@@ -325,6 +325,7 @@ static void test_result_follows_the_scene(void **state) {
     assert_int_equal(h.pictures, 1);
     run(s, "show frame=0");
     check_near(cr_session_time(s), cr_session_result(s)->solution->t_contact, 0);
+    run(s, "place wall x=30m y=0m heading=180deg"); /* where it stands, not in front of A */
     run(s, "place A x=-30m heading=180deg");
     assert_int_equal(cr_session_run(s, "solve"), CR_ERR_NO_CONTACT);
     assert_int_equal(cr_session_state(s), CR_STATE_FAILED);

@@ -56,7 +56,7 @@ static void test_all_round(void **state) {
     for (int i = 0; i <= 72; i++) {
         hit[i] = against_wall(5 * i, "{\"pdof\": \"auto\", \"blend\": true}");
         assert_true(hit[i].ees > 30 && hit[i].ees < 50);
-        assert_true(hit[i].delta_v > 30 && hit[i].delta_v < 70);
+        assert_true(hit[i].delta_v > 35 && hit[i].delta_v < 70);
         if (i > 0) {
             check_near(hit[i].ees, hit[i - 1].ees, 4);
         }

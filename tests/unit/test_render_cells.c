@@ -181,7 +181,7 @@ static void test_colour_maps_rise(void **state) {
         }
     }
     /* [COLOUR-RAMP] gives L* 8 for the first and 87 for the last step of viridis */
-    /* what is beyond the scale is a colour: no grey (232..255, or equal parts of the cube), no step */
+    /* what is beyond the scale is a colour: no grey (232..255, equal parts of the cube), no step */
     for (int i = 0; i < cr_theme_count(); i++) {
         int beyond = cr_theme_get(i)->beyond256, c = beyond - 16;
         if (beyond < 0) {

