@@ -170,7 +170,7 @@ int cr_cli_run(int argc, char **argv) {
         CR_CLI_LOOK_OPTIONS(&opt.look),
     };
     const struct cr_usage usage = {
-        "run", "SCENE.json", about, table, sizeof table / sizeof *table, 1, 1};
+        "run", "SCENE.json", about, table, sizeof table / sizeof *table, 1, 1, NULL};
     struct cr_error err = {0};
     int operands, status = cr_cli_options(&usage, argc, argv, &operands);
     if (status >= 0) {

@@ -29,8 +29,8 @@ QUANTITIES = {"EES": ("ees_kmh", 5), "delta-v": ("delta_v_kmh", 5),
               "depth": ("deformation_max_m", 0.1), "yaw": ("yaw_rate_change_deg_s", 60),
               "peak": ("acceleration_max_g", 5)}
 # per cent: wanted and accepted today, each at the 90th percentile and at worst
-CONTINUITY = {"EES": (0.3, 3, 2, 40), "delta-v": (0.3, 3, 2, 30), "depth": (0.3, 3, 3.5, 60),
-              "yaw": (0.5, 5, 7, 250), "peak": (2, 10, 3.5, 60)}
+CONTINUITY = {"EES": (0.3, 3, 1.2, 12), "delta-v": (0.3, 3, 1.5, 25), "depth": (0.3, 3, 3, 80),
+              "yaw": (0.5, 5, 5, 80), "peak": (2, 10, 3.5, 20)}
 # the same at the median and at the 90th percentile
 CONVERGENCE = {"EES": (1, 3, 1, 3), "delta-v": (1, 3, 1, 3), "peak": (3, 10, 8, 15)}
 SIDESWIPE_TODAY = 60
@@ -38,7 +38,7 @@ SIDESWIPE_TODAY = 60
 SHARES = {"of cars over 60 g below 110 km/h closing, %": (0, 2),
           "of cars with over 80 % of the energy induced, %": (0, 2),
           "of crashes in which one passes through, %": (0, 3)}
-MONOTONY = {"demo, speed 40 to 120: largest step back, km/h": (0.1, 15),
+MONOTONY = {"demo, speed 40 to 120: largest step back, km/h": (0.1, 35),
             "demo, overlap 20 to 100 %: largest step back, km/h": (0.1, 15),
             "wall by 0.5 deg: largest step of EES against the mean, km/h": (0.3, 2),
             "pole by 2 cm: largest step of EES, km/h": (1, 4)}
