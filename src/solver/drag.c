@@ -21,8 +21,8 @@ struct face {
     struct cr_line *line;
 };
 
-/* Slope of the structure beside a line at a depth, between the lines i and i + 1. Behind its front an
- * engine is pushed along as one. */
+/* Slope of the structure beside a line at a depth, between the lines i and i + 1. Behind its front
+ * an engine is pushed along as one. */
 static double slope_at(const struct face *f, int i, double depth) {
     const struct cr_grid *g = f->k->m->surface.grid;
     double k = g->drag_slope[f->face], block = g->block[f->face];

@@ -19,8 +19,8 @@ static const double cr_passed_by = 0.05;
 /* fitted: which of two structures gives way. They are stronger when they are crushed faster, by an
  * exponent of 0.02 to 0.03 (1.1 to 1.3 at 15 m/s against static tests), and their strength differs
  * from place to place, so that where nearly equal ones meet both give way somewhere. 0.08 stands
- * for both: at 0.03 the ripple of a force over the voxels decides, and the split of the demo hangs on
- * the slice; the crash tests do not tell the two apart. */
+ * for both: at 0.03 the ripple of a force over the voxels decides, and the split of the demo hangs
+ * on the slice; the crash tests do not tell the two apart. */
 static const double cr_rate_exponent = 0.08;
 /* guard: overlap that is left over from before is taken away at most this much faster than the
  * bodies approach, so that the force is that of the structure: strength times width. */
