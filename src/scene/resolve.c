@@ -296,6 +296,7 @@ enum cr_err cr_scene_resolve(struct cr_scene *scene, const struct cr_model_lib *
         char token[12];
         snprintf(token, sizeof token, "%d", i);
         size_t up = cr_scene_enter(&r, token);
+        a.mass_spread = 0;
         code = resolve_part(&r, &scene->part[i], lib, (int)scene->set.method, &a);
         if (assumed != NULL) {
             assumed->mass_spread[i] = a.mass_spread;
