@@ -26,7 +26,8 @@ run run "$tmp/car.json"
 same "a scene that names a car is solved" "$status" 0
 has "the kerb mass says its row" "$out" '"A.kerb_mass_kg":.*cars.csv:[0-9]'
 has "the mass is told as assumed" "$out" 'mass assumed, 1453 kg'
-same "of the car alone, not of the wall" "$(printf '%s\n' "$out" | grep -o 'mass assumed' | grep -c .)" 1
+told=$(printf '%s\n' "$out" | grep -o 'mass assumed' | grep -c .)
+same "of the car alone, not of the wall" "$told" 1
 has "the source is carried into the result" "$out" '"case":.*"7"'
 sed 's/golf 2015/gulf 2015/' "$tmp/car.json" >"$tmp/bad.json"
 run run "$tmp/bad.json"
