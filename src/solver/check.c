@@ -1,9 +1,6 @@
 /* What a case must hold before it is solved: numbers, extents, options. */
 #include "solver/setup.h"
-
-/* Faster than this, or spinning faster, a slice could not be made short enough: m/s and rad/s.
- * Far beyond what the scene reader lets through. */
-static const double speed_most = 1e4;
+#include "solver/tuning.h"
 
 static bool all_finite(const double *number, size_t n) {
     for (size_t k = 0; k < n; k++) {
@@ -51,9 +48,9 @@ static enum cr_err check_body(const struct cr_body *b, int number, struct cr_err
         return cr_err_set(err, CR_ERR_RANGE, "participant %d has a number that is not finite",
                           number);
     }
-    if (cr_vec2_len(b->vel) > speed_most || fabs(b->yaw_rate) > speed_most) {
+    if (cr_vec2_len(b->vel) > cr_speed_most || fabs(b->yaw_rate) > cr_speed_most) {
         return cr_err_set(err, CR_ERR_RANGE, "participant %d is faster than %g m/s or rad/s",
-                          number, speed_most);
+                          number, cr_speed_most);
     }
     const struct cr_grid *g = &b->grid;
     if (g->nx == 0 && b->shape.kind == CR_SHAPE_NONE) {

@@ -92,7 +92,7 @@ static bool recede(struct cr_side *k, double pass) {
             continue;
         }
         double phi = c->phi + pass * k->share * c->overlap;
-        double press = c->met * c->strength * fmax(1 - fabs(phi) / h, 0);
+        double press = c->met * c->strength * cr_surface_weight(phi, h);
         if (!cr_crush_voxel(k, c->voxel, c->at, phi, c->normal, k->push)) {
             return false;
         }

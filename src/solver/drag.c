@@ -14,10 +14,10 @@ struct face {
     struct cr_side *k;
     enum cr_face face;
     struct cr_lines lines;
-    double up, down; /* slope of the contact where it recedes towards the next and the last line */
-    double faces;    /* how far the force is on this face, 0..1 */
-    double in;       /* cosine of the force with the way inward */
-    bool held;       /* the contact holds any line */
+    double lean[2]; /* slope of the contact where it recedes towards the last and the next line */
+    double faces;   /* how far the force is on this face, 0..1 */
+    double in;      /* cosine of the force with the way inward */
+    bool held;      /* the contact holds any line */
     struct cr_line *line;
 };
 
@@ -75,8 +75,7 @@ static void hold(struct face *f, struct cr_vec2 place) {
     double hidden = fmax(deep - (open + 2.5) * h, 0);
     for (int i = from; i <= to; i++) {
         bool up = i > at;
-        double slope = up ? f->up : f->down;
-        slope += slope_at(f, up ? i - 1 : i, deep) / faces;
+        double slope = f->lean[up] + slope_at(f, up ? i - 1 : i, deep) / faces;
         bool beside = fabs(i - at) > 0.499; /* the contact itself is not on that line */
         struct cr_hold *held = beside ? &f->line[i].tow[up] : &f->line[i].own;
         deepen(held, deep - 2 * hidden - slope * fabs(i - at) * h, faces);
@@ -110,7 +109,7 @@ static void hold_all(const struct cr_duo *d, int side, struct face *f) {
         }
         double at = cr_vec2_dot(cr_vec2_sub(c->place, f->lines.corner), f->lines.along);
         int line = (int)cr_clamp(floor(at / h), 0, f->lines.n - 1);
-        f->line[line].pressed += c->met * fmax(1 - fabs(c->other) / h, 0);
+        f->line[line].pressed += c->met * cr_surface_weight(c->other, h);
         if (fabs(phi) < h) {
             struct cr_vec2 place = cr_vec2_axpy(c->place, phi, c->normal);
             hold(f, place);
@@ -129,8 +128,7 @@ static void limit_slopes(const struct face *f, bool up) {
         int i = up ? n : f->lines.n - 1 - n, next = up ? i + 1 : i - 1;
         struct cr_hold from = line[i].own;
         deepen(&from, line[i].tow[up].depth, line[i].tow[up].in);
-        double slope = up ? f->up : f->down;
-        slope += slope_at(f, up ? i : next, from.depth) / from.in;
+        double slope = f->lean[up] + slope_at(f, up ? i : next, from.depth) / from.in;
         deepen(&line[next].tow[up], from.depth - fmax(o[i] - o[next], 0) - slope * h, from.in);
     }
 }
@@ -189,8 +187,8 @@ static struct face find_tow(struct cr_duo *d, int side, enum cr_face face, struc
     if (!(s->grid->drag_slope[face] > 0) || !(f.faces > 0) || f.lines.n < 2) {
         return f;
     }
-    f.up = fmax(aside, 0) / f.in;
-    f.down = fmax(-aside, 0) / f.in;
+    f.lean[0] = fmax(-aside, 0) / f.in;
+    f.lean[1] = fmax(aside, 0) / f.in;
     for (int i = 0; i < f.lines.n; i++) {
         const struct cr_hold none = {-INFINITY, 1};
         line[i] = (struct cr_line){.own = none, .tow = {none, none}};

@@ -14,18 +14,15 @@ static double lerp(double a, double b, double u) {
     return a + u * (b - a);
 }
 
-/* rows within this of an instant say course and yaw rate, s: two noisy rows alone do not */
-static const double fit_half = 0.075;
-
 /* Straight lines through place and heading of the rows about an instant, by least squares, with at
  * least the two rows it lies between: velocity and yaw rate of the path. */
 static struct cr_vec2 fit_path(const struct cr_waypoint *w, int n, int i, double t,
                                double *yaw_rate) {
     int from = i, to = i + 1;
-    while (from > 0 && t - w[from - 1].t <= fit_half) {
+    while (from > 0 && t - w[from - 1].t <= cr_fit_half) {
         from--;
     }
-    while (to + 1 < n && w[to + 1].t - t <= fit_half) {
+    while (to + 1 < n && w[to + 1].t - t <= cr_fit_half) {
         to++;
     }
     double tt = 0, ts = 0, turn = 0, turns = 0, th = 0;

@@ -208,11 +208,6 @@ static bool find_cells(struct cr_side *k, const struct opponent *o) {
     return true;
 }
 
-/* Weight of a voxel for a surface at the distance phi: over a line of voxels it adds up to one. */
-static double on_surface(double phi, double h) {
-    return fmax(1 - fabs(phi) / h, 0);
-}
-
 /* Forces, thickness and closing speed of what presses. Voxels beyond the outline have no
  * strength to say; those inside speak for them, or a structure would seem weaker within its
  * first half voxel. */
@@ -222,14 +217,15 @@ static void sum_cells(struct cr_side *k) {
     for (int i = 0; i < k->cells; i++) {
         const struct cr_cell *c = &k->cell[i];
         double met = c->met * c->strength;
-        double end = met * on_surface(c->other, h);
+        double end = met * cr_surface_weight(c->other, h);
         bool inside = c->voxel >= 0 && g->fill[c->voxel] > 0;
-        double weight[2] = {c->met * on_surface(c->phi, h), c->met * on_surface(c->other, h)};
+        double weight[2] = {c->met * cr_surface_weight(c->phi, h),
+                            c->met * cr_surface_weight(c->other, h)};
         for (int n = 0; n < 2; n++) {
             all[n] += weight[n];
             solid[n] += inside ? weight[n] : 0;
         }
-        k->begin += met * on_surface(c->phi, h);
+        k->begin += met * cr_surface_weight(c->phi, h);
         k->end += end;
         k->thick += end * c->overlap;
         k->closing += end * c->approach;

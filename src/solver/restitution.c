@@ -18,7 +18,7 @@ static double end_share(const struct cr_side *k, enum cr_face face) {
     struct cr_lines lines = cr_surface_lines(s->grid, face);
     for (int i = 0; i < k->cells; i++) {
         const struct cr_cell *c = &k->cell[i];
-        double met = c->met * fmax(1 - fabs(c->other) / h, 0);
+        double met = c->met * cr_surface_weight(c->other, h);
         wide += met * h * fabs(cr_vec2_dot(c->normal, lines.in));
         double deep = cr_vec2_dot(cr_vec2_sub(c->place, lines.corner), lines.in);
         deepest = met > 0 ? fmax(deepest, deep) : deepest;

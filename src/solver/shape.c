@@ -1,5 +1,6 @@
 /* Rigid outlines: walls, poles, polygons with rounded edges. */
 #include "solver/shape.h"
+#include "solver/tuning.h"
 
 /* closest point of a segment */
 static struct cr_vec2 closest(struct cr_vec2 a, struct cr_vec2 b, struct cr_vec2 p) {
@@ -57,15 +58,12 @@ double cr_shape_distance(const struct cr_shape *shape, struct cr_vec2 p, struct 
     return INFINITY;
 }
 
-/* half width of the ground that a wall is taken to cover, m */
-static const double wall_extent = 1e4;
-
 void cr_shape_box(const struct cr_shape *shape, struct cr_vec2 *lo, struct cr_vec2 *hi) {
     *lo = cr_vec2(0, 0);
     *hi = cr_vec2(0, 0);
     if (shape->kind == CR_SHAPE_WALL) {
-        *lo = cr_vec2(-wall_extent, -wall_extent);
-        *hi = cr_vec2(0, wall_extent);
+        *lo = cr_vec2(-cr_wall_extent, -cr_wall_extent);
+        *hi = cr_vec2(0, cr_wall_extent);
     } else if (shape->kind == CR_SHAPE_POLE) {
         *lo = cr_vec2(-shape->radius, -shape->radius);
         *hi = cr_vec2(shape->radius, shape->radius);

@@ -121,7 +121,6 @@ struct cr_touch {
     struct cr_vec2 moment_coe; /* sum of impulse x COE */
     double moment_weight;
     struct cr_vec2 normal_sum; /* energy-weighted, J */
-    double wide;               /* share of the ends' width that is pressed, 0..1 */
 };
 
 /* Kinematic state to go back to when nothing touched again. */

@@ -61,6 +61,11 @@ static inline double cr_surface_left(double phi, struct cr_vec2 n, double h, dou
     return dense * cr_clamp(0.5 - phi / width, 0, 1);
 }
 
+/* Weight of a voxel for a surface at the distance phi: over a line of voxels it adds up to one. */
+static inline double cr_surface_weight(double phi, double h) {
+    return fmax(1 - fabs(phi) / h, 0);
+}
+
 /* The voxels that were emptied are passed over from now on in `first`. */
 void cr_surface_renew(struct cr_surface *s, enum cr_face face, int line);
 

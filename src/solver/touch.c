@@ -45,7 +45,6 @@ bool cr_touch_begin(struct cr_duo *d, const struct cr_force *f) {
         return false;
     }
     struct cr_touch *t = d->touch, old = *t;
-    double closing = cr_force_approach(d, f);
     bool rubbing = is_rubbing(d, f);
     *t = (struct cr_touch){.record = s->contacts,
                            .last = s->contacts,
@@ -64,7 +63,6 @@ bool cr_touch_begin(struct cr_duo *d, const struct cr_force *f) {
     s->contact[s->contacts++] = (struct cr_contact){.a = d->a,
                                                     .b = d->b,
                                                     .t_begin = s->t - s->dt,
-                                                    .closing = closing,
                                                     .restitution = s->cs->opts.restitution,
                                                     .mu = cr_force_friction(d),
                                                     .phase = CR_PHASE_PLASTIC,

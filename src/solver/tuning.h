@@ -77,4 +77,21 @@ static const double cr_overlap_area_most = 0.01;
  * worth so many times the way straight apart. */
 static const double cr_way_step = 0.25, cr_way_resolution = 0.01, cr_way_worth = 3;
 
+/* guard: faster than this, or spinning faster, m/s and rad/s, a slice could not be made short
+ * enough; far beyond what the scene reader lets through. And half the ground that a wall covers,
+ * m. */
+static const double cr_speed_most = 1e4, cr_wall_extent = 1e4;
+/* guard: rows within this of an instant say course and yaw rate, s: two noisy rows alone do not. */
+static const double cr_fit_half = 0.075;
+/* source: passenger tyres on dry road have their full lateral force at 6 to 10 deg (our choice
+ * among them), and the slope, beyond the tangent 0.1405 of that angle, from which the angle need
+ * not be known. */
+static const double cr_slip_full_deg = 8, cr_slope_full = 0.15;
+/* guard: below this speed friction fades (method.md), and the least rolling speed in the slip
+ * angle, m/s. */
+static const double cr_speed_soft = 0.1, cr_slip_speed = 0.5;
+/* source: our choice. So long after its first contact a car has nobody at the pedals and a gear in,
+ * s. */
+static const double cr_coast_after = 1;
+
 #endif

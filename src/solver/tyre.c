@@ -1,25 +1,16 @@
 /* Tyre forces: static loads (paper, assumption), friction circle, lateral force that saturates
  * with the slip angle (literature.md 7.3-7.5). */
 #include "solver/motion.h"
-
-static const double coast_after = 1.0;   /* s after its first contact from which a car has nobody at
-                                            the pedals and a gear in (our choice) */
-static const double slip_full_deg = 8.0; /* slip angle of full lateral force; passenger tyres on dry
-                                            road saturate at 6-10 deg (our choice) */
-static const double speed_soft = 0.1;    /* m/s below which friction fades (method.md) */
-static const double slip_speed = 0.5;    /* m/s, least rolling speed in the slip angle */
-
-/* a slope beyond the full slip angle, whose tangent is 0.1405: the angle need not be known */
-static const double slope_full = 0.15;
+#include "solver/tuning.h"
 
 /* Share of the lateral force, with the sign of v.y: Fiala's cubic, full with a level tangent at the
  * full slip angle. */
 static double side_share(struct cr_vec2 v) {
-    double rolling_speed = fmax(fabs(v.x), slip_speed);
-    if (fabs(v.y) > slope_full * rolling_speed) {
+    double rolling_speed = fmax(fabs(v.x), cr_slip_speed);
+    if (fabs(v.y) > cr_slope_full * rolling_speed) {
         return copysign(1, v.y);
     }
-    double slip = atan2(v.y, rolling_speed) / cr_rad(slip_full_deg);
+    double slip = atan2(v.y, rolling_speed) / cr_rad(cr_slip_full_deg);
     double a = fmin(fabs(slip), 1);
     return copysign(3 * a - 3 * a * a + a * a * a, v.y);
 }
@@ -36,9 +27,9 @@ static struct cr_vec2 tyre_force(const struct grip *g, struct cr_vec2 v) {
     double speed = cr_vec2_len(v);
     /* a wheel with all its friction in braking slides: the force turns against its velocity */
     if (g->slides || g->pull >= 1) {
-        return cr_vec2_scale(v, -g->limit / fmax(speed, speed_soft));
+        return cr_vec2_scale(v, -g->limit / fmax(speed, cr_speed_soft));
     }
-    double fade = fmin(fabs(v.x) / speed_soft, 1);
+    double fade = fmin(fabs(v.x) / cr_speed_soft, 1);
     double fx = -copysign(g->limit * g->pull * fade, v.x);
     double side = sqrt(fmax(1 - g->pull * g->pull, 0));
     return cr_vec2(fx, -g->limit * side * side_share(v));
@@ -67,7 +58,7 @@ static struct grip grip_of(const struct cr_solver *s, const struct cr_moving *m,
     const struct cr_wheel *w = &m->body->wheel[wheel];
     struct cr_vec2 at = cr_vec2_add(m->pos, cr_vec2_rotate(w->at, m->c, m->s));
     double after = s->t - m->t_first, brake = w->brake; /* NaN before the first contact */
-    double rolling = after >= coast_after ? o->rolling_after : o->rolling;
+    double rolling = after >= cr_coast_after ? o->rolling_after : o->rolling;
     struct grip g = {.mu = is_within(&s->cs->patch, at) ? s->cs->patch.friction : o->road_friction};
     if (after >= m->body->reaction && m->body->brake_after > 0) {
         brake = fmax(brake, m->body->brake_after / (CR_G * fmax(g.mu, 1e-9)));
