@@ -130,9 +130,8 @@ static enum cr_err wall_case(const struct source *from, int row, struct cr_test 
     return cr_test_set_scene(c, &s, err);
 }
 
-/* The pole stands in line with the driver's head, this share of the wheelbase behind the front axle,
- * and no further where there is room for more seats or a load behind him (our assumption; FMVSS 214
- * gives the point by the seating procedure). */
+/* The pole stands in line with the driver's head, this share of the wheelbase behind the front
+ * axle, and no further where there is room for more seats or a load behind him [POLE-HEAD]. */
 static const double head_share = 0.52, head_most = 1620;  /* of the wheelbase; mm */
 static const double pole_radius = 0.127, pole_angle = 75; /* m, deg to the direction of travel */
 static const double pole_gap = 0.05;                      /* m from the flank to the pole */

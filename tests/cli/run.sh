@@ -27,7 +27,8 @@ same "--per impact: a row per impact and participant" \
 run run -f text "$(cd "$(dirname "$demo")" && pwd)/three-cars.json"
 has "text tells each impact" "$out" 'Impacts .*each by itself'
 has "and whose risk it is" "$out" 'injury by the severest impact'
-wall_scene '' '"model": { "stiffness": { "front": { "A_N_per_m": 174000, "B_N_per_m2": 20000 } } }' >"$tmp/ab.json"
+wall_scene '' '"model": { "stiffness": {
+    "front": { "A_N_per_m": 174000, "B_N_per_m2": 20000 } } }' >"$tmp/ab.json"
 run run "$tmp/ab.json"
 has "own A, B that hide more energy than a crash has are told" "$out" \
     'its own A, B leave the front uncrushed up to an EES of [0-9]+ km/h'
