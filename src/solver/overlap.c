@@ -6,39 +6,28 @@
 
 #include <stdlib.h>
 
-/* The opponent as the voxels of a body see it. */
-struct opponent {
-    const struct cr_moving *m;
-    struct cr_vec2 origin; /* of the body's frame in the opponent's, m */
-    double c, s;           /* turn from the body's frame into the opponent's */
-    struct cr_vec2 still;  /* velocity of the opponent's material at the body's origin, less that of
-                              the body's, body frame, m/s */
-    double turn;           /* yaw rate of the opponent less the body's, rad/s */
-    double dt;             /* of the slice, s */
-};
-
-static struct opponent opponent_of(const struct cr_moving *me, const struct cr_moving *other,
-                                   double dt) {
-    struct opponent o = {.m = other,
-                         .origin = cr_to_body(other, me->pos),
-                         .c = me->c * other->c + me->s * other->s,
-                         .s = me->s * other->c - me->c * other->s,
-                         .turn = other->yaw_rate - me->yaw_rate,
-                         .dt = dt};
+static struct cr_opponent opponent_of(const struct cr_moving *me, const struct cr_moving *other,
+                                      double dt) {
+    struct cr_opponent o = {.m = other,
+                            .origin = cr_to_body(other, me->pos),
+                            .c = me->c * other->c + me->s * other->s,
+                            .s = me->s * other->c - me->c * other->s,
+                            .turn = other->yaw_rate - me->yaw_rate,
+                            .dt = dt};
     struct cr_vec2 v = cr_vec2_sub(cr_velocity_at(other, me->pos), me->vel);
     o.still = cr_vec2_unrotate(v, me->c, me->s);
     return o;
 }
 
 /* signed distance of the opponent's surface at p, body frame */
-static double distance_to(const struct opponent *o, struct cr_vec2 p) {
+static double distance_to(const struct cr_opponent *o, struct cr_vec2 p) {
     struct cr_vec2 q = cr_vec2_add(o->origin, cr_vec2_rotate(p, o->c, o->s)), n;
     return o->m->soft ? cr_surface_distance(&o->m->surface, q)
                       : cr_shape_distance(&o->m->body->shape, q, &n);
 }
 
 /* the opponent's outward normal at p, body frame, not quite of length 1 */
-static struct cr_vec2 normal_to(const struct opponent *o, struct cr_vec2 p) {
+static struct cr_vec2 normal_to(const struct cr_opponent *o, struct cr_vec2 p) {
     struct cr_vec2 q = cr_vec2_add(o->origin, cr_vec2_rotate(p, o->c, o->s)), n;
     if (o->m->soft) {
         n = cr_surface_gradient(&o->m->surface, q);
@@ -69,14 +58,14 @@ struct window {
     int x0, x1, y0, y1; /* [x0, x1) */
 };
 
-static struct window window_of(const struct cr_moving *me, const struct opponent *o) {
+static struct window window_of(const struct cr_moving *me, const struct cr_opponent *o) {
     const struct cr_grid *g = &me->body->grid;
     struct cr_vec2 lo = {INFINITY, INFINITY}, hi = {-INFINITY, -INFINITY};
     for (int i = 0; i < 4; i++) {
         struct cr_vec2 p = {i & 1 ? o->m->hi.x : o->m->lo.x, i & 2 ? o->m->hi.y : o->m->lo.y};
         p = cr_vec2_unrotate(cr_vec2_sub(p, o->origin), o->c, o->s);
-        lo = cr_vec2(fmin(lo.x, p.x), fmin(lo.y, p.y));
-        hi = cr_vec2(fmax(hi.x, p.x), fmax(hi.y, p.y));
+        lo = cr_vec2(cr_min(lo.x, p.x), cr_min(lo.y, p.y));
+        hi = cr_vec2(cr_max(hi.x, p.x), cr_max(hi.y, p.y));
     }
     double per = 1 / g->h, band = cr_band_voxels;
     return (struct window){
@@ -96,7 +85,7 @@ struct walk {
     double h;
 };
 
-static struct walk walk_of(const struct opponent *o, struct cr_vec2 row, double h) {
+static struct walk walk_of(const struct cr_opponent *o, struct cr_vec2 row, double h) {
     struct walk w = {.f = o->m->soft ? &o->m->surface : NULL};
     if (w.f == NULL) {
         return w;
@@ -130,7 +119,7 @@ static inline double walk_at(const struct walk *w, int ix) {
 }
 
 /* a voxel that lies near both surfaces, into the list */
-static void note_cell(struct cr_side *k, const struct opponent *o, int ix, int iy,
+static void note_cell(struct cr_side *k, const struct cr_opponent *o, int ix, int iy,
                       struct cr_cell c) {
     const struct cr_surface *f = &k->m->surface;
     const struct cr_grid *g = f->grid;
@@ -150,7 +139,7 @@ static void note_cell(struct cr_side *k, const struct opponent *o, int ix, int i
     double whole = cr_passed_by * cr_vec2_len(v);
     c.leaves = c.approach < -whole;
     c.met = c.core && c.approach > 0
-                ? fmin(c.overlap / (c.approach * o->dt), 1) * fmin(c.approach / whole, 1)
+                ? cr_min(c.overlap / (c.approach * o->dt), 1) * cr_min(c.approach / whole, 1)
                 : 0;
     c.strength = inside ? cr_unit_energy(k, c.voxel, k->push) * f->dense[c.voxel] / h : 0;
     k->cell[k->cells++] = c;
@@ -158,7 +147,7 @@ static void note_cell(struct cr_side *k, const struct opponent *o, int ix, int i
 
 /* The voxels [from, to) of a row; false when memory is out. Voxels that a distance says are far
  * from one of the surfaces are passed over: it changes by no more than the way. */
-static bool find_in_row(struct cr_side *k, const struct opponent *o, int iy, int from, int to) {
+static bool find_in_row(struct cr_side *k, const struct cr_opponent *o, int iy, int from, int to) {
     const struct cr_surface *f = &k->m->surface;
     const struct cr_grid *g = f->grid;
     double h = g->h, kept = cr_kept_voxels * h, per = 1 / h;
@@ -193,7 +182,7 @@ static bool find_in_row(struct cr_side *k, const struct opponent *o, int iy, int
 }
 
 /* false when memory is out */
-static bool find_cells(struct cr_side *k, const struct opponent *o) {
+static bool find_cells(struct cr_side *k, const struct cr_opponent *o) {
     const struct cr_grid *g = &k->m->body->grid;
     struct window w = window_of(k->m, o);
     const int *front = k->m->surface.first[CR_FACE_FRONT],
@@ -236,11 +225,12 @@ static void sum_cells(struct cr_side *k) {
     k->closing *= solid[1] > 0 ? all[1] / solid[1] : 1;
 }
 
-double cr_overlap_distance(const struct cr_duo *d, int side, struct cr_vec2 p,
-                           struct cr_vec2 *normal) {
-    struct opponent o = opponent_of(side == 0 ? d->ma : d->mb, side == 0 ? d->mb : d->ma, d->s->dt);
-    *normal = normal_to(&o, p);
-    return distance_to(&o, p);
+double cr_overlap_distance(const struct cr_side *k, struct cr_vec2 p) {
+    return distance_to(&k->opponent, p);
+}
+
+struct cr_vec2 cr_overlap_normal(const struct cr_side *k, struct cr_vec2 p) {
+    return normal_to(&k->opponent, p);
 }
 
 /* Direction in which a body is pushed, its frame: that of the force in the last slice, before
@@ -266,8 +256,8 @@ static bool find_side(struct cr_duo *d, int side) {
     }
     k->unit = me->unit[side == 0 ? d->b : d->a];
     k->push = push_on(d, side);
-    struct opponent o = opponent_of(me, other, d->s->dt);
-    return find_cells(k, &o);
+    k->opponent = opponent_of(me, other, d->s->dt);
+    return find_cells(k, &k->opponent);
 }
 
 bool cr_overlap_find(struct cr_duo *d, bool *met) {
@@ -295,9 +285,9 @@ double cr_overlap_area(struct cr_duo *d) {
             const struct cr_cell *c = &k->cell[i];
             double there = cr_clamp(0.5 - c->other / h, 0, 1);
             double both = c->voxel >= 0 ? k->m->surface.left[c->voxel] + there - 1 : 0;
-            area += c->strength > 0 ? fmax(both, 0) * h * h : 0;
+            area += c->strength > 0 ? cr_max(both, 0) * h * h : 0;
         }
-        most = fmax(most, area);
+        most = cr_max(most, area);
     }
     return most;
 }

@@ -134,11 +134,11 @@ static struct cr_balance balance_of(const struct cr_solver *s) {
     double l, size, lsize;
     struct cr_vec2 p = momentum(s, &l, &size, &lsize);
     struct cr_vec2 missing = cr_vec2_sub(cr_vec2_sub(s->p_before, p), s->p_ground);
-    b.momentum_residual = cr_vec2_len(missing) / fmax(s->scale_p, 1e-9);
-    b.angular_residual = fabs(s->l_before - l - s->l_ground) / fmax(s->scale_l, 1e-9);
+    b.momentum_residual = cr_vec2_len(missing) / cr_max(s->scale_p, 1e-9);
+    b.angular_residual = fabs(s->l_before - l - s->l_ground) / cr_max(s->scale_l, 1e-9);
     b.energy_residual =
         fabs(b.kinetic_before - b.kinetic_after - b.plastic - b.friction - b.tyre - stored) /
-        fmax(b.kinetic_before, 1e-9);
+        cr_max(b.kinetic_before, 1e-9);
     return b;
 }
 
