@@ -26,17 +26,6 @@ static double distance_to(const struct cr_opponent *o, struct cr_vec2 p) {
                       : cr_shape_distance(&o->m->body->shape, q, &n);
 }
 
-/* the opponent's outward normal at p, body frame, not quite of length 1 */
-static struct cr_vec2 normal_to(const struct cr_opponent *o, struct cr_vec2 p) {
-    struct cr_vec2 q = cr_vec2_add(o->origin, cr_vec2_rotate(p, o->c, o->s)), n;
-    if (o->m->soft) {
-        n = cr_surface_gradient(&o->m->surface, q);
-    } else {
-        cr_shape_distance(&o->m->body->shape, q, &n);
-    }
-    return cr_vec2_unrotate(n, o->c, o->s);
-}
-
 static bool room_for_cell(struct cr_side *k) {
     if (k->cells == k->cells_size) {
         int size = k->cells_size < 64 ? 256 : 2 * k->cells_size;
@@ -102,6 +91,19 @@ static struct walk walk_of(const struct cr_opponent *o, struct cr_vec2 row, doub
     return w;
 }
 
+/* the opponent's outward normal at voxel ix of the row, at p, body frame, not quite of length 1 */
+static inline struct cr_vec2 walk_normal(const struct walk *w, const struct cr_opponent *o, int ix,
+                                         struct cr_vec2 p) {
+    struct cr_vec2 n;
+    if (w->f != NULL) {
+        n = cr_surface_gradient(w->f, w->u + ix * w->du, w->v + ix * w->dv);
+    } else {
+        cr_shape_distance(&o->m->body->shape, cr_vec2_add(o->origin, cr_vec2_rotate(p, o->c, o->s)),
+                          &n);
+    }
+    return cr_vec2_unrotate(n, o->c, o->s);
+}
+
 /* distance at voxel ix of the row; beyond the grid that to what can be interpolated */
 static inline double walk_at(const struct walk *w, int ix) {
     double u = w->u + ix * w->du, v = w->v + ix * w->dv;
@@ -118,30 +120,40 @@ static inline double walk_at(const struct walk *w, int ix) {
     return low + v * (high - low);
 }
 
-/* a voxel that lies near both surfaces, into the list */
-static void note_cell(struct cr_side *k, const struct cr_opponent *o, int ix, int iy,
+/* Share of a voxel with which it presses in this slice: what the two come closer by, as far as the
+ * opponent does not pass it by. */
+static double met_of(const struct cr_cell *c, struct cr_vec2 v, double dt) {
+    if (!c->core || !(c->approach > 0)) {
+        return 0;
+    }
+    double whole = cr_passed_by * cr_vec2_len(v);
+    return cr_min(c->overlap / (c->approach * dt), 1) * cr_min(c->approach / whole, 1);
+}
+
+/* A voxel that lies near both surfaces, into the list. */
+static void note_cell(struct cr_side *k, const struct walk *walk, int ix, int iy,
                       struct cr_cell c) {
+    const struct cr_opponent *o = &k->opponent;
     const struct cr_surface *f = &k->m->surface;
     const struct cr_grid *g = f->grid;
     double h = g->h;
-    bool inside = ix >= 0 && iy >= 0 && ix < g->nx && iy < g->ny;
-    c.voxel = inside ? iy * g->nx + ix : -1;
-    c.at = cr_surface_at(f, ix, iy);
     c.place = cr_vec2(g->x0 + (ix + 0.5) * h, g->y0 + (iy + 0.5) * h);
-    c.normal = normal_to(o, c.place);
+    c.normal = walk_normal(walk, o, ix, c.place);
     double steep = cr_vec2_len(c.normal);
     if (!(steep > 1e-3)) {
         return;
     }
+    bool inside = ix >= 0 && iy >= 0 && ix < g->nx && iy < g->ny;
+    c.voxel = inside ? iy * g->nx + ix : -1;
+    c.at = cr_surface_at(f, ix, iy);
     c.normal = cr_vec2_scale(c.normal, 1 / steep);
     struct cr_vec2 v = cr_vec2_axpy(o->still, o->turn, cr_vec2_perp(c.place));
     c.approach = cr_vec2_dot(v, c.normal);
-    double whole = cr_passed_by * cr_vec2_len(v);
-    c.leaves = c.approach < -whole;
-    c.met = c.core && c.approach > 0
-                ? cr_min(c.overlap / (c.approach * o->dt), 1) * cr_min(c.approach / whole, 1)
-                : 0;
-    c.strength = inside ? cr_unit_energy(k, c.voxel, k->push) * f->dense[c.voxel] / h : 0;
+    c.leaves =
+        c.approach < 0 && c.approach * c.approach > cr_passed_by * cr_passed_by * cr_vec2_dot(v, v);
+    c.met = met_of(&c, v, o->dt);
+    c.strength =
+        c.met > 0 && inside ? cr_unit_energy(k, c.voxel, k->push) * f->dense[c.voxel] / h : 0;
     k->cell[k->cells++] = c;
 }
 
@@ -173,7 +185,7 @@ static bool find_in_row(struct cr_side *k, const struct cr_opponent *o, int iy, 
                 return false;
             }
             if (meets) {
-                note_cell(k, o, ix, iy, c);
+                note_cell(k, &walk, ix, iy, c);
             }
         }
         ix += far > h ? (int)(far * per) : 1;
@@ -205,6 +217,9 @@ static void sum_cells(struct cr_side *k) {
     double h = g->h, all[2] = {0}, solid[2] = {0};
     for (int i = 0; i < k->cells; i++) {
         const struct cr_cell *c = &k->cell[i];
+        if (!(c->met > 0)) {
+            continue;
+        }
         double met = c->met * c->strength;
         double end = met * cr_surface_weight(c->other, h);
         bool inside = c->voxel >= 0 && g->fill[c->voxel] > 0;
@@ -230,7 +245,8 @@ double cr_overlap_distance(const struct cr_side *k, struct cr_vec2 p) {
 }
 
 struct cr_vec2 cr_overlap_normal(const struct cr_side *k, struct cr_vec2 p) {
-    return normal_to(&k->opponent, p);
+    struct walk w = walk_of(&k->opponent, p, k->m->body->grid.h);
+    return walk_normal(&w, &k->opponent, 0, p);
 }
 
 /* Direction in which a body is pushed, its frame: that of the force in the last slice, before
@@ -285,7 +301,8 @@ double cr_overlap_area(struct cr_duo *d) {
             const struct cr_cell *c = &k->cell[i];
             double there = cr_clamp(0.5 - c->other / h, 0, 1);
             double both = c->voxel >= 0 ? k->m->surface.left[c->voxel] + there - 1 : 0;
-            area += c->strength > 0 ? cr_max(both, 0) * h * h : 0;
+            bool solid = both > 0 && cr_unit_energy(k, c->voxel, k->push) > 0;
+            area += solid ? both * h * h : 0;
         }
         most = cr_max(most, area);
     }

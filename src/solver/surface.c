@@ -236,13 +236,13 @@ double cr_surface_distance(const struct cr_surface *s, struct cr_vec2 p) {
     return low + v * (high - low);
 }
 
-struct cr_vec2 cr_surface_gradient(const struct cr_surface *s, struct cr_vec2 p) {
-    double u, v, beyond;
-    if (!place_in(s, p, &u, &v, &beyond)) {
+struct cr_vec2 cr_surface_gradient(const struct cr_surface *s, double u, double v) {
+    const struct cr_grid *g = s->grid;
+    if (!(u >= 1 && v >= 1 && u < g->nx + 2 * CR_MARGIN - 2 && v < g->ny + 2 * CR_MARGIN - 2)) {
         return cr_vec2(0, 0);
     }
     int i = (int)(u + 0.5), j = (int)(v + 0.5); /* the nearest voxel */
-    double wx[3], wy[3], dx[3], dy[3], x = 0, y = 0, per = 1 / s->grid->h;
+    double wx[3], wy[3], dx[3], dy[3], x = 0, y = 0, per = 1 / g->h;
     parabola(u - i, wx, dx);
     parabola(v - j, wy, dy);
     const double *q = s->phi + (j - 1) * s->stride + i - 1;

@@ -52,8 +52,8 @@ bool cr_surface_new(struct cr_surface *s, const struct cr_grid *grid, struct cr_
 
 /* Signed distance at a place of the body's frame, m; beyond the band a lower bound. */
 double cr_surface_distance(const struct cr_surface *s, struct cr_vec2 p);
-/* Its gradient there, of about length 1 near the surface. */
-struct cr_vec2 cr_surface_gradient(const struct cr_surface *s, struct cr_vec2 p);
+/* Its gradient at a place in voxels of the padded grid, of about length 1 near the surface. */
+struct cr_vec2 cr_surface_gradient(const struct cr_surface *s, double u, double v);
 
 /* What is left of a voxel whose surface lies at phi and has the normal n, body frame. */
 static inline double cr_surface_left(double phi, struct cr_vec2 n, double h, double dense) {
