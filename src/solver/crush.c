@@ -1,21 +1,8 @@
 /* Step 1: the surfaces recede, voxels lose material and give up their energy. */
 #include "solver/crush.h"
+
+#include "base/grow.h"
 #include "solver/tuning.h"
-
-#include <stdlib.h>
-
-static bool room_for_loss(struct cr_side *k) {
-    if (k->losses == k->losses_size) {
-        int size = k->losses_size < 64 ? 256 : 2 * k->losses_size;
-        void *p = realloc(k->loss, (size_t)size * sizeof *k->loss);
-        if (p == NULL) {
-            return false;
-        }
-        k->loss = p;
-        k->losses_size = size;
-    }
-    return true;
-}
 
 bool cr_crush_voxel(struct cr_side *k, int voxel, int at, double phi, struct cr_vec2 n,
                     struct cr_vec2 push) {
@@ -30,7 +17,7 @@ bool cr_crush_voxel(struct cr_side *k, int voxel, int at, double phi, struct cr_
     if (unit > 0) { /* layers that do not meet the opponent stay */
         amount = cr_max(f->left[voxel] - cr_surface_left(phi, n, h, f->dense[voxel]), 0);
     }
-    if (!room_for_loss(k)) {
+    if (!cr_grow(&k->loss, &k->losses_size, k->losses, sizeof *k->loss)) {
         return false;
     }
     f->phi[at] += moved;

@@ -1,10 +1,10 @@
 /* Step 1: the voxels about the contact of two bodies, each with the signed distances of both
  * surfaces. Where their sum is negative the bodies overlap, by that much. */
 #include "solver/crush.h"
+
+#include "base/grow.h"
 #include "solver/shape.h"
 #include "solver/tuning.h"
-
-#include <stdlib.h>
 
 static struct cr_opponent opponent_of(const struct cr_moving *me, const struct cr_moving *other,
                                       double dt) {
@@ -24,19 +24,6 @@ static double distance_to(const struct cr_opponent *o, struct cr_vec2 p) {
     struct cr_vec2 q = cr_vec2_add(o->origin, cr_vec2_rotate(p, o->c, o->s)), n;
     return o->m->soft ? cr_surface_distance(&o->m->surface, q)
                       : cr_shape_distance(&o->m->body->shape, q, &n);
-}
-
-static bool room_for_cell(struct cr_side *k) {
-    if (k->cells == k->cells_size) {
-        int size = k->cells_size < 64 ? 256 : 2 * k->cells_size;
-        void *p = realloc(k->cell, (size_t)size * sizeof *k->cell);
-        if (p == NULL) {
-            return false;
-        }
-        k->cell = p;
-        k->cells_size = size;
-    }
-    return true;
 }
 
 /* voxels of the margin whose distance is kept too: what lies just outside has them as neighbours */
@@ -181,7 +168,7 @@ static bool find_in_row(struct cr_side *k, const struct cr_opponent *o, int iy, 
             /* a gap closes by at most twice the way */
             far = c.overlap < -h ? 0.5 * (-c.overlap - h) : 0;
             bool meets = far <= 0 && middle < 2 * kept && (!c.core || c.overlap > 0);
-            if (meets && !room_for_cell(k)) {
+            if (meets && !cr_grow(&k->cell, &k->cells_size, k->cells, sizeof *k->cell)) {
                 return false;
             }
             if (meets) {
