@@ -227,7 +227,7 @@ static enum cr_err settle(struct cr_result *r, const struct cr_context *ctx, str
         if (pass > 0) {
             cr_result_warn(r, "pdof-unsettled",
                            "%s: the PDOF did not settle: model of %.0f deg, force from %.0f deg; "
-                           "set \"blend\": true or a fixed \"pdof\" and compare",
+                           "set \"blend\": true or a fixed \"pdof_deg\" and compare",
                            scene->part[i].id, cr_deg(pdof[i]), cr_deg(found[i]));
             break;
         }

@@ -66,6 +66,21 @@ static void check_mass(struct cr_result *r) {
     }
 }
 
+/* A number that is o'clock or degrees by its size alone. */
+static void check_pdof(struct cr_result *r) {
+    for (int i = 0; i < r->resolved.n; i++) {
+        const struct cr_model_choice *m = &r->resolved.part[i].model;
+        if (m->pdof_kind == CR_PDOF_OLD) {
+            cr_result_warn(r, "pdof-old-form",
+                           "%s: \"pdof\" was read as %.6g %s: \"pdof_clock\" and \"pdof_deg\" say "
+                           "which of the two is meant",
+                           r->resolved.part[i].id,
+                           m->pdof_is_clock ? cr_pdof_clock(m->pdof) : cr_round12(cr_deg(m->pdof)),
+                           m->pdof_is_clock ? "o'clock" : "deg");
+        }
+    }
+}
+
 static bool is_vehicle(const struct cr_result *r, int i) {
     return r->resolved.part[i].kind == CR_KIND_VEHICLE;
 }
@@ -181,6 +196,7 @@ static void check_vehicle(struct cr_result *r, int i) {
 void cr_result_check(struct cr_result *r) {
     const struct cr_solution *sol = r->solution;
     check_mass(r);
+    check_pdof(r);
     for (int k = 0; k < sol->contacts; k++) {
         const struct cr_contact *c = &sol->contact[k];
         /* only the main contact of a body is worth a word; the others belong to the same crash */

@@ -393,7 +393,7 @@ static void test_completion_by_type_of_argument(void **state) {
         {"vehicle alpha speed=50", "50m/s 50km/h 50mph 50ft/s"},
         {"vehicle alpha --r", "--remove"},
         {"vehicle alpha blend", ""},
-        {"model ", "alpha list info pdof= blend= front= side= rear="},
+        {"model ", "alpha list info pdof= pdof_clock= pdof_deg= blend= front= side= rear="},
         {"model alpha sedan/1", "sedan/1 sedan/10 sedan/11 sedan/12"},
         {"set me", "method="},
         {"set method=", "extended paper"},
@@ -404,6 +404,10 @@ static void test_completion_by_type_of_argument(void **state) {
         {"sweep rest", "restitution"},
         {"nonsense ", ""},
         {"new \"half ope", ""},
+        {"vehicle B car=toy", "\"toyota"},
+        {"vehicle B car=\"VW golf s", "sportWagen"},
+        {"vehicle B car=\"VW golf 201", "2010 2011 2012 2013 2014 2015 2016 2017 2018 2019"},
+        {"vehicle B car=\"spaceship ", ""},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         if (strcmp(completed(s, rows[i][0], buf, sizeof buf), rows[i][1]) != 0) {
