@@ -57,6 +57,7 @@ check("a ride that is none", put("beside", *of_a, "ride"), False)
 check("no mass", put({k: v for k, v in a.items() if k != "mass_kg"}, "vehicles", 0), False)
 check("restitution of one", put(1, "restitution"), False)
 PY
+schema=$SRC/share/schema/damage.schema.json
 empty "schema, files and findings agree" \
-    "$(python3 "$tmp/check.py" "$SRC/share/schema/damage.schema.json" "$crumple" "$tmp/d.json" 2>&1)"
+    "$(python3 "$tmp/check.py" "$schema" "$crumple" "$tmp/d.json" 2>&1)"
 finish

@@ -29,8 +29,7 @@ struct cr_measured {
     double direct, direct_offset; /* width and middle of what was struck directly; NaN: the field */
     double pdof;                  /* rad clockwise from ahead; NaN: square to the face */
     double z_lo, z_hi;            /* heights that were struck; 0 and INFINITY: all */
-    bool
-        guessed; /* nothing measured: as deep, evenly, as the energy that partners have in the field */
+    bool guessed; /* nothing measured: as deep as takes what such partners took in the field */
     /* tolerances that hold 95 %: of all depths together, length, offset, pdof, and of the mass */
     double depth_tol, length_tol, offset_tol, pdof_tol, mass_tol;
 };
@@ -78,7 +77,7 @@ struct cr_crush_rules {
     double ramp;                  /* residual depth at which damage beside the contact has the whole
                                      rise, m */
     double oblique;               /* energy by 1 + this times tan2 of the force against the face */
-    /* what a partner took of which nothing was measured, by the end that was measured and its own */
+    /* what a partner took of which nothing was measured, by the measured end and its own */
     struct cr_crush_partner {
         double energy, power; /* J where the measured end took cr_crush_known, and its exponent */
         double log_sd;        /* scatter of the logarithm; 0: no real crashes of such a pair */

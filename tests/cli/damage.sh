@@ -29,8 +29,8 @@ has "and from the side" "$out" '^ B  compact  side'
 run damage "$tmp/pair.json" -f json
 if command -v python3 >/dev/null 2>&1; then
     same "JSON keeps momentum" "$(printf '%s' "$out" | python3 -c 'import json, sys
-d = json.load(sys.stdin); a, b = d["vehicles"]; j = [v["mass_kg"]["value"] * v["delta_v_kmh"]["value"]
-                                                     for v in (a, b)]
+d = json.load(sys.stdin); a, b = d["vehicles"]
+j = [v["mass_kg"]["value"] * v["delta_v_kmh"]["value"] for v in (a, b)]
 print(abs(j[0] - j[1]) < 1e-6 * j[0], a["ees_kmh"]["low"] < a["ees_kmh"]["value"],
       abs(sum(a["variance_shares"].values()) - 1) < 1e-9)')" "True True True"
 else
@@ -59,9 +59,9 @@ has "a table, a row per vehicle" "$out" \
     '^B: compact 1300 \+- 39 kg, rear, field 1\.20 \+- 0\.05 m'
 has "and its stations" "$out" '^  crush 10 20 10 \+- 3 cm$'
 cat >"$tmp/full.csv" <<'END'
-id,type,car,mass_kg,mass_tolerance_kg,face,field_length_m,field_length_tolerance_m,ride,struck_low_m,c1_m,c2_m
-A,sedan,,1600,25,front,1.4,0.02,under,,0.3,0.33
-B,,golf 2015,,,rear,,,,0.3,unknown,
+id,type,car,mass_kg,mass_tolerance_kg,face,field_length_m,field_length_tolerance_m,ride,c1_m,c2_m
+A,sedan,,1600,25,front,1.4,0.02,under,0.3,0.33
+B,,golf 2015,,,rear,,,,unknown,
 END
 run damage "$tmp/full.csv"
 has "tolerances of a table" "$out" \
@@ -70,6 +70,9 @@ has "an underride" "$out" 'struck from 0\.51 m up$'
 has "a car of the catalogue, and what was not measured of it" "$out" \
     '^  not measured: as deep as .* real crashes'
 has "delta-v with a partner that was not measured" "$out" '^  delta-v +[0-9.]+ km/h +95 %'
+sed '1s/$/,struck_low_m,struck_high_m/; 2s/$/,0.3,0.8/; 3s/$/,,/' "$tmp/pair.csv" >"$tmp/heights.csv"
+run damage "$tmp/heights.csv"
+has "heights of a table" "$out" 'struck from 0\.30 m up to 0\.80 m$'
 sed 's/,rear,/,roof,/' "$tmp/pair.csv" >"$tmp/bad.csv"
 refused "a fault in a table has its line" 3 'bad\.csv:3.*front, left' damage "$tmp/bad.csv"
 
