@@ -70,7 +70,8 @@ has "an underride" "$out" 'struck from 0\.51 m up$'
 has "a car of the catalogue, and what was not measured of it" "$out" \
     '^  not measured: as deep as .* real crashes'
 has "delta-v with a partner that was not measured" "$out" '^  delta-v +[0-9.]+ km/h +95 %'
-sed '1s/$/,struck_low_m,struck_high_m/; 2s/$/,0.3,0.8/; 3s/$/,,/' "$tmp/pair.csv" >"$tmp/heights.csv"
+sed '1s/$/,struck_low_m,struck_high_m/; 2s/$/,0.3,0.8/; 3s/$/,,/' \
+    "$tmp/pair.csv" >"$tmp/heights.csv"
 run damage "$tmp/heights.csv"
 has "heights of a table" "$out" 'struck from 0\.30 m up to 0\.80 m$'
 sed 's/,rear,/,roof,/' "$tmp/pair.csv" >"$tmp/bad.csv"
