@@ -72,7 +72,11 @@ static void value_row(struct cr_paper *p, const char *id, const struct cr_key *k
 }
 
 /* Parts of the model choice that were not chosen say nothing. */
-static bool is_idle(const struct cr_key *key, bool given) {
+static bool is_idle(const struct cr_key *key, const struct cr_participant *part, bool given) {
+    if (key->type == CR_KEY_PDOF) {
+        enum cr_pdof_kind kind = part->model.pdof_kind;
+        return key->aux != (size_t)(kind == CR_PDOF_OLD ? CR_PDOF_AUTO : kind);
+    }
     return !given &&
            (strncmp(key->name, "model.stiffness", 15) == 0 || strcmp(key->name, "model.file") == 0);
 }
@@ -128,7 +132,8 @@ static void one_participant(struct cr_paper *p, int body) {
     for (int i = 0; i < n; i++) {
         bool long_list = key[i].type == CR_KEY_VERTICES || key[i].type == CR_KEY_TRAJECTORY;
         bool given = (as_given->given >> i & 1) != 0, named = strcmp(key[i].name, "id") == 0;
-        if ((key[i].for_kinds & mask) != 0 && !long_list && !named && !is_idle(&key[i], given)) {
+        if ((key[i].for_kinds & mask) != 0 && !long_list && !named &&
+            !is_idle(&key[i], part, given)) {
             value_row(p, part->id, &key[i], given, tolerance(p, &as_given->tolerances, i, &key[i]));
         }
     }

@@ -52,7 +52,7 @@ static double face_energy(const struct cr_grid *g, enum cr_face face, int n) {
     return sum;
 }
 
-/* All 72 models, three voxel sizes: crushing the whole loaded face to depth d costs 1/2 m EES(d)^2.
+/* All models, three voxel sizes: crushing the whole loaded face to depth d costs 1/2 m EES(d)^2.
  * The reference vehicles are put on dimensions that are whole numbers of voxels, so that a layer
  * is a layer at both ends and flanks. */
 static void test_face_energy(void **state) {
@@ -64,7 +64,7 @@ static void test_face_energy(void **state) {
     static const enum cr_model_end end[CR_FACES] = {CR_MODEL_FRONT, CR_MODEL_SIDE, CR_MODEL_REAR,
                                                     CR_MODEL_SIDE};
     (void)state;
-    for (int k = 0; k < 3 * 72; k++) {
+    for (int k = 0; k < 3 * 12 * CR_TYPES; k++) {
         int clock = 1 + k / 3 % 12;
         struct cr_model_query q = query_of((enum cr_type)(k / 36), clock, voxel[k % 3]);
         struct cr_arena arena = {0};
@@ -284,7 +284,7 @@ static void test_queries_refused(void **state) {
  * that is asked for, while that of another type can still be had. */
 static enum cr_err read_changed(const char *from, const char *to, struct cr_error *err) {
     const char *dir = "test_model.tmp";
-    enum cr_err rc = CR_ERR_OK;
+    enum cr_err code = CR_ERR_OK;
     mkdir(dir, 0700);
     for (int i = 0; i < CR_TYPES; i++) {
         char path[600], *text = NULL;
@@ -312,8 +312,8 @@ static enum cr_err read_changed(const char *from, const char *to, struct cr_erro
     struct cr_model_query q = query_of(CR_TYPE_SUV, 12, 0.05);
     assert_int_equal(cr_model_substitute(other, &q, &arena, &g, NULL), CR_ERR_OK);
     q = query_of(CR_TYPE_SEDAN, 12, 0.05);
-    rc = cr_model_need_all(other, err);
-    assert_int_equal(cr_model_substitute(other, &q, &arena, &g, err), rc);
+    code = cr_model_need_all(other, err);
+    assert_int_equal(cr_model_substitute(other, &q, &arena, &g, err), code);
     cr_arena_free(&arena);
     cr_model_lib_free(other);
     for (int i = 0; i < CR_TYPES; i++) {
@@ -322,7 +322,7 @@ static enum cr_err read_changed(const char *from, const char *to, struct cr_erro
         remove(path);
     }
     rmdir(dir);
-    return rc;
+    return code;
 }
 
 /* Force of the layer at a depth of n voxels behind the foremost, over the whole width of a face, N.
@@ -339,7 +339,7 @@ static double layer_force(const struct cr_grid *g, enum cr_face face, int n) {
 }
 
 /* Two structures in series have one history only where neither force falls with depth (which gives
- * way would be chance): none does, of all 72 models, over the half of the body behind the face that
+ * way would be chance): none does, of all models, over the half of the body behind the face that
  * their direction loads. Recipes are written with four digits of depth and six of EES. */
 static void test_no_force_falls_with_depth(void **state) {
     static const enum cr_face loaded[12] = {
@@ -395,12 +395,12 @@ static void test_recipes_refused(void **state) {
     assert_int_equal(read_changed("\"label\"", "\"label\"", &err), CR_ERR_OK);
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         memset(&err, 0, sizeof err);
-        enum cr_err rc = read_changed(bad[i].from, bad[i].to, &err);
-        if (rc != bad[i].code || strcmp(err.where, bad[i].where) != 0 ||
+        enum cr_err code = read_changed(bad[i].from, bad[i].to, &err);
+        if (code != bad[i].code || strcmp(err.where, bad[i].where) != 0 ||
             strstr(err.text, bad[i].says) == NULL || err.line == 0 ||
             strstr(err.src, "sedan.json") == NULL) {
             char buf[1024];
-            fail_msg("case %zu: code %d: %s", i, (int)rc, cr_err_format(&err, buf, sizeof buf));
+            fail_msg("case %zu: code %d: %s", i, (int)code, cr_err_format(&err, buf, sizeof buf));
         }
     }
 }
