@@ -403,9 +403,9 @@ static void test_close_axis(void **state) {
     struct cr_cells c;
     struct cr_str text = {0};
     assert_int_equal(cr_cells_new(60, 15, &c, NULL), CR_ERR_OK);
-    assert_int_equal(cr_render_plot(&c, (struct cr_rect){0, 0, 60, 15}, &PLAIN, &plot, NULL),
+    assert_int_equal(cr_render_plot(&c, (struct cr_rect){0, 0, 60, 15}, &plain, &plot, NULL),
                      CR_ERR_OK);
-    cr_cells_text(&c, &PLAIN, &text);
+    cr_cells_text(&c, &plain, &text);
     assert_non_null(strstr(cr_str_get(&text), "A.speed, km/h \u2192\n"));
     assert_non_null(strstr(cr_str_get(&text), "60\n"));
     assert_non_null(strstr(cr_str_get(&text), "80\u2524"));
