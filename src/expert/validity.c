@@ -62,8 +62,8 @@ static void add_rows(const struct cr_test_list *tests, int run, double *error,
         }
         if (n > 0 && out->rows < CR_VALIDITY_ROWS) {
             struct cr_validity_row *row = &out->row[out->rows++];
-            snprintf(row->what, sizeof row->what, "%s, %s", cr_test_measure_label(shown[k]),
-                     cr_test_measure_unit(shown[k]));
+            row->what = cr_test_measure_label(shown[k]);
+            row->unit = cr_test_measure_unit(shown[k]);
             row->n = n;
             row->bias = cr_stats_mean(error, n);
             row->sd = cr_stats_sd(error, n);
@@ -72,22 +72,18 @@ static void add_rows(const struct cr_test_list *tests, int run, double *error,
     }
 }
 
-static void two_measures(const struct cr_test *t, int run, struct cr_validity_test *out) {
+static void first_measures(const struct cr_test *t, int run, struct cr_validity_test *out) {
     static const enum cr_measure shown[] = {CR_MEASURE_DELTA_V, CR_MEASURE_DEPTH, CR_MEASURE_AREA,
                                             CR_MEASURE_EES};
-    int n = 0;
-    for (size_t k = 0; k < sizeof shown / sizeof shown[0] && n < 2; k++) {
+    for (size_t k = 0; k < sizeof shown / sizeof shown[0]; k++) {
         double want = t->reference[shown[k]], got = t->of[run].value[shown[k]];
-        size_t a = strlen(out->measured), b = strlen(out->computed);
-        if (!isfinite(want) || !isfinite(got)) {
-            continue;
+        if (isfinite(want) && isfinite(got) && out->values < CR_VALIDITY_VALUES) {
+            int i = out->values++;
+            out->value[i].what = cr_test_measure_label(shown[k]);
+            out->value[i].unit = cr_test_measure_unit(shown[k]);
+            out->value[i].measured = want;
+            out->value[i].computed = got;
         }
-        const char *gap = n++ > 0 ? "; " : "";
-        const char *label = cr_test_measure_label(shown[k]), *unit = cr_test_measure_unit(shown[k]);
-        snprintf(out->measured + a, sizeof out->measured - a, "%s%s %.3g %s", gap, label, want,
-                 unit);
-        snprintf(out->computed + b, sizeof out->computed - b, "%s%s %.3g %s", gap, label, got,
-                 unit);
     }
 }
 
@@ -117,7 +113,7 @@ static void add_nearest(const struct cr_test_list *tests, int run, enum cr_type 
         snprintf(to->id, sizeof to->id, "%.40s %.20s", t->id, t->part);
         snprintf(to->title, sizeof to->title, "%.95s", t->title);
         to->speed_kmh = t->speed_kmh;
-        two_measures(t, run, to);
+        first_measures(t, run, to);
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include <cjson/cJSON.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const struct cr_assumed *assumed_of(const struct cr_paper *p) {
@@ -61,6 +62,11 @@ static void value_row(struct cr_paper *p, const char *id, const struct cr_key *k
         /* of a list the commas separate */
         const char *text = cr_str_get(&value);
         text = text[0] == '[' ? text : cr_doc_text(p->doc, "%s", text);
+        char *end;
+        double number = strtod(cr_str_get(&value), &end);
+        if (assumed != NULL && *end == '\0') { /* a rule is not exact to ten digits */
+            text = cr_doc_text(p->doc, "%.5g", number);
+        }
         struct cr_doc_row *row = ROW(p, key->name, text, key->unit != NULL ? key->unit : "", half,
                                      origin_of(p, key, assumed, given));
         if (row != NULL) {
@@ -71,10 +77,13 @@ static void value_row(struct cr_paper *p, const char *id, const struct cr_key *k
     cr_str_fini(&value);
 }
 
-/* Parts of the model choice that were not chosen say nothing. */
-static bool is_idle(const struct cr_key *key, bool given) {
-    return !given &&
-           (strncmp(key->name, "model.stiffness", 15) == 0 || strcmp(key->name, "model.file") == 0);
+/* Parts of a choice that was not made say nothing: of the model, of a car of the catalogue, and how
+ * somebody stands who has a position of his own. */
+static bool is_idle(const struct cr_participant *part, const struct cr_key *key, bool given) {
+    bool place = strncmp(key->name, "place.", 6) == 0;
+    return !given && (strncmp(key->name, "model.stiffness", 15) == 0 ||
+                      strcmp(key->name, "model.file") == 0 || strcmp(key->name, "car") == 0 ||
+                      (place && !cr_scene_is_placed(part)));
 }
 
 /* The x_ keys of a scene or participant, in the words of who wrote them: sources, assumptions,
@@ -128,7 +137,8 @@ static void one_participant(struct cr_paper *p, int body) {
     for (int i = 0; i < n; i++) {
         bool long_list = key[i].type == CR_KEY_VERTICES || key[i].type == CR_KEY_TRAJECTORY;
         bool given = (as_given->given >> i & 1) != 0, named = strcmp(key[i].name, "id") == 0;
-        if ((key[i].for_kinds & mask) != 0 && !long_list && !named && !is_idle(&key[i], given)) {
+        if ((key[i].for_kinds & mask) != 0 && !long_list && !named &&
+            !is_idle(part, &key[i], given)) {
             value_row(p, part->id, &key[i], given, tolerance(p, &as_given->tolerances, i, &key[i]));
         }
     }

@@ -203,13 +203,13 @@ static void one_impact(struct cr_paper *p, const struct cr_impact *k, int side) 
         cr_doc_text(p->doc, "%.1f", cr_kmh(of->ees)), cr_doc_text(p->doc, "%.0f", cr_deg(of->pdof)),
         of->cdc, cr_doc_text(p->doc, "%.1f", of->acceleration_max / CR_G),
         cr_doc_text(p->doc, "%.0f", 1e3 * of->pulse),
-        cr_doc_text(p->doc, "%s, e %.2f", cr_stop_word(k->stop), k->restitution));
+        cr_doc_text(p->doc, "%s, e %.2f", W(p, cr_stop_word(k->stop)), k->restitution));
 }
 
 void cr_section_impacts(struct cr_paper *p) {
     cr_doc_add(p->doc, CR_BLOCK_MINOR, W(p, "Every impact by itself"));
     cr_doc_table(p->doc, 10);
-    HEAD(p, "t, ms", W(p, "Vehicle"), W(p, "Partner"), "delta-v, km/h", "EES, km/h", "PDOF, deg",
+    HEAD(p, "t, ms", W(p, "Vehicle"), W(p, "Partner"), "delta-v, km/h", "EES, km/h", "PDOF, \u00b0",
          "CDC", W(p, "Peak, g"), W(p, "Pulse, ms"), W(p, "End"));
     for (int i = 0; i < p->r->impacts; i++) {
         one_impact(p, &p->r->impact[i], 0);

@@ -56,6 +56,12 @@ run report "$tmp/wall.json" $quicker -o "$tmp/de.html" --lang=de --date=2026-11-
 has "in German" "$(cat "$tmp/de.html")" '<h2>3 Eingaben und ihre Herkunft'
 has "with a decimal comma" "$(cat "$tmp/de.html")" 'EES</td><td>[0-9]+,[0-9] km/h \([0-9,]+ bis'
 has "with its date" "$(cat "$tmp/de.html")" 'Datum</td><td>2026-11-28'
+points=$(grep -cE '<text[^>]*>[^<]*[0-9][.][0-9]' "$tmp/de.html")
+same "in the pictures too" "$points$(grep -cE '<text[^>]*>[^<]*[0-9],[0-9]+ ms' "$tmp/de.html")" 02
+has "results by their German names" "$(cat "$tmp/de.html")" '<td>A: größte Tiefe, bleibend, m</td>'
+empty "zero has no sign" "$(grep -oE "<td>-0,0+</td>" "$tmp/de.html")"
+empty "who has a position of his own does not stand against another" \
+    "$(printf "%s" "$html" | grep -o "<td>place\.overlap[^<]*")"
 left=$(sed -n 's/.*W(p, "\([A-Z][^"\\]*\)").*/\1/p' "$SRC"/src/report/section_*.c | sort -u |
     while read -r text; do
         grep -qF "{\"$text" "$SRC/src/report/german.h" || echo "$text"
@@ -70,6 +76,16 @@ if "$crumple" --version | grep -q 'cairo'; then
     # shellcheck disable=SC2086
     run report "$tmp/wall.json" $quicker -o "$tmp/r.pdf"
     same "the same PDF every time" "$(cksum <"$tmp/r.pdf")" "$first"
+    run report "$SRC/share/scenes/offset-car.json" --draws=10 --no-tests -q -o "$tmp/o.pdf"
+    if command -v pdftotext >/dev/null; then
+        pdftotext -layout "$tmp/o.pdf" "$tmp/o.txt"
+        alone=$(tr '\f' '\n' <"$tmp/o.txt" | grep -v '^ *$' | grep -B1 ' [0-9]* / [0-9]*$' |
+            grep -E '^ *([0-9]+ [A-Z]|[A-Z]: |Note in the|Input  )')
+        empty "no heading is left alone at the foot of a page" "$alone"
+        empty "every character can be drawn" "$(grep � "$tmp/o.txt")"
+    else
+        skip "the words of a PDF" "no pdftotext"
+    fi
     # shellcheck disable=SC2086
     run report "$tmp/wall.json" $quick --paper=letter -o "$tmp/l.pdf"
     has "on Letter" "$(grep -a MediaBox "$tmp/l.pdf")" '612 792'
