@@ -6,7 +6,7 @@ need_jsonschema
 tmp=$(mktemp -d) || exit 99
 trap 'rm -rf "$tmp"' EXIT
 cat >"$tmp/check.py" <<'PY'
-import copy, json, sys
+import copy, glob, json, sys
 import jsonschema
 folder, out = sys.argv[1], sys.argv[2]
 def validator(name):
@@ -26,8 +26,8 @@ def put(value, new, *path):
         at = at[key]
     at[path[-1]] = new
     return value
-for t in "super-compact mini-compact compact station-wagon sedan suv".split():
-    r = json.load(open("%s/models/%s.json" % (folder, t)))
+for path in glob.glob(folder + "/models/*.json"):
+    r, t = json.load(open(path)), path
     check(t, recipe, r, True)
     check(t + " unknown key", recipe, put(r, 1, "shape", "nose_m"), False)
     check(t + " word", recipe, put(r, "speed", "faces", "front", "between"), False)

@@ -61,6 +61,22 @@ static void hint_units(struct cr_error *err, enum cr_dim dim) {
     cr_err_hint(err, "units of %s: %s", cr_dim_word(dim), list);
 }
 
+bool cr_number_hint_comma(const char *text, struct cr_error *err) {
+    size_t whole = strspn(text, "+-0123456789");
+    const char *rest = text + whole + (text[whole] == ',');
+    size_t digits = strspn(rest, "0123456789");
+    if (whole == 0 || text[whole] != ',' || digits == 0 || strchr(rest, ',') != NULL) {
+        return false;
+    }
+    if (digits == 3) {
+        cr_err_hint(err, "write %.*s%.40s, or %.*s.%.40s: decimals follow a point", (int)whole,
+                    text, rest, (int)whole, text, rest);
+    } else {
+        cr_err_hint(err, "write %.*s.%.40s: decimals follow a point", (int)whole, text, rest);
+    }
+    return true;
+}
+
 enum cr_err cr_unit_parse(const char *text, enum cr_dim dim, const struct cr_unit *plain,
                           double *si, const struct cr_unit **unit, struct cr_error *err) {
     const char *end;
@@ -76,7 +92,9 @@ enum cr_err cr_unit_parse(const char *text, enum cr_dim dim, const struct cr_uni
     const struct cr_unit *used = plain != NULL && *end == '\0' ? plain : cr_unit_find(end, dim);
     if (used == NULL) {
         cr_err_set(err, CR_ERR_NAME, "'%.40s' is not a unit of %s", end, cr_dim_word(dim));
-        hint_units(err, dim);
+        if (!cr_number_hint_comma(text, err)) {
+            hint_units(err, dim);
+        }
         return CR_ERR_NAME;
     }
     x = cr_unit_to_si(used, x);

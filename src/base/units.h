@@ -7,6 +7,7 @@
 
 #include "base/str.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 
 /* X(NAME, what it is called in messages) */
@@ -78,6 +79,9 @@ double cr_unit_from_si(const struct cr_unit *unit, double si);
 /* A decimal number at the start of text (sign, digits, fraction, exponent; no inf, nan or hex);
  * *end is set behind it. Returns 0 and leaves *end at text where there is none. */
 double cr_number_scan(const char *text, const char **end);
+
+/* "2,2t", "1,500": hints at what to write where one number is wanted. False: nothing like it. */
+bool cr_number_hint_comma(const char *text, struct cr_error *err);
 
 /* ---- output (units_shown.c) ---- */
 

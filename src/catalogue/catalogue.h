@@ -10,6 +10,8 @@
 #include "base/err.h"
 #include "base/str.h"
 
+#include <stdbool.h>
+
 /* A generation of a body; NaN where a number is not known, m and kg. */
 struct cr_car {
     const char *make, *model, *body, *type, *source;
@@ -49,9 +51,12 @@ CR_MUST_CHECK enum cr_err cr_catalogue_find(const struct cr_catalogue *catalogue
 /* "Volkswagen Golf Hatchback 2015-2021" */
 void cr_car_name(const struct cr_car *car, struct cr_str *out);
 
-/* Make, model or year that a word of such a search could go on with: those that `words` (may be "")
- * leave, each once. next(user, word) is told each. */
+/* Words that such a search could go on with, of the cars that `words` (may be "") leave: the make,
+ * then the model, then the years, each without what was said of it; those that begin with `begin`
+ * (case does not matter), each once. With a `begin` models are told also before the make.
+ * next(user, word, year) is told each. */
 void cr_catalogue_complete(const struct cr_catalogue *catalogue, const char *words,
-                           void (*next)(void *user, const char *word), void *user);
+                           const char *begin, void (*next)(void *user, const char *word, bool year),
+                           void *user);
 
 #endif

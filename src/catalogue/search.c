@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 enum { WORD = 40, WORDS = 12 };
 
@@ -254,47 +255,83 @@ enum cr_err cr_catalogue_find(const struct cr_catalogue *c, const char *words,
 
 /* ---- completion ---- */
 
-static bool told_before(char (*told)[WORD], int n, const char *word) {
-    for (int i = 0; i < n; i++) {
-        if (strcmp(told[i], word) == 0) {
-            return true;
-        }
+struct next {
+    const char *begin;
+    void (*tell)(void *user, const char *word, bool year);
+    void *user;
+    char (*told)[WORD];
+    int n, room;
+};
+
+static void tell(struct next *next, const char *word, bool year) {
+    bool fits = word[0] != '\0' && strncasecmp(word, next->begin, strlen(next->begin)) == 0;
+    for (int i = 0; i < next->n && fits; i++) {
+        fits = strcmp(next->told[i], word) != 0;
     }
-    return false;
+    if (fits && next->n < next->room) {
+        snprintf(next->told[next->n++], WORD, "%s", word);
+        next->tell(next->user, word, year);
+    }
 }
 
-/* words that say the make, the model, the years of a car, whichever the others do not say yet */
-void cr_catalogue_complete(const struct cr_catalogue *c, const char *words,
-                           void (*next)(void *user, const char *word), void *user) {
-    struct words w;
-    int *found = calloc((size_t)c->n + 1, sizeof *found);
-    char(*told)[WORD] = calloc(200 + (size_t)c->n, sizeof *told);
-    split(words, &w);
-    int n = found != NULL ? cr_catalogue_search(c, words, found) : 0, tell = 0;
-    for (int i = 0; told != NULL && i < n; i++) {
-        const struct cr_car *car = &c->car[found[i]];
-        bool make = false;
-        for (int k = 0; k < w.n; k++) {
-            make = make || fits_text(make_of(w.word[k]), car->make) == 2;
+/* what follows the words of a name that were said: of Land Cruiser after land Cruiser, "" where
+ * all of it was */
+static const char *unsaid(const char *name, const struct words *w) {
+    const char *rest = name;
+    char one[WORD], whole[WORD];
+    joined(name, whole);
+    for (bool said = true; said && *rest != '\0';) {
+        size_t n = strcspn(rest, " -/");
+        char part[WORD];
+        snprintf(one, sizeof one, "%.*s", (int)n, rest);
+        joined(one, part);
+        said = false;
+        for (int k = 0; k < w->n && !said; k++) {
+            const char *word = make_of(w->word[k]);
+            said = strcmp(word, part) == 0 || strcmp(word, whole) == 0;
         }
-        bool whole = model_is_whole(car, &w);
-        if (!whole) {
-            char word[WORD];
-            snprintf(word, sizeof word, "%s", make ? car->model : car->make);
-            if (!told_before(told, tell, word)) {
-                next(user, word);
-                memcpy(told[tell++], word, sizeof word);
-            }
-        }
-        for (int year = car->from; whole && year > 0 && year <= car->to && tell < 190; year++) {
-            char word[WORD];
-            snprintf(word, sizeof word, "%d", year);
-            if (!told_before(told, tell, word)) {
-                next(user, word);
-                memcpy(told[tell++], word, sizeof word);
-            }
-        }
+        rest += said ? n + strspn(rest + n, " -/") : 0;
     }
+    return rest;
+}
+
+static void tell_words(struct next *next, const struct cr_car *car, const struct words *w) {
+    const char *make = unsaid(car->make, w), *model = unsaid(car->model, w);
+    if (model[0] != '\0') {
+        tell(next, make, false);
+    }
+    if (make[0] == '\0' || next->begin[0] != '\0') {
+        tell(next, model, false);
+    }
+}
+
+/* the years of the cars whose model was said */
+static void tell_years(struct next *next, const struct cr_catalogue *c, const int *found, int n,
+                       const struct words *w) {
+    for (int year = 1900; year < 2100; year++) {
+        char word[16];
+        bool built = false;
+        for (int i = 0; i < n && !built; i++) {
+            const struct cr_car *car = &c->car[found[i]];
+            built = car->from <= year && year <= car->to && unsaid(car->model, w)[0] == '\0';
+        }
+        snprintf(word, sizeof word, "%d", year);
+        tell(next, built ? word : "", true);
+    }
+}
+
+void cr_catalogue_complete(const struct cr_catalogue *c, const char *words, const char *begin,
+                           void (*next)(void *user, const char *word, bool year), void *user) {
+    struct words w;
+    struct next to = {.begin = begin, .tell = next, .user = user, .room = 200 + 2 * c->n};
+    int *found = calloc((size_t)c->n + 1, sizeof *found);
+    to.told = calloc((size_t)to.room, sizeof *to.told);
+    split(words, &w);
+    int n = found != NULL && to.told != NULL ? cr_catalogue_search(c, words, found) : 0;
+    for (int i = 0; i < n; i++) {
+        tell_words(&to, &c->car[found[i]], &w);
+    }
+    tell_years(&to, c, found, n, &w);
     free(found);
-    free(told);
+    free(to.told);
 }

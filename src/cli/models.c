@@ -27,7 +27,7 @@ struct options {
 };
 
 static const char about[] =
-    "Without a NAME: all 72 models, six types by twelve directions of force, with the tests\n"
+    "Without a NAME: all models, each type by twelve directions of force, with the tests\n"
     "each rests on. NAME is a type (sedan), a model (sedan/12: hit from 12 o'clock), or a file\n"
     "with a voxel model of your own (my.json, my.csv). A type is described, a model is drawn in\n"
     "classes of EES, or written to a file that loads back with every bit. With --crash the\n"

@@ -40,7 +40,7 @@ struct cr_cli_shared {
     struct cr_irf_set *irf;
     struct cr_context ctx; /* points into this struct's members */
 };
-/* Whether all six recipes are read at once, so that a broken one is reported before any work, or
+/* Whether all recipes are read at once, so that a broken one is reported before any work, or
  * each when a scene needs it. */
 enum cr_cli_recipes { CR_CLI_ALL, CR_CLI_NEEDED };
 CR_MUST_CHECK enum cr_err cr_cli_open(struct cr_cli_shared *shared, enum cr_cli_recipes recipes,

@@ -2,6 +2,7 @@
 #include "cmd/cmd_priv.h"
 
 #include "base/show.h"
+#include "catalogue/catalogue.h"
 
 #include <dirent.h>
 #include <stdio.h>
@@ -14,6 +15,7 @@ struct cursor {
     struct cr_session *s;
     struct cr_completion *out;
     char word[CR_PATH_MAX]; /* what is typed of the word so far */
+    char raw[CR_PATH_MAX];  /* the same with its quotes */
     bool failed;
 };
 
@@ -68,11 +70,42 @@ static void add_units(struct cursor *c, enum cr_dim dim) {
     }
 }
 
+struct car_words {
+    struct cursor *c;
+    const char *quote, *begin;
+};
+
+/* What is typed of the word stays as it is; a year closes the quotation. */
+static void add_car_word(void *user, const char *word, bool year) {
+    const struct car_words *w = user;
+    char text[CR_PATH_MAX + 64];
+    snprintf(text, sizeof text, "%s%s%s", w->quote, w->begin, word + strlen(w->begin));
+    add(w->c, text, year ? "model year" : "", year ? '"' : ' ');
+}
+
+/* "make model year", the last of the words that stand there already may be begun */
+static void add_cars(struct cursor *c) {
+    const struct cr_catalogue *cars;
+    const char *blank = strrchr(c->raw, ' '), *last = blank != NULL ? blank + 1 : c->raw;
+    struct car_words w = {c, blank != NULL ? "" : "\"", last + (last[0] == '"')};
+    char said[CR_PATH_MAX];
+    if (cr_session_need_models(c->s, NULL) != CR_ERR_OK ||
+        cr_model_catalogue(c->s->models, &cars, NULL) != CR_ERR_OK) {
+        return;
+    }
+    snprintf(said, sizeof said, "%.*s", (int)(last - c->raw), c->raw);
+    c->out->start += (int)(last - c->raw);
+    c->word[0] = '\0'; /* the catalogue looks whether they fit */
+    cr_catalogue_complete(cars, said, w.begin, add_car_word, &w);
+}
+
 static void add_key_values(struct cursor *c, const struct cr_key *key) {
     if (key == NULL) {
         return;
     }
-    if (key->type == CR_KEY_WORD) {
+    if (strcmp(key->name, "car") == 0) {
+        add_cars(c);
+    } else if (key->type == CR_KEY_WORD) {
         for (size_t i = 0; i < key->aux; i++) {
             add(c, key->words[i], "", ' ');
         }
@@ -388,6 +421,7 @@ enum cr_err cr_session_complete(struct cr_session *s, const char *line, int poin
         bool pair = tok->kind == CR_TOKEN_PAIR;
         out->start = pair ? tok->value_at : tok->at;
         snprintf(c.word, sizeof c.word, "%s%s", tok->kind == CR_TOKEN_FLAG ? "--" : "", tok->text);
+        snprintf(c.raw, sizeof c.raw, "%.*s", point - out->start, line + out->start);
     }
     if (p.word == 0) {
         add_commands(&c);

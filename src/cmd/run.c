@@ -81,7 +81,9 @@ void cr_fault_text(const struct cr_fault *fault, int prompt, struct cr_str *out)
     cr_str_add(out, "error: ");
     message(err, out);
     if (err->hint[0] != '\0') {
-        cr_str_addf(out, ". %c%s", toupper((unsigned char)err->hint[0]), err->hint + 1);
+        bool typed = err->hint[strcspn(err->hint, " =")] == '='; /* "type=suv": as it is */
+        cr_str_addf(out, ". %c%s", typed ? err->hint[0] : toupper((unsigned char)err->hint[0]),
+                    err->hint + 1);
     }
     cr_str_add(out, "\n");
 }

@@ -170,8 +170,7 @@ static enum cr_err complete_vehicle(struct cr_call *call, struct cr_scene *scene
     }
     if (p->type >= CR_TYPES) {
         cr_err_set(err, CR_ERR_MISSING, "vehicle %s needs a type", p->id);
-        cr_err_hint(err, "type=super-compact, mini-compact, compact, station-wagon, sedan, suv or "
-                         "auto; or car=\"golf 2015\"");
+        cr_err_hint(err, "type=sedan or another (model list), type=auto or car=\"golf 2015\"");
         return cr_cmd_blame(call, "NAME", CR_ERR_MISSING);
     }
     if (isfinite(p->mass) || isfinite(p->kerb_mass) || isfinite(p->load)) {

@@ -12,14 +12,27 @@ libmodel_a_SOURCES = \
 	src/model/recipe.c \
 	src/model/stretch.c \
 	src/model/substitute.c \
-	src/model/type.c \
+	src/model/type.c src/model/type_list.sh \
 	src/model/voxels.c
 libmodel_a_CFLAGS = $(CR_CFLAGS) $(CR_VECTOR_CFLAGS) $(CJSON_CFLAGS)
 
+# Every recipe of models/ is a vehicle type: the header that lists them is made by configure, and
+# anew when the folder has changed.
+src/model/type_list.stamp: $(srcdir)/models $(srcdir)/src/model/type_list.sh
+	$(AM_V_GEN)$(SHELL) $(srcdir)/src/model/type_list.sh $(srcdir)/models src/model/type_list.h
+	@touch $@
+src/model/type_list.h: src/model/type_list.stamp
+	@:
+BUILT_SOURCES += src/model/type_list.h
+DISTCLEANFILES += src/model/type_list.h src/model/type_list.stamp
+
 modelsdir = $(pkgdatadir)/models
-dist_models_DATA = \
-	models/compact.json models/mini-compact.json models/sedan.json \
-	models/station-wagon.json models/super-compact.json models/suv.json
+EXTRA_DIST += models
+install-data-local:
+	$(MKDIR_P) '$(DESTDIR)$(modelsdir)'
+	$(INSTALL_DATA) $(srcdir)/models/*.json '$(DESTDIR)$(modelsdir)'
+uninstall-local:
+	cd $(srcdir)/models && for recipe in *.json; do rm -f "$(DESTDIR)$(modelsdir)/$$recipe"; done
 
 modelschemadir = $(pkgdatadir)/schema
 dist_modelschema_DATA = share/schema/barrier.schema.json share/schema/recipe.schema.json \

@@ -1,4 +1,4 @@
-/* EES voxel models (share/doc/models.md): six vehicle types, each with twelve principal directions
+/* EES voxel models (share/doc/models.md): vehicle types, each with twelve principal directions
  * of force, built from the recipes in models/, reduced to 2D and stretched onto a vehicle.
  *
  * A library is opened once, is safe to share between threads and keeps what it derived; grids made
@@ -11,18 +11,12 @@
 #include "base/hash.h"
 #include "base/str.h"
 #include "model/grid.h"
+#include "model/type_list.h"
 
 #include <stdbool.h>
 
-/* X(NAME, word) in the order of the paper. */
-#define CR_TYPE_LIST(X)                                                                            \
-    X(SUPER_COMPACT, "super-compact")                                                              \
-    X(MINI_COMPACT, "mini-compact")                                                                \
-    X(COMPACT, "compact")                                                                          \
-    X(STATION_WAGON, "station-wagon")                                                              \
-    X(SEDAN, "sedan")                                                                              \
-    X(SUV, "suv")
-
+/* CR_TYPE_LIST is X(NAME, word) for each recipe of models/, the lightest first (the order of the
+ * paper); CR_TYPE_WORDS names them in a message. */
 enum cr_type {
 #define X(name, word) CR_TYPE_##name,
     CR_TYPE_LIST(X)

@@ -1,4 +1,4 @@
-/* Names of the six types, and the twelve sectors of the principal direction of force. */
+/* Names of the types, and the twelve sectors of the principal direction of force. */
 #include "config.h"
 
 #include "model/model_priv.h"
@@ -44,8 +44,7 @@ enum cr_err cr_model_name_read(const char *text, struct cr_model_name *out, stru
         if (near != NULL) {
             cr_err_hint(err, "did you mean %s%.40s?", near, text + len);
         } else {
-            cr_err_hint(err, "super-compact, mini-compact, compact, station-wagon, sedan or suv, "
-                             "also with an hour, sedan/12");
+            cr_err_hint(err, CR_TYPE_WORDS "; also with an hour, sedan/12");
         }
         return rc;
     }

@@ -243,6 +243,12 @@ enum cr_err cr_render_energy(struct cr_cells *cells, struct cr_rect at, const st
     struct cr_plot_made made;
     enum cr_err code = cr_plot_energy(result, cursor, &made, err);
     if (code == CR_ERR_OK) {
+        /* the legend names all: with long words, short ones or letters alone */
+        int n = made.plot.curves, w = at.w;
+        const char *name = w >= 9 + 19 * n ? "deformation" : w >= 13 + 15 * n ? "deform." : NULL;
+        for (int i = 1; i < n; i++) {
+            made.curve[i].name = name;
+        }
         code = cr_render_plot(cells, at, look, &made.plot, err);
         cr_plot_made_fini(&made);
     }

@@ -91,7 +91,7 @@ enum cr_err cr_scene_guess_type(struct cr_participant *p, const struct cr_model_
     enum cr_err code = cr_model_need_all(lib, err);
     if (code == CR_ERR_OK) {
         double length = isnan(p->length) && !isnan(p->wheelbase)
-                            ? p->wheelbase * 1.7 /* of the six reference cars 1.51 to 1.74 */
+                            ? p->wheelbase * 1.7 /* of the reference cars 1.51 to 1.74 */
                             : p->length;
         bool by_mass = isnan(length) && !(p->height > 0);
         p->type = by_mass ? type_by_mass(lib, isnan(p->mass) ? p->kerb_mass : p->mass)

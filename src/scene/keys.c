@@ -135,7 +135,7 @@ static const struct cr_key participant_keys[] = {
          "car of the catalogue by make, model and year, for what is not given"),
      .aux = CR_NAME_MAX},
     {ROW("type", CR_KEY_WORD, V, 0, IN(cr_participant, type),
-         "which of the six EES models, or auto: by the catalogue, by length and height, by mass"),
+         "which of the EES models, or auto: by the catalogue, by length and height, by mass"),
      .words = type_words, .aux = COUNT(type_words)},
     NUMBER("mass_kg", V, 0, "kg", MASS, 100, 60000, NAN, mass,
            "mass as crashed, with load: momentum and inertia; else kerb mass and load"),

@@ -264,6 +264,9 @@ enum cr_err cr_scene_set(struct cr_scene *scene, const char *key, const char *va
     if (code == CR_ERR_OK) {
         code = cr_scene_value_read(&r, t.key, json, t.base);
     }
+    if (code == CR_ERR_TYPE && t.key->type == CR_KEY_NUMBER) {
+        cr_number_hint_comma(value, err);
+    }
     if (code == CR_ERR_OK && t.part != NULL) {
         t.part->given |= (uint64_t)1 << t.bit;
         cr_scene_model_kind(t.part);

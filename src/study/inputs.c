@@ -32,6 +32,7 @@ enum cr_err cr_scatter_read(const char *data_dir, struct cr_scatter *out, struct
     for (int t = 0; t < CR_TYPES && code == CR_ERR_OK; t++) {
         const char *word = cr_type_word((enum cr_type)t);
         const cJSON *x = cJSON_GetObjectItemCaseSensitive(table, word);
+        x = x != NULL ? x : cJSON_GetObjectItemCaseSensitive(table, "other");
         bool good = cJSON_IsNumber(x) && x->valuedouble >= 0 && x->valuedouble <= 1;
         code = good ? CR_ERR_OK : bad_scatter(err, path, word);
         out->energy[t] = good ? x->valuedouble : 0;

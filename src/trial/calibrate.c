@@ -159,7 +159,7 @@ int cr_trial_calibrate(int argc, char **argv) {
     const struct cr_usage usage = {
         .word = "calibrate",
         .operands = "",
-        .about = "Fits the faces of the six types to the public crash tests that come with the\n"
+        .about = "Fits the faces of the types to the public crash tests that come with the\n"
                  "program, and prints how well they do. Takes some seconds.\n",
         .option = option,
         .options = 1};

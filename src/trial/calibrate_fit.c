@@ -1,4 +1,4 @@
-/* Fits the faces of the six types to public crash tests by solving them.
+/* Fits the faces of the types to public crash tests by solving them.
  *
  * Front: wall tests; force factor and springback by least squares on the measured dynamic crush and
  * the greatest residual depth. Side: pole tests; strength of the flank and slope of what it drags

@@ -59,7 +59,7 @@ static enum cr_err begin_case(const struct source *from, int row, double mass, d
     const struct cr_records *r = &from->records;
     int type = cr_type_rules_find(from->rules, cr_records_text(r, row, "body"), mass, length);
     if (type < 0) {
-        cr_err_set(err, CR_ERR_MODEL, "this car is none of the six types");
+        cr_err_set(err, CR_ERR_MODEL, "this car is none of the types");
         cr_err_place(err, r->src, r->line[row], 1);
         cr_err_hint(err, "the rules stand in share/calibration/types.json");
         return CR_ERR_MODEL;

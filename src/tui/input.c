@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <wctype.h>
 
-/* a participant by its mark, where that letter has no other meaning */
+/* a participant by its mark; with Alt also where that letter has another meaning */
 static bool choose_letter(struct cr_tui *t, wint_t code) {
     const struct cr_scene *scene = cr_session_scene(t->session);
     char line[CR_NAME_MAX + 20];
@@ -65,8 +65,8 @@ void cr_tui_input(struct cr_tui *t, const struct cr_input *in) {
     if (cr_tui_key(t, in)) {
         return;
     }
-    bool letter = !in->function && !in->alt && iswprint(in->code);
-    if (t->focus == CR_AREA_SCENE && letter && choose_letter(t, in->code)) {
+    bool printed = !in->function && iswprint(in->code), letter = printed && !in->alt;
+    if (t->focus == CR_AREA_SCENE && printed && choose_letter(t, in->code)) {
         return;
     }
     if (t->focus != CR_AREAS && letter) {

@@ -385,7 +385,7 @@ static const struct key keys[] = {
     {ALSO(PANES, CHARACTER, 'G'), .command = "show time=end"},
     {ALSO(PANES, FUNCTION, KEY_HOME), .command = "show time=start"},
     {ALSO(PANES, FUNCTION, KEY_END), .command = "show time=end"},
-    {ROW("a b n", "choose", "by letter; the next one", SCENE, CHARACTER, 'n'), .act = choose_next},
+    {ROW("a b n", "choose", "(Alt-)letter; next one", SCENE, CHARACTER, 'n'), .act = choose_next},
     {ROW("arrows", "move", "by 0.1 m (Shift: 1 cm)", SCENE, FUNCTION, KEY_LEFT), .act = arrow,
      .arg = KEY_LEFT},
     {ALSO(SCENE, FUNCTION, KEY_RIGHT), .act = arrow, .arg = KEY_RIGHT},

@@ -18,6 +18,21 @@ static bool changed(const struct cr_tui *t, const struct before *b) {
            memcmp(&b->view, v, sizeof *v) != 0;
 }
 
+/* Is the answer of the last command on the line to be read, whatever came before it? */
+static bool reads(const char *line) {
+    static const char *const words[] = {"explain", "solve --step", "compare", "table",
+                                        "help",    "check",        "?"};
+    const char *last = strrchr(line, ';');
+    last = last != NULL ? last + 1 : line;
+    last += strspn(last, " \t");
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+        if (strncmp(last, words[i], strlen(words[i])) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
 static void run(struct cr_tui *t, const char *line) {
     struct before b = {.result = cr_session_result(t->session),
                        .view = *cr_session_view(t->session),
@@ -32,8 +47,7 @@ static void run(struct cr_tui *t, const char *line) {
     cr_preview_forget(t);
     t->failed = cr_session_run(t->session, line) != CR_ERR_OK;
     t->progress = NULL;
-    bool reads = strncmp(line, "solve --step", 12) == 0 || strncmp(line, "explain", 7) == 0;
-    if (t->log.n > b.lines && t->lesson_from < 0 && (t->failed || reads || !changed(t, &b))) {
+    if (t->log.n > b.lines && t->lesson_from < 0 && (t->failed || reads(line) || !changed(t, &b))) {
         t->sheet_from = b.lines - 1; /* with the command itself */
         t->sheet_down = t->failed ? CR_SHEET_END : 0;
     }

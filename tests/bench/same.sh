@@ -12,7 +12,8 @@ trap 'exit 130' INT TERM
 
 # Random crashes: everybody is about to be at the origin after 0.6 s; every fifth has an object,
 # every seventh three cars; @ stands for the quotes of JSON.
-awk -v count="$count" -v to="$tmp" '
+types=$(cd "$src/models" && echo *.json | sed 's/\.json//g')
+awk -v count="$count" -v to="$tmp" -v types="$types" '
     function pick(list, a) { return a[1 + int(rand() * split(list, a, " "))] }
     function real(lo, hi) { return lo + rand() * (hi - lo) }
     function text(key, value) { return "@" key "@: @" value "@, " }
@@ -23,7 +24,7 @@ awk -v count="$count" -v to="$tmp" '
         heading = slips ? real(-180, 180) : 90 * int(real(0, 4)) - 180
         speed = rand() < 0.15 ? 0 : real(15, 90)
         line = text("id", id) text("kind", "vehicle") text("type",
-            pick("super-compact mini-compact compact station-wagon sedan suv"))
+            pick(types))
         line = line number("mass_kg", int(real(900, 2500)))
         line = line number("heading_deg", heading + slips * real(-20, 20))
         line = line number("course_deg", heading) number("speed_kmh", speed)

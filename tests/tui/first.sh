@@ -29,7 +29,14 @@ keys NPage NPage NPage
 shows "to its last" "heading [-0-9.]+ deg"
 keys Escape
 gone "Esc closes it" "Esc closes"
-keys "quit!" Enter
+keys "solve; explain peak" Enter
+shows "also when a solve stands before it" "time slice [0-9]+ of"
+shows "as a sheet" "lines, PgUp PgDn; Esc closes"
+keys Escape
+gone "which goes" "Esc closes"
+keys "vehicle new" Enter
+shows "what to type is told as it is typed" "needs a type. type=super-compact"
+keys C-c "quit!" Enter
 shows "and it ends" "^status 0"
 
 words="-e 'load crash.json' -e solve -i"

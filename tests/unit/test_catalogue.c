@@ -77,28 +77,45 @@ static void what_is_not_one_car(void **state) {
 }
 
 struct told {
-    int n;
+    int n, years;
     bool wanted;
     const char *word;
 };
 
-static void tell(void *user, const char *word) {
+static void tell(void *user, const char *word, bool year) {
     struct told *t = user;
     t->n++;
+    t->years += year;
     t->wanted = t->wanted || strcmp(word, t->word) == 0;
 }
 
 static void make_then_model_then_year(void **state) {
     (void)state;
     static const struct {
-        const char *words, *next;
-    } row[] = {{"", "Toyota"}, {"toyota", "Camry"}, {"toyota camry", "1995"}};
+        const char *words, *begin, *next;
+        int least, most;
+        bool years;
+    } row[] = {{"", "", "Toyota", 30, 60, false},
+               {"toyota", "", "Camry", 10, 60, false},
+               {"toyota", "cam", "Camry", 1, 2, false},
+               {"", "TOY", "Toyota", 1, 1, false},
+               {"", "camr", "Camry", 1, 2, false},
+               {"toyota camry", "", "1995", 20, 50, true},
+               {"toyota camry", "199", "1995", 10, 10, true},
+               {"land", "", "Rover", 1, 40, false},
+               {"toyota land", "", "Cruiser", 1, 40, false},
+               {"vw golf", "201", "2015", 5, 10, true}};
     for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
         struct told t = {.word = row[i].next};
-        cr_catalogue_complete(cars, row[i].words, tell, &t);
-        assert_true(t.wanted);
-        assert_true(t.n > 1 && t.n < 200);
+        cr_catalogue_complete(cars, row[i].words, row[i].begin, tell, &t);
+        if (!t.wanted || t.n < row[i].least || t.n > row[i].most || (t.years > 0) != row[i].years) {
+            fail_msg("%s, %s: %d words, %d years, %d", row[i].words, row[i].begin, t.n, t.years,
+                     t.wanted);
+        }
     }
+    struct told none = {.word = "Toyota"};
+    cr_catalogue_complete(cars, "", "xyz", tell, &none);
+    assert_int_equal(none.n, 0);
 }
 
 /* a coarse solve: what is on trial is that the row makes a car */

@@ -404,6 +404,10 @@ static void test_completion_by_type_of_argument(void **state) {
         {"sweep rest", "restitution"},
         {"nonsense ", ""},
         {"new \"half ope", ""},
+        {"vehicle B car=toy", "\"toyota"},
+        {"vehicle B car=\"VW golf s", "sportWagen"},
+        {"vehicle B car=\"VW golf 201", "2010 2011 2012 2013 2014 2015 2016 2017 2018 2019"},
+        {"vehicle B car=\"spaceship ", ""},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         if (strcmp(completed(s, rows[i][0], buf, sizeof buf), rows[i][1]) != 0) {

@@ -52,7 +52,7 @@ static double face_energy(const struct cr_grid *g, enum cr_face face, int n) {
     return sum;
 }
 
-/* All 72 models, three voxel sizes: crushing the whole loaded face to depth d costs 1/2 m EES(d)^2.
+/* All models, three voxel sizes: crushing the whole loaded face to depth d costs 1/2 m EES(d)^2.
  * The reference vehicles are put on dimensions that are whole numbers of voxels, so that a layer
  * is a layer at both ends and flanks. */
 static void test_face_energy(void **state) {
@@ -64,7 +64,7 @@ static void test_face_energy(void **state) {
     static const enum cr_model_end end[CR_FACES] = {CR_MODEL_FRONT, CR_MODEL_SIDE, CR_MODEL_REAR,
                                                     CR_MODEL_SIDE};
     (void)state;
-    for (int k = 0; k < 3 * 72; k++) {
+    for (int k = 0; k < 3 * 12 * CR_TYPES; k++) {
         int clock = 1 + k / 3 % 12;
         struct cr_model_query q = query_of((enum cr_type)(k / 36), clock, voxel[k % 3]);
         struct cr_arena arena = {0};
@@ -339,7 +339,7 @@ static double layer_force(const struct cr_grid *g, enum cr_face face, int n) {
 }
 
 /* Two structures in series have one history only where neither force falls with depth (which gives
- * way would be chance): none does, of all 72 models, over the half of the body behind the face that
+ * way would be chance): none does, of all models, over the half of the body behind the face that
  * their direction loads. Recipes are written with four digits of depth and six of EES. */
 static void test_no_force_falls_with_depth(void **state) {
     static const enum cr_face loaded[12] = {

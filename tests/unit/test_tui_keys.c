@@ -19,6 +19,7 @@ static const struct {
     {"<M-6>", "view log"},
     {"<Tab>b", "show select=B"},
     {"<Tab>a", "show select=A"},
+    {"<Tab><M-b>", "show select=B"},
     {"<Tab>n", "show select=A"},
     {"<Tab>nn", "show select=B"},
     {"<Tab>b<Up>", "move B dy=0.1m"},

@@ -26,7 +26,10 @@ keys "uv mass=2000kg speed=50" Enter
 shows "a command answers" "^  A: suv 2000 kg"
 keys "place A ov" Tab Tab "=" C-a C-k "help rem" Enter
 shows "a line can be edited away" "^  remove NAME"
-keys "vehicle A masss=5" Enter
+keys "vehicle C car=volks" Tab "golf 2015" Tab
+shows "Tab completes make, model and year of a car" \
+    "^crumple> vehicle C car=\"volkswagen golf 2015\" *$"
+keys C-a C-k "vehicle A masss=5" Enter
 shows "the caret is below the word at fault" "^                   \^\^\^\^\^\^\^$"
 shows "and the message names the way out" "Did you mean 'mass'\?"
 keys "half a line"
