@@ -184,7 +184,7 @@ static enum cr_err curves(const struct cr_sweep *sweep, const struct drawn *what
         }
     }
     axis_name(&sweep->axis[0], x_name, sizeof x_name);
-    struct cr_plot plot = {.title = what->measure->name,
+    struct cr_plot plot = {.title = what->measure->title,
                            .x_unit = x_name,
                            .y_unit = what->measure->unit,
                            .curves = n,
@@ -214,7 +214,7 @@ static enum cr_err map(const struct cr_sweep *sweep, const struct drawn *what, i
         y[i / across->n] = shown(down, down->value[i / across->n]);
         value[i] = usable(run) ? cr_measure_shown(what->measure, &run->of[part]) : (double)NAN;
     }
-    snprintf(names[0], sizeof names[0], "%s.%s, %s", sweep->id[part], what->measure->name,
+    snprintf(names[0], sizeof names[0], "%s: %s, %s", sweep->id[part], what->measure->title,
              what->measure->unit);
     axis_name(across, names[1], sizeof names[1]);
     axis_name(down, names[2], sizeof names[2]);
