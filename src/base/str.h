@@ -39,4 +39,7 @@ void cr_decimal_comma(char *text, size_t n);
  * none is nearer than about a third of its length. */
 const char *cr_str_nearest(const char *word, const char *const *list, int n);
 
+/* Which of the words "auto|always|never" it is, -1: none. */
+int cr_str_choice(const char *choices, const char *word);
+
 #endif

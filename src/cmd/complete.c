@@ -113,7 +113,8 @@ static void add_key_values(struct cursor *c, const struct cr_key *key) {
                key->type == CR_KEY_LOCKED) {
         add_words(c, "on|off");
     } else {
-        if (key->type == CR_KEY_PDOF || (key->type == CR_KEY_NUMBER && key->aux != 0)) {
+        if (key->type == CR_KEY_PDOF ? key->aux == 0
+                                     : key->type == CR_KEY_NUMBER && key->aux != 0) {
             add(c, "auto", "", ' ');
         }
         add_units(c, key->dim);

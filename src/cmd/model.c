@@ -85,7 +85,8 @@ static enum cr_err choose_model(struct cr_call *call, struct cr_scene *scene, co
     }
     snprintf(value, sizeof value, "%d", model.clock);
     return code == CR_ERR_OK
-               ? cr_cmd_set_text(scene, id, "model.pdof", model.clock > 0 ? value : "auto", err)
+               ? cr_cmd_set_text(scene, id, model.clock > 0 ? "model.pdof_clock" : "model.pdof",
+                                 model.clock > 0 ? value : "auto", err)
                : code;
 }
 
@@ -113,7 +114,7 @@ static enum cr_err choose_stiffness(struct cr_call *call, struct cr_scene *scene
 static void say_model(struct cr_session *s, const struct cr_participant *p) {
     const struct cr_model_choice *m = &p->model;
     char pdof[40] = "chosen from the direction of force";
-    if (m->pdof_kind == CR_PDOF_GIVEN) {
+    if (m->pdof_kind != CR_PDOF_AUTO) {
         snprintf(pdof, sizeof pdof, "%.0f deg", cr_deg(m->pdof));
     }
     cr_say(s, "%s: %s%s%s, PDOF %s%s", p->id, cr_type_word(p->type),

@@ -27,7 +27,7 @@ enum { TEXT_W = 72 /* columns of a picture as text, which fit the log of a large
 /* PDOF of the model that was used: "suv/11" -> 330 deg */
 static double pdof_of(const struct cr_result *r, int part, const struct cr_participant *p) {
     const char *slash = r != NULL ? strrchr(r->of[part].model, '/') : NULL;
-    if (p->model.pdof_kind == CR_PDOF_GIVEN) {
+    if (p->model.pdof_kind != CR_PDOF_AUTO) {
         return p->model.pdof;
     }
     return slash != NULL ? cr_rad(30 * fmod(strtod(slash + 1, NULL), 12)) : 0;

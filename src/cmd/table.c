@@ -94,6 +94,8 @@ static const struct cr_arg model_args[] = {
              .help = "a vehicle; list names all models, info MODEL tells where one comes from"),
     OPTION("MODEL", CR_VALUE_MODEL, .help = "TYPE, TYPE/CLOCK or a file of own voxels"),
     KEY_OF("pdof", "model.pdof", V),
+    KEY_OF("pdof_clock", "model.pdof_clock", V),
+    KEY_OF("pdof_deg", "model.pdof_deg", V),
     KEY_OF("blend", "model.blend", V),
     KEY("front", CR_VALUE_TEXT, .help = "CRASH3 stiffness A,B of the front in N/m, N/m2"),
     KEY("side", CR_VALUE_TEXT, .help = "CRASH3 stiffness A,B of the sides in N/m, N/m2"),

@@ -79,7 +79,11 @@ static void value_row(struct cr_paper *p, const char *id, const struct cr_key *k
 
 /* Parts of a choice that was not made say nothing: of the model, of a car of the catalogue, and how
  * somebody stands who has a position of his own. */
-static bool is_idle(const struct cr_participant *part, const struct cr_key *key, bool given) {
+static bool is_idle(const struct cr_key *key, const struct cr_participant *part, bool given) {
+    if (key->type == CR_KEY_PDOF) {
+        enum cr_pdof_kind kind = part->model.pdof_kind;
+        return key->aux != (size_t)(kind == CR_PDOF_OLD ? CR_PDOF_AUTO : kind);
+    }
     bool place = strncmp(key->name, "place.", 6) == 0;
     return !given && (strncmp(key->name, "model.stiffness", 15) == 0 ||
                       strcmp(key->name, "model.file") == 0 || strcmp(key->name, "car") == 0 ||
@@ -138,7 +142,7 @@ static void one_participant(struct cr_paper *p, int body) {
         bool long_list = key[i].type == CR_KEY_VERTICES || key[i].type == CR_KEY_TRAJECTORY;
         bool given = (as_given->given >> i & 1) != 0, named = strcmp(key[i].name, "id") == 0;
         if ((key[i].for_kinds & mask) != 0 && !long_list && !named &&
-            !is_idle(part, &key[i], given)) {
+            !is_idle(&key[i], part, given)) {
             value_row(p, part->id, &key[i], given, tolerance(p, &as_given->tolerances, i, &key[i]));
         }
     }

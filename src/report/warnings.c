@@ -81,9 +81,12 @@ static const struct {
      "%: die Kraft kommt aus % Grad, an der Grenze zweier Uhrzeiten: das Modell könnte auch das "
      "andere sein; \"blend\": true mischt beide"},
     {"%: the PDOF did not settle: model of % deg, force from % deg; set \"blend\": true or a fixed "
-     "\"pdof\" and compare",
+     "\"pdof_deg\" and compare",
      "%: die Stoßrichtung hat sich nicht eingestellt: Modell von % Grad, Kraft aus % Grad; "
-     "\"blend\": true oder einen festen \"pdof\" setzen und vergleichen"},
+     "\"blend\": true oder einen festen \"pdof_deg\" setzen und vergleichen"},
+    {"%: \"pdof\" was read as % %: \"pdof_clock\" and \"pdof_deg\" say which of the two is meant",
+     "%: \"pdof\" wurde als % % gelesen: \"pdof_clock\" und \"pdof_deg\" sagen, welches von beiden "
+     "gemeint ist"},
     {"interrupted % ms after the first contact: every value is of that instant, none of the whole "
      "crash",
      "% ms nach dem Erstkontakt abgebrochen: jeder Wert gilt für diesen Zeitpunkt, keiner für die "

@@ -83,6 +83,18 @@ static enum cr_err check_masses(struct cr_reader *r, const struct cr_participant
     return CR_ERR_OK;
 }
 
+/* the direction of force is told by one of its keys */
+static enum cr_err check_pdof(struct cr_reader *r, const struct cr_participant *p) {
+    int n, told = 0;
+    const struct cr_key *row = cr_scene_keys(CR_KEYS_PARTICIPANT, &n);
+    for (int i = 0; i < n; i++) {
+        told += row[i].type == CR_KEY_PDOF && (p->given >> i & 1) != 0;
+    }
+    return told < 2 ? CR_ERR_OK
+                    : at_key(r, "model", "keep one of pdof, pdof_clock and pdof_deg",
+                             "a model has one direction of force");
+}
+
 static enum cr_err check_vehicle(struct cr_reader *r, const struct cr_participant *p) {
     /* the radius of gyration is below half the length even with all mass at both ends */
     const struct limit limits[] = {
@@ -110,6 +122,10 @@ static enum cr_err check_vehicle(struct cr_reader *r, const struct cr_participan
     enum cr_err masses = check_masses(r, p);
     if (masses != CR_ERR_OK) {
         return masses;
+    }
+    enum cr_err pdof = check_pdof(r, p);
+    if (pdof != CR_ERR_OK) {
+        return pdof;
     }
     const struct cr_model_choice *m = &p->model;
     static const char *const faces[] = {"front", "side", "rear"};

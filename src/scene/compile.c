@@ -20,7 +20,7 @@ static enum cr_err no_memory(struct making *m) {
 
 static double pdof_of(const struct making *m, int i) {
     const struct cr_model_choice *choice = &m->scene->part[i].model;
-    return choice->pdof_kind == CR_PDOF_GIVEN ? choice->pdof : m->pdof[i];
+    return choice->pdof_kind != CR_PDOF_AUTO ? choice->pdof : m->pdof[i];
 }
 
 struct cr_model_query cr_scene_query(const struct cr_scene *scene, const struct cr_participant *p,

@@ -20,7 +20,7 @@ enum cr_key_type {
     CR_KEY_RANGE,      /* two doubles, rising */
     CR_KEY_WHEELS,     /* double[CR_WHEELS]: one number for all or an array */
     CR_KEY_LOCKED,     /* bool[CR_WHEELS], likewise */
-    CR_KEY_PDOF,       /* "auto", clock 1..12 or degrees */
+    CR_KEY_PDOF,       /* "auto", clock 1..12 or degrees; with `aux` one of the two */
     CR_KEY_VERTICES,   /* polygon */
     CR_KEY_TRAJECTORY, /* waypoints */
     CR_KEY_TYPES

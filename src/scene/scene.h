@@ -128,13 +128,14 @@ enum cr_object {
     CR_OBJECT_BARRIER
 };
 enum cr_model_kind { CR_MODEL_TYPE, CR_MODEL_FILE, CR_MODEL_STIFFNESS };
-enum cr_pdof_kind { CR_PDOF_AUTO, CR_PDOF_GIVEN };
+/* by which key the direction of force of a model was given; OLD: "pdof", o'clock or degrees */
+enum cr_pdof_kind { CR_PDOF_AUTO, CR_PDOF_OLD, CR_PDOF_CLOCK, CR_PDOF_DEG };
 
 struct cr_model_choice {
     enum cr_model_kind kind;
     enum cr_pdof_kind pdof_kind;
-    double pdof; /* rad clockwise from ahead, if given */
-    bool pdof_is_clock;
+    double pdof;        /* rad clockwise from ahead, if given */
+    bool pdof_is_clock; /* where it is OLD */
     bool blend;
     char file[CR_PATH_MAX];      /* relative to the scene file's folder unless absolute */
     struct cr_stiffness face[3]; /* front, side, rear; a = b = 0: from the type */

@@ -167,7 +167,10 @@ static void value_schema(struct build *b, cJSON *to, const struct cr_key *key) {
         locked_schema(b, to);
         break;
     case CR_KEY_PDOF:
-        number_or_auto(b, to, key);
+        (key->aux == 0 ? number_or_auto : number_schema)(b, to, key);
+        if (key->aux == CR_PDOF_CLOCK) {
+            number(b, to, "multipleOf", 1);
+        }
         break;
     case CR_KEY_VERTICES:
         list_of(b, to, 3, CR_VERTEX_MAX);
@@ -197,6 +200,12 @@ static void group_rules(struct build *b, cJSON *group, const char *name) {
         cJSON *both = array(b, object(b, group, "not"), "required");
         text(b, both, NULL, "file");
         text(b, both, NULL, "stiffness");
+        cJSON *one = object(b, group, "dependentSchemas"); /* of three keys one */
+        cJSON *deg = object(b, object(b, one, "pdof_deg"), "properties");
+        cJSON *clock = object(b, object(b, one, "pdof_clock"), "properties");
+        add(b, deg, "pdof_clock", cJSON_CreateBool(0));
+        add(b, deg, "pdof", cJSON_CreateBool(0));
+        add(b, clock, "pdof", cJSON_CreateBool(0));
     } else if (strcmp(name, "front") == 0 || strcmp(name, "side") == 0 ||
                strcmp(name, "rear") == 0) {
         cJSON *needs = array(b, object(b, group, "dependentRequired"), "A_N_per_m");

@@ -95,10 +95,7 @@ static enum cr_err number_from_text(const struct cr_key *key, const char *text, 
     if (code != CR_ERR_OK) {
         return code;
     }
-    double x = cr_unit_from_si(own, si);
-    /* whole degrees 1 to 12 would be read as o'clock */
-    bool degrees = key->type == CR_KEY_PDOF && strpbrk(text, "dr") != NULL;
-    *out = cJSON_CreateNumber(degrees && x >= 1 && x <= 12 ? x + 360 : x);
+    *out = cJSON_CreateNumber(cr_unit_from_si(own, si));
     return *out != NULL ? CR_ERR_OK : cr_err_set(err, CR_ERR_MEMORY, "no memory");
 }
 
@@ -181,8 +178,9 @@ static enum cr_err value_from_text(const struct cr_key *key, const char *text, c
 
 /* "auto" takes a value back where it is not a word of the key's own */
 static bool takes_back(const struct cr_key *key, const char *text) {
-    bool own = (key->type == CR_KEY_NUMBER && key->aux != 0) || key->type == CR_KEY_PDOF ||
-               key->type == CR_KEY_WORD || key->type == CR_KEY_TEXT;
+    bool own = (key->type == CR_KEY_NUMBER && key->aux != 0) ||
+               (key->type == CR_KEY_PDOF && key->aux == 0) || key->type == CR_KEY_WORD ||
+               key->type == CR_KEY_TEXT;
     return !own && strcmp(text, "auto") == 0;
 }
 
@@ -215,8 +213,19 @@ static enum cr_err check_rename(struct cr_scene *scene, const struct target *t, 
     return cr_scene_id_check(&r, id);
 }
 
-/* What a new value means for places against each other: a pose or trajectory of its own ends one, a
- * named place along the side takes that of the distance, a new id is followed. */
+/* a direction of force is given by one of its keys */
+static void forget_pdof(struct cr_participant *part) {
+    int n;
+    const struct cr_key *row = cr_scene_keys(CR_KEYS_PARTICIPANT, &n);
+    for (int i = 0; i < n; i++) {
+        if (row[i].type == CR_KEY_PDOF && !cr_scene_value_known(&row[i], part)) {
+            part->given &= ~((uint64_t)1 << i);
+        }
+    }
+}
+
+/* What a new value means for others: a pose or trajectory of its own ends a place against another,
+ * a named place along the side takes that of the distance, a new id is followed. */
 static void part_follows(struct cr_scene *scene, const struct target *t, const char *old_id) {
     static const char *const own[] = {"position_m", "heading_deg", "trajectory"};
     const char *name = t->key->name;
@@ -231,6 +240,7 @@ static void part_follows(struct cr_scene *scene, const struct target *t, const c
         t->part->place.at_m = NAN;
         t->part->given &= ~((uint64_t)1 << (key - cr_scene_keys(CR_KEYS_PARTICIPANT, &n)));
     }
+    forget_pdof(t->part);
     for (int i = 0; i < scene->n && strcmp(name, "id") == 0; i++) {
         char *against = scene->part[i].place.against;
         if (strcmp(against, old_id) == 0) {
@@ -251,6 +261,11 @@ enum cr_err cr_scene_set(struct cr_scene *scene, const char *key, const char *va
         return code;
     }
     char old_id[CR_NAME_MAX] = "";
+    if (t.key->type == CR_KEY_PDOF && t.key->aux == 0 && strpbrk(value, "dr") != NULL) {
+        char degrees[CR_NAME_MAX + 64]; /* with their unit they are no o'clock */
+        snprintf(degrees, sizeof degrees, "%s.model.pdof_deg", t.part->id);
+        return cr_scene_set(scene, degrees, value, err);
+    }
     if (t.part != NULL) {
         memcpy(old_id, t.part->id, sizeof old_id);
     }

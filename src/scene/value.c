@@ -326,29 +326,36 @@ static cJSON *write_locked(const struct cr_key *key, const void *base) {
     return array;
 }
 
-/* whole numbers 1 to 12 are o'clock, all others degrees; 3 deg can be written 363 */
+/* The keys pdof_clock and pdof_deg say what their number is; of "pdof", whole numbers 1 to 12 are
+ * o'clock, all others degrees; 3 deg can be written 363 there. */
 static enum cr_err read_pdof(struct cr_reader *r, const struct cr_key *key, const cJSON *json,
                              void *base) {
     struct cr_model_choice *m = field(key, base);
-    if (cJSON_IsString(json) && strcmp(json->valuestring, "auto") == 0) {
+    bool plain = key->aux == 0;
+    double si;
+    if (plain && cJSON_IsString(json) && strcmp(json->valuestring, "auto") == 0) {
         m->pdof_kind = CR_PDOF_AUTO;
         m->pdof = 0;
         m->pdof_is_clock = false;
         return CR_ERR_OK;
     }
     if (!cJSON_IsNumber(json)) {
-        return cr_scene_wrong_type(r, key, "\"auto\", o'clock 1 to 12 or degrees", json);
+        return cr_scene_wrong_type(
+            r, key, plain ? "\"auto\", o'clock 1 to 12 or degrees" : "a number", json);
     }
-    double si;
     enum cr_err code = number_in(r, key, json, &si);
-    if (code != CR_ERR_OK) {
-        return code;
-    }
     double x = json->valuedouble;
-    m->pdof_is_clock = x >= 1 && x <= 12 && x == floor(x);
-    m->pdof_kind = CR_PDOF_GIVEN;
-    m->pdof = m->pdof_is_clock ? cr_rad(30 * fmod(x, 12)) : si;
-    return CR_ERR_OK;
+    bool clock = x >= 1 && x <= 12 && x == floor(x);
+    if (code == CR_ERR_OK && key->aux == CR_PDOF_CLOCK && !clock) {
+        code = cr_scene_fail(r, CR_ERR_RANGE, "%s must be a whole number, got %.10g", key->name, x);
+        cr_err_hint(r->err, "pdof_deg takes degrees");
+    }
+    if (code == CR_ERR_OK) {
+        m->pdof_kind = plain ? CR_PDOF_OLD : (enum cr_pdof_kind)key->aux;
+        m->pdof_is_clock = plain && clock;
+        m->pdof = key->aux != CR_PDOF_DEG && clock ? cr_rad(30 * fmod(x, 12)) : si;
+    }
+    return code;
 }
 
 static cJSON *write_pdof(const struct cr_key *key, const void *base) {
@@ -356,12 +363,19 @@ static cJSON *write_pdof(const struct cr_key *key, const void *base) {
     if (m->pdof_kind == CR_PDOF_AUTO) {
         return cJSON_CreateString("auto");
     }
-    if (m->pdof_is_clock) {
+    if (m->pdof_is_clock || m->pdof_kind == CR_PDOF_CLOCK) {
         int hour = (int)lround(cr_deg(m->pdof) / 30) % 12;
         return cJSON_CreateNumber(hour <= 0 ? hour + 12 : hour);
     }
     double deg = cr_unit_from_si(cr_scene_key_unit(key), m->pdof);
-    return cJSON_CreateNumber(deg >= 1 && deg <= 12 && deg == floor(deg) ? deg + 360 : deg);
+    bool hour = m->pdof_kind == CR_PDOF_OLD && deg >= 1 && deg <= 12 && deg == floor(deg);
+    return cJSON_CreateNumber(hour ? deg + 360 : deg);
+}
+
+/* of the three keys the one by which it was given */
+static bool known_pdof(const struct cr_key *key, const void *base) {
+    enum cr_pdof_kind kind = ((const struct cr_model_choice *)const_field(key, base))->pdof_kind;
+    return kind == CR_PDOF_OLD ? key->aux == 0 : key->aux == (size_t)kind;
 }
 
 /* Is there a value to write? NaN and their like stand for what was not given. */
@@ -468,7 +482,7 @@ static const struct {
     [CR_KEY_RANGE] = {read_range, write_pair, known_pair},
     [CR_KEY_WHEELS] = {read_wheels, write_wheels, known_always},
     [CR_KEY_LOCKED] = {read_locked, write_locked, known_always},
-    [CR_KEY_PDOF] = {read_pdof, write_pdof, known_always},
+    [CR_KEY_PDOF] = {read_pdof, write_pdof, known_pdof},
     [CR_KEY_VERTICES] = {read_vertices, write_vertices, known_vertices},
 };
 
@@ -524,6 +538,9 @@ void cr_scene_value_reset(const struct cr_key *key, void *base, int method) {
         break;
     case CR_KEY_VERTICES:
         memset((char *)base + key->aux, 0, sizeof(int));
+        break;
+    case CR_KEY_PDOF:
+        ((struct cr_model_choice *)field(key, base))->pdof_kind = CR_PDOF_AUTO;
         break;
     default: /* the others are zero where nothing is given */
         break;

@@ -393,7 +393,7 @@ static void test_completion_by_type_of_argument(void **state) {
         {"vehicle alpha speed=50", "50m/s 50km/h 50mph 50ft/s"},
         {"vehicle alpha --r", "--remove"},
         {"vehicle alpha blend", ""},
-        {"model ", "alpha list info pdof= blend= front= side= rear="},
+        {"model ", "alpha list info pdof= pdof_clock= pdof_deg= blend= front= side= rear="},
         {"model alpha sedan/1", "sedan/1 sedan/10 sedan/11 sedan/12"},
         {"set me", "method="},
         {"set method=", "extended paper"},

@@ -136,24 +136,34 @@ static void test_values_are_si(void **state) {
 static void test_pdof_is_clock_or_degrees(void **state) {
     (void)state;
     static const struct {
-        const char *json;
-        bool clock;
+        const char *key, *json;
+        enum cr_pdof_kind kind;
         double deg;
         const char *written;
-    } row[] = {{"12", true, 0, "12"},      {"1", true, 30, "1"},       {"0", false, 0, "0"},
-               {"13", false, 13, "13"},    {"2.5", false, 2.5, "2.5"}, {"-30", false, -30, "-30"},
-               {"363", false, 363, "363"}, {"330", false, 330, "330"}};
+    } row[] = {{"pdof", "12", CR_PDOF_OLD, 0, "12"},
+               {"pdof", "1", CR_PDOF_OLD, 30, "1"},
+               {"pdof", "0", CR_PDOF_OLD, 0, "0"},
+               {"pdof", "13", CR_PDOF_OLD, 13, "13"},
+               {"pdof", "2.5", CR_PDOF_OLD, 2.5, "2.5"},
+               {"pdof", "-30", CR_PDOF_OLD, -30, "-30"},
+               {"pdof", "363", CR_PDOF_OLD, 363, "363"},
+               {"pdof", "\"auto\"", CR_PDOF_AUTO, 0, "auto"},
+               {"pdof_clock", "10", CR_PDOF_CLOCK, 300, "10"},
+               {"pdof_clock", "12", CR_PDOF_CLOCK, 0, "12"},
+               {"pdof_deg", "10", CR_PDOF_DEG, 10, "10"},
+               {"pdof_deg", "-30", CR_PDOF_DEG, -30, "-30"}};
     for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
-        char members[200];
+        char members[200], key[40];
         struct cr_scene s;
         struct cr_str out = {0};
         struct cr_error err;
-        snprintf(members, sizeof members, CAR_A ", \"model\": { \"pdof\": %s }", row[i].json);
+        snprintf(members, sizeof members, CAR_A ", \"model\": { \"%s\": %s }", row[i].key,
+                 row[i].json);
+        snprintf(key, sizeof key, "A.model.%s", row[i].key);
         scene_of(members, CAR_B, &s);
-        assert_int_equal(s.part[0].model.pdof_kind, CR_PDOF_GIVEN);
-        assert_int_equal(s.part[0].model.pdof_is_clock, row[i].clock);
+        assert_int_equal(s.part[0].model.pdof_kind, row[i].kind);
         check_near(s.part[0].model.pdof, row[i].deg * 0.017453292519943295, 1e-12);
-        assert_int_equal(cr_scene_get(&s, "A.model.pdof", &out, &err), CR_ERR_OK);
+        assert_int_equal(cr_scene_get(&s, key, &out, &err), CR_ERR_OK);
         assert_string_equal(cr_str_get(&out), row[i].written);
         cr_str_fini(&out);
         cr_scene_fini(&s);

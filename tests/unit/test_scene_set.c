@@ -81,7 +81,12 @@ static void test_participants_by_name(void **state) {
     set(&s, "A.position", "1,-250cm");
     check_near(a->pos.y, -2.5, 0);
     set(&s, "A.model.pdof", "3deg");
-    check_near(a->model.pdof, cr_rad(363), 1e-12);
+    check_near(a->model.pdof, cr_rad(3), 1e-12);
+    assert_int_equal(a->model.pdof_kind, CR_PDOF_DEG);
+    set(&s, "A.model.pdof_clock", "3");
+    check_near(a->model.pdof, cr_rad(90), 1e-12);
+    set(&s, "A.model.pdof_clock", "auto");
+    assert_int_equal(a->model.pdof_kind, CR_PDOF_AUTO);
     set(&s, "A.model.pdof", "3");
     check_near(a->model.pdof, cr_rad(90), 1e-12);
     set(&s, "A.model.file", "own.csv");
