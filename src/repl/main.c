@@ -134,7 +134,8 @@ static void greet(struct cr_session *s, const char *state_dir) {
     (void)s;
 }
 
-int cr_repl_main(int argc, char **argv, const char *data_dir) {
+int cr_repl_main(int argc, char **argv, const char *data_dir,
+                 enum cr_err (*report)(const struct cr_report_order *order, struct cr_error *err)) {
     struct cr_repl_options o;
     struct cr_error err;
     char state_dir[1024] = "";
@@ -157,7 +158,8 @@ int cr_repl_main(int argc, char **argv, const char *data_dir) {
                                                                     : CR_MAX_SECONDS,
                                    .max_megabytes = o.max_megabytes,
                                    .look = cr_terminal_look(o.color, o.ascii),
-                                   .out = cr_terminal_out(&t)};
+                                   .out = cr_terminal_out(&t),
+                                   .report = report};
     cr_repl_catch_interrupt();
     if (cr_session_new(&opts, &s, &err) != CR_ERR_OK) {
         say_error(&err);

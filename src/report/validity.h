@@ -29,6 +29,15 @@ struct cr_validity {
     struct cr_validity_test nearest[CR_VALIDITY_TESTS];
 };
 
+/* What the scene says was measured of a participant (x_expect), and what came out. */
+struct cr_expected {
+    char id[CR_NAME_MAX];
+    const char *what, *unit;
+    double measured, computed; /* measured NaN: a rating, which is computed only */
+    bool relative;             /* the difference is told in % */
+};
+enum { CR_EXPECTED_MOST = 64 };
+
 /* The same scene with one setting changed. */
 struct cr_variant {
     char what[64]; /* "dt_ms 0.25" */
