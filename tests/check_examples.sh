@@ -130,8 +130,8 @@ programs() {
     if [ ! -f "$BUILD/libcrumple.so" ] || "$CRUMPLE" --version | grep -q '^sanitizers: [^n]'; then
         skip "programs in C and Python" "no shared library, or one with sanitizers"
     else
-        flags=$(PKG_CONFIG_PATH=$BUILD pkg-config --cflags --libs --define-variable=libdir="$BUILD" \
-            --define-variable=includedir="$SRC/src/lib" crumple)
+        flags=$(PKG_CONFIG_PATH=$BUILD pkg-config --define-variable=libdir="$BUILD" \
+            --define-variable=includedir="$SRC/src/lib" --cflags --libs crumple)
         runs "cc -x c program.c -x none $flags -o program && ./program" c
         if python3 -c 'import sys; sys.exit(sys.version_info < (3, 8))' 2>/dev/null; then
             runs "python3 program.python" python
