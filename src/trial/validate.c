@@ -33,7 +33,7 @@ static const char about[] =
 
 struct options {
     int format, method, jobs, worst;
-    bool cases, plot, targets, progress, fast;
+    bool cases, plot, targets, progress, fast, guess;
     const char *out, *scenes, *models, *picture;
     struct cr_cli_look look;
 };
@@ -312,7 +312,8 @@ static enum cr_err validate_field(const char *path, const struct options *opt,
                                        .format = opt->format,
                                        .cases = opt->cases,
                                        .plot = opt->plot,
-                                       .picture = opt->picture};
+                                       .picture = opt->picture,
+                                       .guess = opt->guess};
     struct cr_str text = {0};
     enum cr_err code = cr_field_validate(&task, &text, err);
     if (code == CR_ERR_OK) {
@@ -322,7 +323,7 @@ static enum cr_err validate_field(const char *path, const struct options *opt,
     return code;
 }
 
-enum { OPTIONS = 16 };
+enum { OPTIONS = 17 };
 
 static void list_options(struct options *opt, struct cr_option list[OPTIONS]) {
     const struct cr_option table[OPTIONS] = {
@@ -351,6 +352,9 @@ static void list_options(struct options *opt, struct cr_option list[OPTIONS]) {
         {.name = "scenes", .arg = "DIR", .text = &opt->scenes, .help = "write the scenes there"},
         {.name = "models", .arg = "DIR", .text = &opt->models, .help = "other recipes"},
         {.name = "fast", .flag = &opt->fast, .help = "without cross-validation"},
+        {.name = "guess",
+         .flag = &opt->guess,
+         .help = "field: as if nothing had been measured of the partners"},
         {.name = "targets", .flag = &opt->targets, .help = "status 1 if a target is missed"},
         {.name = "output",
          .letter = 'o',
