@@ -236,6 +236,8 @@ static const struct cr_arg view_args[] = {
     OPTION("PANE", CR_VALUE_WORD, .words = "scene|pulse|energy|table|sweep|log",
            .help = "what is in front"),
     KEY("zoom", CR_VALUE_SWITCH, .words = "on|off", .def = "off", .help = "the pane alone"),
+    KEY("picture", CR_VALUE_COUNT, .lo = 0, .hi = 12, .def = "0",
+        .help = "of a sweep, its curve or map in place of the table (0)"),
     KEY("theme", CR_VALUE_WORD, .words = "auto|dark|light|contrast", .def = "auto",
         .help = "colours of the screen; auto: as the terminal's background needs"),
     END,
@@ -293,7 +295,12 @@ static const struct cr_arg assert_args[] = {
 
 static const struct cr_arg sweep_args[] = {
     REST("KEY RANGE", CR_VALUE_SWEEP,
-         .help = "one or two of A.speed, B.overlap, restitution ... each with FROM:TO:STEP"),
+         .help = "A.speed 30:80:10km/h, B.overlap 20,40%, B.type suv,compact ...: any inputs, up "
+                 "to four in all combinations, up to 12 with draws"),
+    KEY("draws", CR_VALUE_COUNT, .lo = 2, .hi = 10000,
+        .help = "runs of a Latin hypercube, in place of all combinations; ranges are FROM:TO"),
+    KEY("seed", CR_VALUE_COUNT, .lo = 0, .hi = 1e9, .def = "1",
+        .help = "of the draws; the same seed draws the same"),
     KEY("jobs", CR_VALUE_COUNT, .lo = 1, .hi = 256, .def = "1", .help = "runs at a time"),
     KEY("out", CR_VALUE_FILE, .words = ".csv", .help = "file for all results"),
     KEY("plot", CR_VALUE_TEXT, .def = "ees of all", .help = "result to draw: A.ees, B.delta_v ..."),
@@ -490,7 +497,7 @@ static const struct cr_command commands[] = {
     {ROW(explain, SOLVE, explain_args,
          "Eq. (1) to (5) of the paper for one time slice, with the numbers of this crash"),
      .example = {"explain 20ms", "explain slice=1"}, .setup = SOLVED, .see = "solve table"},
-    {ROW(sweep, SOLVE, sweep_args, "solve for a range of values of one or two inputs"),
+    {ROW(sweep, SOLVE, sweep_args, "solve for ranges of inputs: all combinations, or draws"),
      .example = {"sweep A.speed 40:60:20km/h", "sweep B.overlap 40%:100%:60% jobs=2 plot=B.ees"},
      .setup = PAIR_SETUP, .see = "table solve"},
     {ROW(mc, SOLVE, mc_args,
