@@ -168,3 +168,17 @@ const char *cr_str_nearest(const char *word, const char *const *list, int n) {
     }
     return best;
 }
+
+int cr_str_choice(const char *choices, const char *word) {
+    size_t len = strlen(word);
+    int index = 0;
+    for (const char *p = choices; p != NULL; index++) {
+        const char *bar = strchr(p, '|');
+        size_t n = bar != NULL ? (size_t)(bar - p) : strlen(p);
+        if (n == len && memcmp(p, word, n) == 0) {
+            return index;
+        }
+        p = bar != NULL ? bar + 1 : NULL;
+    }
+    return -1;
+}

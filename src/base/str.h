@@ -36,4 +36,7 @@ const char *cr_str_get(const struct cr_str *str);
  * none is nearer than about a third of its length. */
 const char *cr_str_nearest(const char *word, const char *const *list, int n);
 
+/* Which of the words "auto|always|never" it is, -1: none. */
+int cr_str_choice(const char *choices, const char *word);
+
 #endif

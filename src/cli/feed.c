@@ -120,7 +120,7 @@ static bool fault(struct cr_feed_item *out, const char *src, enum cr_err code, c
 
 static bool ends_in(const char *name, const char *suffix) {
     size_t n = strlen(name), m = strlen(suffix);
-    return n > m && !strcmp(name + n - m, suffix);
+    return n > m && strcmp(name + n - m, suffix) == 0;
 }
 
 static bool is_lines(const char *name) {
@@ -267,7 +267,7 @@ static bool cannot(struct cr_feed_item *out, const char *src, const char *what, 
 
 /* open a file (or standard input); false if that is not possible, with the item's fault */
 static bool open_file(struct cr_feed *f, const char *path, struct cr_feed_item *out) {
-    bool standard = !strcmp(path, "-");
+    bool standard = strcmp(path, "-") == 0;
     struct stat st;
     f->src = copy(standard ? "standard input" : path);
     /* a pipe is opened at once, and waited for where that can be given up */

@@ -2,13 +2,10 @@
 #include "cli/cli.h"
 #include "cli/word.h"
 
-#include "base/units.h"
 #include "import/import.h"
 
 #include <errno.h>
-#include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 static const char about[] =
@@ -46,64 +43,19 @@ static void failed(void *user, const struct cr_error *why) {
     (void)cr_cli_fail(why);
 }
 
-/* "3,17" into its parts, in place */
-static enum cr_err split(char *list, struct cr_import_cases *cases, struct cr_error *err) {
-    for (char *p = list; p != NULL;) {
-        char *comma = strchr(p, ',');
-        if (comma != NULL) {
-            *comma = '\0';
-        }
-        if (*p == '\0' || cases->n == CR_IMPORT_CASES_MAX) {
-            return cr_err_set(err, CR_ERR_USAGE, "--case takes 1 to %d ids with commas between",
-                              CR_IMPORT_CASES_MAX);
-        }
-        cases->id[cases->n++] = p;
-        p = comma != NULL ? comma + 1 : NULL;
-    }
-    return CR_ERR_OK;
-}
-
-static enum cr_err read_before(const char *text, double *out, struct cr_error *err) {
-    enum cr_err code = cr_unit_parse(text, CR_DIM_TIME, NULL, out, NULL, err);
-    if (code == CR_ERR_OK && !(*out > 0 && *out <= 3600)) {
-        code = cr_err_set(err, CR_ERR_RANGE, "more than 0 s, up to 3600 s, not %.40s", text);
-    }
-    if (code != CR_ERR_OK) {
-        cr_err_place(err, "--before", 0, 0);
-        err->code = CR_ERR_USAGE;
-    }
-    return code == CR_ERR_OK ? CR_ERR_OK : CR_ERR_USAGE;
-}
-
-static enum cr_err unseen(const struct cr_import_cases *cases, struct cr_error *err) {
-    for (int i = 0; i < cases->n; i++) {
-        if (!cases->seen[i]) {
-            return cr_err_set(err, CR_ERR_NAME, "--case: there is no case %.60s", cases->id[i]);
-        }
-    }
-    return CR_ERR_OK;
-}
-
-static enum cr_err convert(struct cr_import_opts *opts, char *const *path, int n,
-                           struct cr_import_count *count, struct cr_error *err) {
-    enum cr_err code = CR_ERR_OK;
-    for (int i = 0; i < n && code == CR_ERR_OK; i++) {
-        code = cr_import_file(opts, path[i], count, err);
-    }
-    return code == CR_ERR_OK ? unseen(opts->cases, err) : code;
-}
-
 struct options {
     struct cr_import_opts import;
     int point; /* 0: auto */
     const char *list, *before, *out;
 };
 
-static enum cr_err set_up(struct options *o, char *ids, struct cr_error *err) {
-    enum cr_err code = ids != NULL ? split(ids, o->import.cases, err) : CR_ERR_OK;
+static enum cr_err set_up(struct options *o, struct cr_error *err) {
+    enum cr_err code =
+        o->list != NULL ? cr_import_set(&o->import, "case", o->list, err) : CR_ERR_OK;
     o->import.point = o->point - 1;
-    return code == CR_ERR_OK && o->before != NULL ? read_before(o->before, &o->import.before, err)
-                                                  : code;
+    return code == CR_ERR_OK && o->before != NULL
+               ? cr_import_set(&o->import, "before", o->before, err)
+               : code;
 }
 
 static int run(struct options *o, char *const *path, int n) {
@@ -111,20 +63,19 @@ static int run(struct options *o, char *const *path, int n) {
     struct cr_cli_shared shared = {0};
     struct cr_import_count count = {0};
     struct cr_error err = {0};
-    char *ids = o->list != NULL ? strdup(o->list) : NULL;
-    enum cr_err code = set_up(o, ids, &err);
+    enum cr_err code = set_up(o, &err);
     code = code == CR_ERR_OK ? cr_cli_open(&shared, CR_CLI_NEEDED, &err) : code;
     if (code == CR_ERR_OK) {
         o->import.models = shared.models;
         o->import.user = &work;
-        code = convert(&o->import, path, n, &count, &err);
+        code = cr_import_files(&o->import, (const char *const *)path, n, &count, &err);
     }
     if (code == CR_ERR_OK && work.whole) {
         code = cr_cli_emit(o->out, &work.text, &err);
     }
     int status = code == CR_ERR_OK || work.gone ? count.errors > 0 : cr_cli_fail(&err);
     cr_str_fini(&work.text);
-    free(ids);
+    cr_import_fini(&o->import);
     cr_cli_close(&shared);
     return status;
 }
@@ -136,12 +87,11 @@ static int run(struct options *o, char *const *path, int n) {
     { .name = n, .letter = c, .arg = a, .number = &(field), .help = h }
 
 int cr_cli_import(int argc, char **argv) {
-    struct cr_import_cases cases = {0};
-    struct options o = {.import = {.cases = &cases,
-                                   .before = 2,
-                                   .cancel = cr_cli_cancelled,
-                                   .take = take,
-                                   .failed = failed}};
+    struct options o = {.point = 0};
+    cr_import_init(&o.import);
+    o.import.cancel = cr_cli_cancelled;
+    o.import.take = take;
+    o.import.failed = failed;
     const struct cr_option table[] = {
         WORD("format", 'f', cr_import_formats(), o.import.format, "instead of recognising it"),
         TEXT("case", 0, "ID,ID", o.list, "only these cases"),

@@ -22,9 +22,9 @@ enum cr_err cr_model_papers_read(const char *dir, struct cr_model_papers *out,
         char path[600], *text = NULL;
         size_t len = 0;
         snprintf(path, sizeof path, "%s/%s.json", dir, cr_type_word((enum cr_type)i));
-        enum cr_err rc = cr_file_read_regular(path, &text, &len, err);
-        if (rc) {
-            return rc;
+        enum cr_err code = cr_file_read_regular(path, &text, &len, err);
+        if (code) {
+            return code;
         }
         out->recipe[i] = cJSON_ParseWithLength(text, len);
         free(text);

@@ -16,20 +16,6 @@ static bool is_choice(const struct cr_option *o) {
     return o->number != NULL && strchr(o->arg, '|') != NULL;
 }
 
-int cr_options_choice(const char *choices, const char *word) {
-    size_t len = strlen(word);
-    int index = 0;
-    for (const char *p = choices; p != NULL; index++) {
-        const char *bar = strchr(p, '|');
-        size_t n = bar != NULL ? (size_t)(bar - p) : strlen(p);
-        if (n == len && memcmp(p, word, n) == 0) {
-            return index;
-        }
-        p = bar != NULL ? bar + 1 : NULL;
-    }
-    return -1;
-}
-
 static enum cr_err set_number(const struct cr_option *o, const char *value, struct cr_error *err) {
     char *end = NULL;
     errno = 0;
@@ -45,7 +31,7 @@ static enum cr_err set_number(const struct cr_option *o, const char *value, stru
 
 static enum cr_err set_value(const struct cr_option *o, const char *value, struct cr_error *err) {
     if (is_choice(o)) {
-        int index = cr_options_choice(o->arg, value);
+        int index = cr_str_choice(o->arg, value);
         if (index < 0) {
             cr_err_set(err, CR_ERR_USAGE, "--%s: '%s' is none of %s", o->name, value, o->arg);
             return CR_ERR_USAGE;

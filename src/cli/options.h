@@ -51,7 +51,4 @@ CR_MUST_CHECK enum cr_err cr_options_parse(const struct cr_usage *usage, int arg
 /* The help text that belongs to the table, appended to out. */
 void cr_options_help(const struct cr_usage *usage, struct cr_str *out);
 
-/* Index of a word in "a|b|c", -1 if it is none of them. */
-int cr_options_choice(const char *choices, const char *word);
-
 #endif

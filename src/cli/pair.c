@@ -43,9 +43,9 @@ void cr_pair_free(struct cr_pair_set *set) {
 
 /* a pair by name, made if it is new; NULL without memory */
 static struct pair *find(struct cr_pair_set *set, const char *name) {
-    // the two scenes of a pair mostly stand together
+    /* the two scenes of a pair mostly stand together */
     for (int i = set->n - 1; i >= 0; i--) {
-        if (!strcmp(set->pair[i].name, name)) {
+        if (strcmp(set->pair[i].name, name) == 0) {
             return &set->pair[i];
         }
     }
@@ -121,7 +121,7 @@ static const char *name_of(const cJSON *json, const char *key) {
 static const cJSON *named(const cJSON *list, const char *key, const char *name) {
     const cJSON *item;
     cJSON_ArrayForEach(item, list) {
-        if (!strcmp(name_of(item, key), name)) {
+        if (strcmp(name_of(item, key), name) == 0) {
             return item;
         }
     }
@@ -142,7 +142,7 @@ static cJSON *difference(const struct pair *p) {
     const cJSON *second = cJSON_GetObjectItemCaseSensitive(p->part[1], "participants");
     cJSON_ArrayForEach(a, first) {
         const cJSON *b = named(second, "id", name_of(a, "id"));
-        // a fixed object has no EES; a participant of one scene alone nothing to compare with
+        /* a fixed object has no EES; a participant of one scene alone nothing to compare with */
         if (!b || !cJSON_HasObjectItem(a, "ees_kmh") || !cJSON_HasObjectItem(b, "ees_kmh")) {
             continue;
         }
@@ -200,14 +200,14 @@ static enum cr_err write_pair(const struct pair *p, const struct cr_result_opts 
 
 enum cr_err cr_pair_write(const struct cr_pair_set *set, const struct cr_result_opts *form,
                           struct cr_str *out, int *failed, struct cr_error *err) {
-    enum cr_err rc = CR_ERR_OK;
+    enum cr_err code = CR_ERR_OK;
     *failed = 0;
-    for (int i = 0; i < set->n && !rc; i++) {
-        // pairs that lie in another shard have no scenes here
-        rc =
+    for (int i = 0; i < set->n && !code; i++) {
+        /* pairs that lie in another shard have no scenes here */
+        code =
             set->pair[i].scenes > 0 ? write_pair(&set->pair[i], form, out, failed, err) : CR_ERR_OK;
     }
-    return rc;
+    return code;
 }
 
 /* ---- all pairs together ---- */

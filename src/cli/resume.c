@@ -49,7 +49,7 @@ static bool is_current(const struct cr_model_lib *lib, const char *model) {
     word[n] = '\0';
     int type = cr_type_find(word);
     return type >= 0 && cr_model_need(lib, (enum cr_type)type, NULL) == CR_ERR_OK &&
-           !strcmp(hash + 8, cr_model_hash(lib, (enum cr_type)type));
+           strcmp(hash + 8, cr_model_hash(lib, (enum cr_type)type)) == 0;
 }
 
 static bool is_usable(const cJSON *json, const struct cr_model_lib *lib,
@@ -106,34 +106,34 @@ static enum cr_err index_file(struct cr_resume *r, const char *path, const struc
     struct entry e = {.file = (unsigned char)r->files++};
     char *line = NULL;
     size_t size = 0;
-    enum cr_err rc = CR_ERR_OK;
+    enum cr_err code = CR_ERR_OK;
     int number = 0;
-    for (ssize_t n; !rc && (n = getline(&line, &size, f)) > 0; e.at += n) {
+    for (ssize_t n; !code && (n = getline(&line, &size, f)) > 0; e.at += n) {
         number++;
         if (line[n - 1] != '\n') {
-            break; // the last line of an interrupted stack may be cut
+            break; /* the last line of an interrupted stack may be cut */
         }
         bool whole = cr_json_check(line, (size_t)n, NULL, NULL) == CR_ERR_OK;
         cJSON *json = whole ? cJSON_ParseWithLength(line, (size_t)n) : NULL;
         if (!cJSON_HasObjectItem(json, "crumple_result")) {
-            rc = cr_err_set(err, CR_ERR_SYNTAX, "this is no result");
+            code = cr_err_set(err, CR_ERR_SYNTAX, "this is no result");
             cr_err_hint(err, "--resume takes what crumple stack has written");
             cr_err_place(err, path, number, 1);
         } else if (json && is_usable(json, lib, form)) {
             const cJSON *input = cJSON_GetObjectItemCaseSensitive(json, "input");
             memcpy(e.hash, text_of(input, "scene_sha256"), CR_HASH_SIZE);
             e.len = (size_t)n;
-            rc = add(r, &e, err);
+            code = add(r, &e, err);
         }
         cJSON_Delete(json);
     }
-    if (!rc && ferror(f)) {
-        rc = cr_err_set(err, CR_ERR_IO, "cannot read: %s", strerror(errno));
+    if (!code && ferror(f)) {
+        code = cr_err_set(err, CR_ERR_IO, "cannot read: %s", strerror(errno));
         cr_err_place(err, path, 0, 0);
     }
     free(line);
     fclose(f);
-    return rc;
+    return code;
 }
 
 static int by_hash(const void *a, const void *b) {
@@ -151,13 +151,13 @@ enum cr_err cr_resume_open(const char *const *path, int n, const struct cr_model
     if (!r) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory to index earlier results");
     }
-    enum cr_err rc = CR_ERR_OK;
-    for (int i = 0; i < n && !rc; i++) {
-        rc = index_file(r, path[i], lib, form, err);
+    enum cr_err code = CR_ERR_OK;
+    for (int i = 0; i < n && !code; i++) {
+        code = index_file(r, path[i], lib, form, err);
     }
-    if (rc) {
+    if (code) {
         cr_resume_free(r);
-        return rc;
+        return code;
     }
     if (r->n > 0) {
         qsort(r->entry, (size_t)r->n, sizeof *r->entry, by_hash);
@@ -204,7 +204,7 @@ bool cr_resume_line(struct cr_resume *r, const char hash[CR_HASH_SIZE], struct c
         ok = n > 0;
         done += ok ? (size_t)n : 0;
     }
-    // the file may have been written to since it was indexed
+    /* the file may have been written to since it was indexed */
     ok = ok && buf[e->len - 1] == '\n' && memchr(buf, '\n', e->len) == buf + e->len - 1 &&
          cr_json_check(buf, e->len, NULL, NULL) == CR_ERR_OK && names(buf, e->len, hash);
     if (ok) {

@@ -29,7 +29,7 @@ static enum cr_err list(struct cr_error *err) {
 static enum cr_err show(const char *name, const char *to, struct cr_error *err) {
     char part[64], path[4200], *text = NULL;
     size_t len = 0;
-    if (cr_options_choice(SCHEMAS, name) < 0) {
+    if (cr_str_choice(SCHEMAS, name) < 0) {
         cr_err_set(err, CR_ERR_USAGE, "there is no schema '%.60s'", name);
         cr_err_hint(err, "one of " SCHEMAS);
         return CR_ERR_USAGE;

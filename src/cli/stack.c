@@ -139,14 +139,14 @@ static enum cr_err read_scene(const struct stack *s, const struct item *item,
         cr_scene_init(scene);
         return err->code;
     }
-    enum cr_err rc = cr_scene_parse(in->text, in->len, in->src, scene, err);
-    if (rc) {
-        // the place counts from the scene's own beginning
+    enum cr_err code = cr_scene_parse(in->text, in->len, in->src, scene, err);
+    if (code) {
+        /* the place counts from the scene's own beginning */
         if (err->line > 0) {
             err->col += err->line == 1 ? in->col - 1 : 0;
             err->line += in->line - 1;
         }
-        return rc;
+        return code;
     }
     cr_file_dir(in->src, scene->dir, sizeof scene->dir);
     return cr_cli_override(scene, &s->opt->set, err);
@@ -156,26 +156,26 @@ static enum cr_err read_scene(const struct stack *s, const struct item *item,
 static enum cr_err solve(const struct stack *s, const struct cr_scene *scene, bool resolved,
                          cJSON **out, struct cr_error *err) {
     struct cr_result *result = NULL;
-    enum cr_err rc = CR_ERR_OK;
+    enum cr_err code = CR_ERR_OK;
     if (s->resume) {
         char hash[CR_HASH_SIZE];
         struct cr_str line = {0};
-        rc = cr_result_scene_hash(scene, hash, err);
-        bool found = rc == CR_ERR_OK && cr_resume_line(s->resume, hash, &line);
+        code = cr_result_scene_hash(scene, hash, err);
+        bool found = code == CR_ERR_OK && cr_resume_line(s->resume, hash, &line);
         *out = found ? cJSON_ParseWithLength(cr_str_get(&line), line.len) : NULL;
         cr_str_fini(&line);
-        if (rc || *out) {
-            return rc;
+        if (code || *out) {
+            return code;
         }
     }
     struct cr_cli_work work;
     const struct cr_context ctx = cr_cli_context(&s->shared, &s->opt->budget, &work);
-    rc = cr_result_run(scene, &ctx, &result, err);
+    code = cr_result_run(scene, &ctx, &result, err);
     struct cr_result_opts form = form_of(s->opt);
     form.resolved = resolved;
-    rc = rc ? rc : cr_result_tree(result, &form, out, err);
+    code = code ? code : cr_result_tree(result, &form, out, err);
     cr_result_free(result);
-    return rc;
+    return code;
 }
 
 /* what a scene without a name goes by: its file and line */
@@ -223,21 +223,21 @@ static void work(void *user, void *of) {
     char name[CR_NAME_MAX];
     cJSON *tree = NULL;
     struct cr_record_form form = {.keep = cr_sink_keeps(s->sink), .resolved = s->opt->resolved};
-    enum cr_err rc = CR_ERR_OK;
+    enum cr_err code = CR_ERR_OK;
     tree = handed_on(&item->in);
     if (tree == NULL) {
-        rc = read_scene(s, item, &scene, &err);
-        rc = rc ? rc : solve(s, &scene, form.keep || form.resolved, &tree, &err);
+        code = read_scene(s, item, &scene, &err);
+        code = code ? code : solve(s, &scene, form.keep || form.resolved, &tree, &err);
     } else {
         cr_scene_init(&scene);
     }
-    if (rc) {
-        item->record.interrupted = rc == CR_ERR_INTERRUPTED;
+    if (code) {
+        item->record.interrupted = code == CR_ERR_INTERRUPTED;
         tree = error_of(s, item, &scene, &err);
     }
     name_item(&item->in, name);
-    rc = cr_record_make(&item->record, tree, item->index, name, &form, NULL);
-    item->record.line.failed |= rc != CR_ERR_OK;
+    code = cr_record_make(&item->record, tree, item->index, name, &form, NULL);
+    item->record.line.failed |= code != CR_ERR_OK;
     cr_scene_fini(&scene);
 }
 
@@ -263,17 +263,17 @@ static void tell(struct stack *s, bool last) {
 static bool give(void *user, void *of) {
     struct stack *s = user;
     struct item *item = of;
-    enum cr_err rc = s->fatal.code;
+    enum cr_err code = s->fatal.code;
     if (item->record.interrupted) {
         s->interrupted++;
-    } else if (!rc && !s->interrupted && !s->gone) {
+    } else if (!code && !s->interrupted && !s->gone) {
         s->failed += item->record.failed;
         s->done++;
-        rc = cr_sink_give(s->sink, &item->record, &s->gone, &s->fatal);
+        code = cr_sink_give(s->sink, &item->record, &s->gone, &s->fatal);
         tell(s, false);
     }
     item_free(item);
-    return !rc && !s->interrupted && !s->gone;
+    return !code && !s->interrupted && !s->gone;
 }
 
 /* "I/N" */
@@ -319,8 +319,8 @@ static bool exists(const char *path, const char *suffix) {
 /* a file that is to be resumed and the output, or its unfinished part, are one */
 static bool is_output(const struct options *opt, const char *resumed) {
     size_t n = opt->out ? strlen(opt->out) : 0;
-    return n > 0 && !strncmp(resumed, opt->out, n) &&
-           (resumed[n] == '\0' || !strcmp(resumed + n, ".part"));
+    return n > 0 && strncmp(resumed, opt->out, n) == 0 &&
+           (resumed[n] == '\0' || strcmp(resumed + n, ".part") == 0);
 }
 
 /* "--resume FILE" alone goes on with what an interrupted "-o FILE" has left in FILE.part */
@@ -328,7 +328,7 @@ static enum cr_err find_output(struct options *opt, struct cr_part *part, struct
     if (!opt->out && opt->resume.n == 1 && exists(opt->resume.value[0], ".part")) {
         opt->out = opt->resume.value[0];
     }
-    if (!opt->out || !strcmp(opt->out, "-")) {
+    if (!opt->out || strcmp(opt->out, "-") == 0) {
         return CR_ERR_OK;
     }
     bool goes_on = false;
@@ -346,19 +346,19 @@ static enum cr_err find_output(struct options *opt, struct cr_part *part, struct
 }
 
 static enum cr_err open_stack(struct stack *s, char **input, int inputs, struct cr_error *err) {
-    enum cr_err rc = read_shard(s, err);
-    rc = rc ? rc : check_inputs(input, inputs, err);
-    rc = rc ? rc : cr_sink_new(&s->opt->sink, &s->sink, err);
-    rc = rc ? rc : cr_cli_open(&s->shared, CR_CLI_ALL, err);
-    rc = rc ? rc : cr_feed_new(input, inputs, cr_cli_cancelled, NULL, &s->feed, err);
-    rc = rc ? rc : cr_pair_new(&s->homes, err);
-    if (!rc && s->opt->resume.n > 0) {
+    enum cr_err code = read_shard(s, err);
+    code = code ? code : check_inputs(input, inputs, err);
+    code = code ? code : cr_sink_new(&s->opt->sink, &s->sink, err);
+    code = code ? code : cr_cli_open(&s->shared, CR_CLI_ALL, err);
+    code = code ? code : cr_feed_new(input, inputs, cr_cli_cancelled, NULL, &s->feed, err);
+    code = code ? code : cr_pair_new(&s->homes, err);
+    if (!code && s->opt->resume.n > 0) {
         struct cr_result_opts form = form_of(s->opt);
         form.resolved = form.resolved || cr_sink_keeps(s->sink);
-        rc = cr_resume_open(s->opt->resume.value, s->opt->resume.n, s->shared.models, &form,
-                            &s->resume, err);
+        code = cr_resume_open(s->opt->resume.value, s->opt->resume.n, s->shared.models, &form,
+                              &s->resume, err);
     }
-    return rc;
+    return code;
 }
 
 /* all scenes, then the pairs */
@@ -366,9 +366,9 @@ static enum cr_err run_stack(struct stack *s, struct cr_error *err) {
     const struct cr_pool_work pool = {.take = take, .work = work, .give = give, .user = s};
     clock_gettime(CLOCK_MONOTONIC, &s->began);
     s->told = s->began;
-    enum cr_err rc = cr_pool_run(&pool, s->opt->jobs, err);
-    if (rc || s->fatal.code) {
-        *err = rc ? *err : s->fatal;
+    enum cr_err code = cr_pool_run(&pool, s->opt->jobs, err);
+    if (code || s->fatal.code) {
+        *err = code ? *err : s->fatal;
         return err->code;
     }
     if (s->no_memory) {
@@ -383,42 +383,42 @@ static enum cr_err run_stack(struct stack *s, struct cr_error *err) {
     }
     int failed = 0;
     struct cr_result_opts form = form_of(s->opt);
-    rc = cr_sink_pairs(s->sink, &form, &failed, err);
+    code = cr_sink_pairs(s->sink, &form, &failed, err);
     s->failed += failed;
     tell(s, true);
-    return rc;
+    return code;
 }
 
 static enum cr_err to_file(struct stack *s, struct cr_part *part, struct cr_error *err) {
-    enum cr_err rc = cr_part_open(part, err);
-    if (rc) {
-        return rc;
+    enum cr_err code = cr_part_open(part, err);
+    if (code) {
+        return code;
     }
     cr_sink_open(s->sink, part->file, cr_str_get(&part->name));
-    rc = run_stack(s, err);
-    rc = rc ? rc : cr_part_finish(part, err);
-    if (rc == CR_ERR_INTERRUPTED && !part->in_place) {
+    code = run_stack(s, err);
+    code = code ? code : cr_part_finish(part, err);
+    if (code == CR_ERR_INTERRUPTED && !part->in_place) {
         cr_err_place(err, cr_str_get(&part->name), 0, 0);
         cr_err_hint(err, "the same with --resume %.150s goes on", s->opt->out);
     }
-    return rc;
+    return code;
 }
 
 static enum cr_err stack(char **input, int inputs, struct options *opt, long *failed,
                          struct cr_error *err) {
     struct stack s = {.opt = opt};
     struct cr_part part = {.file = NULL};
-    enum cr_err rc = find_output(opt, &part, err);
-    rc = rc ? rc : open_stack(&s, input, inputs, err);
+    enum cr_err code = find_output(opt, &part, err);
+    code = code ? code : open_stack(&s, input, inputs, err);
     cr_cli_catch();
-    if (!rc && opt->out && strcmp(opt->out, "-") != 0) {
-        rc = to_file(&s, &part, err);
-    } else if (!rc) {
+    if (!code && opt->out && strcmp(opt->out, "-") != 0) {
+        code = to_file(&s, &part, err);
+    } else if (!code) {
         bool shown = opt->out || cr_sink_shows_records(s.sink);
         cr_sink_open(s.sink, shown ? stdout : NULL, "standard output");
-        rc = run_stack(&s, err);
+        code = run_stack(&s, err);
     }
-    rc = rc || s.gone ? rc : cr_sink_summary(s.sink, err);
+    code = code || s.gone ? code : cr_sink_summary(s.sink, err);
     *failed = s.failed;
     cr_part_fini(&part);
     cr_resume_free(s.resume);
@@ -426,7 +426,7 @@ static enum cr_err stack(char **input, int inputs, struct options *opt, long *fa
     cr_pair_free(s.homes);
     cr_feed_free(s.feed);
     cr_cli_close(&s.shared);
-    return rc;
+    return code;
 }
 
 /* options and operands; -1, or the exit status if that is all there is to do */

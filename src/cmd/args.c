@@ -186,7 +186,7 @@ static enum cr_err parse_value(struct cr_call *call, const struct cr_arg *arg, s
         return parse_point(arg, v, err);
     case CR_VALUE_NAME:
     case CR_VALUE_VEHICLE:
-        v->word = arg->words != NULL ? cr_cmd_word_exact(arg->words, v->text) : -1;
+        v->word = arg->words != NULL ? cr_str_choice(arg->words, v->text) : -1;
         return v->word >= 0 ? CR_ERR_OK : find_name(call, arg, v, err);
     case CR_VALUE_NEW:
         return check_new_name(v, err);

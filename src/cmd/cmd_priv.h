@@ -72,7 +72,6 @@ enum cr_err cr_cmd_blame(struct cr_call *call, const char *name, enum cr_err cod
  * (-1: none, -2: ambiguous). */
 int cr_cmd_words(const char *words);
 const char *cr_cmd_word_at(const char *words, int i, char *buf, int size);
-int cr_cmd_word_exact(const char *words, const char *word); /* the whole word alone */
 int cr_cmd_word_find(const char *words, const char *word);
 const char *cr_cmd_word_nearest(const char *words, const char *word, char *buf, int size);
 /* cr_command_find in a table of n commands. */

@@ -21,17 +21,6 @@ const char *cr_cmd_word_at(const char *words, int i, char *buf, int size) {
     return buf;
 }
 
-/* a participant may be called by the first letters of a word, so only the whole word counts */
-int cr_cmd_word_exact(const char *words, const char *word) {
-    char buf[64];
-    for (int i = 0; i < cr_cmd_words(words); i++) {
-        if (strcmp(cr_cmd_word_at(words, i, buf, sizeof buf), word) == 0) {
-            return i;
-        }
-    }
-    return -1;
-}
-
 int cr_cmd_word_find(const char *words, const char *word) {
     char buf[64];
     int found = -1;

@@ -163,7 +163,7 @@ static enum cr_err spool(char path[32], struct cr_error *err) {
     return done ? CR_ERR_OK : io_fault("standard input", "make a copy of it in /tmp", err);
 }
 
-enum cr_err cr_import_file(const struct cr_import_opts *opts, const char *path,
+enum cr_err cr_import_file(struct cr_import_opts *opts, const char *path,
                            struct cr_import_count *count, struct cr_error *err) {
     struct cr_import im = {.opts = opts, .path = path, .shown = path, .count = count};
     struct cr_error own;
@@ -185,5 +185,20 @@ enum cr_err cr_import_file(const struct cr_import_opts *opts, const char *path,
     }
     cr_str_fini(&im.files);
     cJSON_Delete(map);
+    return code;
+}
+
+enum cr_err cr_import_files(struct cr_import_opts *opts, const char *const *path, int n,
+                            struct cr_import_count *count, struct cr_error *err) {
+    enum cr_err code = CR_ERR_OK;
+    for (int i = 0; i < n && code == CR_ERR_OK; i++) {
+        code = cr_import_file(opts, path[i], count, err);
+    }
+    for (int i = 0; i < opts->cases.n && code == CR_ERR_OK; i++) {
+        if (!opts->cases.seen[i]) {
+            code =
+                cr_err_set(err, CR_ERR_NAME, "--case: there is no case %.60s", opts->cases.id[i]);
+        }
+    }
     return code;
 }

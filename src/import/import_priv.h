@@ -42,6 +42,10 @@ struct cr_import_case {
     struct cJSON *extra;
 };
 
+/* One of the files of cr_import_files. */
+CR_MUST_CHECK enum cr_err cr_import_file(struct cr_import_opts *opts, const char *path,
+                                         struct cr_import_count *count, struct cr_error *err);
+
 void cr_import_case_free(struct cr_import_case *c);
 
 /* Members of an object over those of another, inner objects member by member. False without memory.

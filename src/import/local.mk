@@ -13,6 +13,7 @@ libimport_a_SOURCES = \
 	src/import/formula.c src/import/formula.h \
 	src/import/import.c src/import/import.h src/import/import_priv.h \
 	src/import/mme.c src/import/mme_priv.h src/import/mme_text.c \
+	src/import/options.c \
 	src/import/output.c \
 	src/import/part.c \
 	src/import/pcm.c src/import/pcm_csv.c src/import/pcm_csv.h \

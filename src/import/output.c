@@ -38,9 +38,9 @@ enum cr_err cr_import_also(struct cr_import *im, const char *path, struct cr_err
 }
 
 bool cr_import_wants(const struct cr_import *im, const char *id) {
-    struct cr_import_cases *cases = im->opts->cases;
-    bool wanted = cases == NULL || cases->n == 0;
-    for (int i = 0; cases != NULL && i < cases->n; i++) {
+    struct cr_import_cases *cases = &im->opts->cases;
+    bool wanted = cases->n == 0;
+    for (int i = 0; i < cases->n; i++) {
         if (strcmp(cases->id[i], id) == 0) {
             cases->seen[i] = wanted = true;
         }

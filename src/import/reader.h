@@ -63,7 +63,7 @@ struct cr_import_head {
 enum { CR_IMPORT_HEAD = 65536, CR_IMPORT_PARTS_MAX = 10000 };
 
 struct cr_import {
-    const struct cr_import_opts *opts;
+    struct cr_import_opts *opts;
     const char *path;          /* what to open */
     const char *shown;         /* what to call it in errors */
     const struct cJSON *map;   /* the user's map, NULL without one */

@@ -68,38 +68,38 @@ static enum cr_err read_recipe(const char *dir, enum cr_type type, struct cr_mod
     size_t len = 0;
     cr_str_addf(&path, "%s/%s.json", dir, cr_type_word(type));
     struct cr_model_recipe *r = malloc(sizeof *r);
-    enum cr_err rc = r == NULL || path.failed
-                         ? cr_err_set(err, CR_ERR_MEMORY, "no memory for the models")
-                         : cr_file_read_regular(path.s, &text, &len, err);
-    if (!rc) {
-        rc = cr_model_recipe_read(text, len, path.s, r, err);
+    enum cr_err code = r == NULL || path.failed
+                           ? cr_err_set(err, CR_ERR_MEMORY, "no memory for the models")
+                           : cr_file_read_regular(path.s, &text, &len, err);
+    if (!code) {
+        code = cr_model_recipe_read(text, len, path.s, r, err);
     }
-    if (rc) {
+    if (code) {
         free(r);
     } else {
         *out = r;
     }
     free(text);
     cr_str_fini(&path);
-    return rc;
+    return code;
 }
 
 enum cr_err cr_model_need(const struct cr_model_lib *lib, enum cr_type type, struct cr_error *err) {
     struct cache *cache = lib->cache;
     pthread_mutex_lock(&cache->lock);
-    enum cr_err rc = cache->recipe[type] != NULL
-                         ? CR_ERR_OK
-                         : read_recipe(lib->dir, type, &cache->recipe[type], err);
+    enum cr_err code = cache->recipe[type] != NULL
+                           ? CR_ERR_OK
+                           : read_recipe(lib->dir, type, &cache->recipe[type], err);
     pthread_mutex_unlock(&cache->lock);
-    return rc;
+    return code;
 }
 
 enum cr_err cr_model_need_all(const struct cr_model_lib *lib, struct cr_error *err) {
-    enum cr_err rc = CR_ERR_OK;
-    for (int i = 0; i < CR_TYPES && !rc; i++) {
-        rc = cr_model_need(lib, (enum cr_type)i, err);
+    enum cr_err code = CR_ERR_OK;
+    for (int i = 0; i < CR_TYPES && !code; i++) {
+        code = cr_model_need(lib, (enum cr_type)i, err);
     }
-    return rc;
+    return code;
 }
 
 enum cr_err cr_model_own_cars(struct cr_model_lib *lib, const char *dir, struct cr_error *err) {
@@ -141,13 +141,13 @@ static enum cr_err no_barrier(const char *dir, const char *name, struct cr_error
     if (n >= 0) {
         free(entry);
     }
-    enum cr_err rc = name[0] == '\0' ? cr_err_set(err, CR_ERR_NAME, "which barrier is not said")
-                                     : cr_err_set(err, CR_ERR_NAME, "no barrier \"%.40s\"", name);
+    enum cr_err code = name[0] == '\0' ? cr_err_set(err, CR_ERR_NAME, "which barrier is not said")
+                                       : cr_err_set(err, CR_ERR_NAME, "no barrier \"%.40s\"", name);
     if (list.len > 0) {
         cr_err_hint(err, "one of: %s", cr_str_get(&list));
     }
     cr_str_fini(&list);
-    return rc;
+    return code;
 }
 
 static enum cr_err read_barrier(const char *model_dir, const char *name, struct cr_barrier *out,
@@ -160,36 +160,36 @@ static enum cr_err read_barrier(const char *model_dir, const char *name, struct 
     if (name[0] == '\0' || strchr(name, '/') != NULL || cr_file_check_regular(path, NULL)) {
         return no_barrier(dir, name, err);
     }
-    enum cr_err rc = cr_file_read_regular(path, &text, &len, err);
-    if (!rc) {
-        rc = cr_barrier_read(text, len, path, out, err);
+    enum cr_err code = cr_file_read_regular(path, &text, &len, err);
+    if (!code) {
+        code = cr_barrier_read(text, len, path, out, err);
     }
     free(text);
-    return rc;
+    return code;
 }
 
 enum cr_err cr_model_barrier(const struct cr_model_lib *lib, const char *name,
                              const struct cr_barrier **out, struct cr_error *err) {
     struct cache *cache = lib->cache;
-    enum cr_err rc = CR_ERR_OK;
+    enum cr_err code = CR_ERR_OK;
     *out = NULL;
     pthread_mutex_lock(&cache->lock);
     for (int i = 0; i < cache->barriers && *out == NULL; i++) {
         *out = strcmp(cache->barrier[i].name, name) == 0 ? &cache->barrier[i] : NULL;
     }
     if (*out == NULL && cache->barriers == CR_BARRIERS) {
-        rc = cr_err_set(err, CR_ERR_RANGE, "more than %d kinds of barriers", CR_BARRIERS);
+        code = cr_err_set(err, CR_ERR_RANGE, "more than %d kinds of barriers", CR_BARRIERS);
     } else if (*out == NULL) {
         struct cr_barrier *b = &cache->barrier[cache->barriers];
-        rc = read_barrier(lib->dir, name, b, err);
-        if (!rc) {
+        code = read_barrier(lib->dir, name, b, err);
+        if (!code) {
             snprintf(b->name, sizeof b->name, "%.31s", name); /* known by its file */
             cache->barriers++;
             *out = b;
         }
     }
     pthread_mutex_unlock(&cache->lock);
-    return rc;
+    return code;
 }
 
 static const struct cr_model_recipe *recipe_of(const struct cr_model_lib *lib, enum cr_type type) {
@@ -272,30 +272,30 @@ enum cr_err cr_model_body_of(const struct cr_model_lib *lib, enum cr_type type,
                              const struct cr_model_recipe **recipe,
                              const struct cr_model_body **body, struct cr_error *err) {
     struct kept *k = &lib->cache->kept[type];
-    enum cr_err rc = cr_model_need(lib, type, err);
-    if (rc) {
-        return rc;
+    enum cr_err code = cr_model_need(lib, type, err);
+    if (code) {
+        return code;
     }
     *recipe = recipe_of(lib, type);
     *body = &k->body;
     pthread_mutex_lock(&lib->cache->lock);
-    rc = k->built ? CR_ERR_OK : cr_model_body_build(*recipe, &k->arena, &k->body, err);
-    k->built = !rc;
+    code = k->built ? CR_ERR_OK : cr_model_body_build(*recipe, &k->arena, &k->body, err);
+    k->built = !code;
     pthread_mutex_unlock(&lib->cache->lock);
-    return rc;
+    return code;
 }
 
 /* Plan of a height range (m of the reference vehicle): kept while there is room. */
 static enum cr_err plan_of(const struct cr_model_recipe *r, struct kept *k, double lo, double hi,
                            struct cr_arena *scratch, struct cr_model_plan *out,
                            struct cr_error *err) {
-    enum cr_err rc = CR_ERR_OK;
+    enum cr_err code = CR_ERR_OK;
     if (!k->planned) {
-        rc = cr_model_plan_build(r, 0, INFINITY, NULL, &k->arena, &k->whole, err);
-        k->planned = !rc;
+        code = cr_model_plan_build(r, 0, INFINITY, NULL, &k->arena, &k->whole, err);
+        k->planned = !code;
     }
-    if (rc) {
-        return rc;
+    if (code) {
+        return code;
     }
     if (lo <= 0 && isinf(hi)) {
         *out = k->whole;
@@ -308,13 +308,13 @@ static enum cr_err plan_of(const struct cr_model_recipe *r, struct kept *k, doub
         }
     }
     bool keep = k->plans < PLANS;
-    rc = cr_model_plan_build(r, lo, hi, &k->whole, keep ? &k->arena : scratch, out, err);
-    if (!rc && keep) {
+    code = cr_model_plan_build(r, lo, hi, &k->whole, keep ? &k->arena : scratch, out, err);
+    if (!code && keep) {
         k->range[k->plans][0] = lo;
         k->range[k->plans][1] = hi;
         k->plan[k->plans++] = *out;
     }
-    return rc;
+    return code;
 }
 
 static double height_of(const struct cr_model_stretch *stretch, double top, double z) {
@@ -327,29 +327,29 @@ static enum cr_err substitute(const struct cr_model_lib *lib, const struct cr_mo
     struct cr_model_stretch stretch;
     struct cr_model_plan plan;
     struct cr_arena scratch = {0};
-    enum cr_err rc = cr_model_query_check(q, err);
-    if (!rc) {
-        rc = cr_model_need(lib, q->type, err);
+    enum cr_err code = cr_model_query_check(q, err);
+    if (!code) {
+        code = cr_model_need(lib, q->type, err);
     }
-    const struct cr_model_recipe *r = rc ? NULL : recipe_of(lib, q->type);
-    if (!rc) {
-        rc = cr_model_stretch_make(r, &q->dims, &stretch, err);
+    const struct cr_model_recipe *r = code ? NULL : recipe_of(lib, q->type);
+    if (!code) {
+        code = cr_model_stretch_make(r, &q->dims, &stretch, err);
     }
-    if (rc) {
-        return rc;
+    if (code) {
+        return code;
     }
     double top = q->dims.height;
     /* the top cells of the body are not whole ones: the roof and all above it are one end */
     double lo = height_of(&stretch, top, q->z_lo), hi = height_of(&stretch, top, q->z_hi);
     pthread_mutex_lock(&lib->cache->lock);
-    rc = plan_of(r, &lib->cache->kept[q->type], lo, hi, &scratch, &plan, err);
+    code = plan_of(r, &lib->cache->kept[q->type], lo, hi, &scratch, &plan, err);
     pthread_mutex_unlock(&lib->cache->lock);
-    if (!rc) {
-        rc = cr_model_resample(r, face != NULL ? face : r->face, &plan, &stretch, q, arena, out,
-                               err);
+    if (!code) {
+        code = cr_model_resample(r, face != NULL ? face : r->face, &plan, &stretch, q, arena, out,
+                                 err);
     }
     cr_arena_free(&scratch);
-    return rc;
+    return code;
 }
 
 static struct key key_of(const struct cr_model_query *q) {
@@ -364,9 +364,9 @@ static struct key key_of(const struct cr_model_query *q) {
 enum cr_err cr_model_substitute(const struct cr_model_lib *lib, const struct cr_model_query *q,
                                 struct cr_arena *arena, struct cr_grid *out, struct cr_error *err) {
     struct finished *f = &lib->cache->finished;
-    enum cr_err rc = cr_model_query_check(q, err);
-    if (rc) {
-        return rc;
+    enum cr_err code = cr_model_query_check(q, err);
+    if (code) {
+        return code;
     }
     struct key key = key_of(q);
     bool done = false;
@@ -377,14 +377,14 @@ enum cr_err cr_model_substitute(const struct cr_model_lib *lib, const struct cr_
     }
     if (!done && f->n < FINISHED) {
         done = true;
-        rc = substitute(lib, q, NULL, &f->arena, out, err);
-        if (!rc) {
+        code = substitute(lib, q, NULL, &f->arena, out, err);
+        if (!code) {
             f->key[f->n] = key;
             f->grid[f->n++] = *out;
         }
     }
     pthread_mutex_unlock(&f->lock);
-    return done ? rc : substitute(lib, q, NULL, arena, out, err);
+    return done ? code : substitute(lib, q, NULL, arena, out, err);
 }
 
 /* CRASH3 energy over a width: E = width (A c + B c^2/2 + A^2/2B) is linear in EES:
@@ -417,19 +417,19 @@ enum cr_err cr_model_from_stiffness(const struct cr_model_lib *lib, const struct
                                     struct cr_grid *out, struct cr_error *err) {
     static const char *const name[] = {"front", "side", "rear"};
     struct cr_model_face own[CR_MODEL_ENDS];
-    enum cr_err rc = cr_model_query_check(q, err);
-    rc = rc ? rc : cr_model_need(lib, q->type, err);
-    for (int i = 0; i < CR_MODEL_ENDS && !rc; i++) {
+    enum cr_err code = cr_model_query_check(q, err);
+    code = code ? code : cr_model_need(lib, q->type, err);
+    for (int i = 0; i < CR_MODEL_ENDS && !code; i++) {
         const struct cr_stiffness *s = &face[i];
         own[i] = recipe_of(lib, q->type)->face[i];
         if (!(s->a >= 0 && s->a <= 1e7 && s->b >= 0 && s->b <= 1e8)) {
-            rc = cr_err_set(err, CR_ERR_RANGE, "%s stiffness A %g N/m, B %g N/m2 cannot be",
-                            name[i], s->a, s->b);
+            code = cr_err_set(err, CR_ERR_RANGE, "%s stiffness A %g N/m, B %g N/m2 cannot be",
+                              name[i], s->a, s->b);
             cr_err_hint(err, "A 0 to 1e7 N/m, B 0 to 1e8 N/m2; both 0 for the type's own");
         } else if (s->a > 0 || s->b > 0) {
             stiffness_face(s, i == CR_MODEL_SIDE ? q->dims.length : q->dims.width, q->mass_kg,
                            &own[i]);
         }
     }
-    return rc ? rc : substitute(lib, q, own, arena, out, err);
+    return code ? code : substitute(lib, q, own, arena, out, err);
 }

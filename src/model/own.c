@@ -86,11 +86,11 @@ static enum cr_err maps(const struct cr_voxels *v, const struct cr_model_query *
     for (int i = 1; i < 4; i++) {
         if (!(mx->own[i] > mx->own[i - 1] && mx->ref[i] > mx->ref[i - 1]) ||
             (i < 3 && !(my->own[i] > my->own[i - 1] && my->ref[i] > my->ref[i - 1]))) {
-            enum cr_err rc = cr_err_set(err, CR_ERR_RANGE,
-                                        "reference lines of the vehicle or of its voxel model "
-                                        "are out of order");
+            enum cr_err code = cr_err_set(err, CR_ERR_RANGE,
+                                          "reference lines of the vehicle or of its voxel model "
+                                          "are out of order");
             cr_err_hint(err, "check length, width, wheelbase, track and front overhang");
-            return rc;
+            return code;
         }
     }
     return CR_ERR_OK;
@@ -115,10 +115,10 @@ static enum cr_err stretch_columns(const struct cr_voxels *v, const struct cr_mo
                                    struct columns *to, struct cr_error *err) {
     struct cr_model_map mx, my;
     struct spread *sx = malloc((size_t)v->nx * sizeof *sx), sy;
-    enum cr_err rc = maps(v, q, &mx, &my, err);
-    if (sx == NULL || rc) {
+    enum cr_err code = maps(v, q, &mx, &my, err);
+    if (sx == NULL || code) {
         free(sx);
-        return rc ? rc : cr_err_set(err, CR_ERR_MEMORY, "no memory for a voxel model");
+        return code ? code : cr_err_set(err, CR_ERR_MEMORY, "no memory for a voxel model");
     }
     double end = v->dims.cg_behind_front_axle + v->dims.front_overhang;
     for (int ix = 0; ix < v->nx; ix++) {
@@ -157,9 +157,9 @@ static bool take_columns(struct cr_arena *arena, int nx, int ny, struct columns 
 enum cr_err cr_voxels_substitute(const struct cr_voxels *v, const struct cr_model_query *q,
                                  struct cr_arena *arena, struct cr_grid *out,
                                  struct cr_error *err) {
-    enum cr_err rc = cr_model_query_check(q, err);
-    if (rc) {
-        return rc;
+    enum cr_err code = cr_model_query_check(q, err);
+    if (code) {
+        return code;
     }
     struct cr_grid g = {.h = q->voxel};
     int half = (int)ceil(q->dims.width / 2 / g.h - 1e-9);
@@ -179,10 +179,10 @@ enum cr_err cr_voxels_substitute(const struct cr_voxels *v, const struct cr_mode
     if (same) {
         to = sum;
     } else {
-        rc = stretch_columns(v, q, &sum, &g, &to, err);
+        code = stretch_columns(v, q, &sum, &g, &to, err);
     }
     double scale = q->mass_kg / v->mass_kg;
-    for (size_t i = 0; i < (size_t)g.nx * (size_t)g.ny && !rc; i++) {
+    for (size_t i = 0; i < (size_t)g.nx * (size_t)g.ny && !code; i++) {
         to.energy[i] *= scale;
         to.fill[i] = fmin(to.fill[i], 1);
     }
@@ -194,10 +194,10 @@ enum cr_err cr_voxels_substitute(const struct cr_voxels *v, const struct cr_mode
     g.fill = to.fill;
     g.energy = to.energy;
     cr_arena_free(&scratch);
-    if (!rc) {
+    if (!code) {
         *out = g;
     }
-    return rc;
+    return code;
 }
 
 /* A scene from elsewhere may name any file as a model. Its words must not come back in the error to
@@ -217,21 +217,21 @@ enum cr_err cr_voxels_read(const char *path, struct cr_arena *arena, struct cr_v
                            char hash[CR_HASH_SIZE], struct cr_error *err) {
     char *text = NULL;
     size_t len = 0, n = strlen(path);
-    enum cr_err rc = cr_file_read_regular(path, &text, &len, err);
-    if (rc) {
-        return rc;
+    enum cr_err code = cr_file_read_regular(path, &text, &len, err);
+    if (code) {
+        return code;
     }
     if (hash != NULL) {
         cr_hash_hex(text, len, hash);
     }
     if (n > 4 && strcasecmp(path + n - 4, ".csv") == 0) {
-        rc = cr_voxels_read_csv(text, path, arena, out, err);
+        code = cr_voxels_read_csv(text, path, arena, out, err);
     } else {
-        rc = cr_voxels_read_json(text, len, path, arena, out, err);
-        hide_words(rc, err);
+        code = cr_voxels_read_json(text, len, path, arena, out, err);
+        hide_words(code, err);
     }
     free(text);
-    return rc;
+    return code;
 }
 
 enum cr_err cr_model_from_file(const char *path, const struct cr_model_query *q,
@@ -239,10 +239,10 @@ enum cr_err cr_model_from_file(const char *path, const struct cr_model_query *q,
                                struct cr_error *err) {
     struct cr_arena own = {0};
     struct cr_voxels v;
-    enum cr_err rc = cr_voxels_read(path, &own, &v, hash, err);
-    if (!rc) {
-        rc = cr_voxels_substitute(&v, q, arena, out, err);
+    enum cr_err code = cr_voxels_read(path, &own, &v, hash, err);
+    if (!code) {
+        code = cr_voxels_substitute(&v, q, arena, out, err);
     }
     cr_arena_free(&own);
-    return rc;
+    return code;
 }

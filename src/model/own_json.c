@@ -231,9 +231,9 @@ static enum cr_err read_data(const struct file *f, struct cr_arena *arena, struc
     if (f->array[1] == NULL) {
         return fail_at(f, f->text, array_key[1], CR_ERR_MISSING, "missing");
     }
-    enum cr_err rc = read_array(f, 1, data[1], n);
-    if (!rc && f->array[0] != NULL) {
-        rc = read_array(f, 0, data[0], n);
+    enum cr_err code = read_array(f, 1, data[1], n);
+    if (!code && f->array[0] != NULL) {
+        code = read_array(f, 0, data[0], n);
     }
     for (size_t i = 0; i < n && f->array[0] == NULL; i++) {
         data[0][i] = data[1][i] > 0 ? 1 : 0;
@@ -241,10 +241,10 @@ static enum cr_err read_data(const struct file *f, struct cr_arena *arena, struc
     v->fill = data[0];
     v->energy = data[1];
     struct cr_voxels_fault fault;
-    if (!rc && !cr_voxels_check_data(v, &fault)) {
-        rc = fail_at(f, f->text, fault.key, fault.code, fault.text);
+    if (!code && !cr_voxels_check_data(v, &fault)) {
+        code = fail_at(f, f->text, fault.key, fault.code, fault.text);
     }
-    return rc;
+    return code;
 }
 
 enum cr_err cr_voxels_read_json(char *text, size_t len, const char *src, struct cr_arena *arena,

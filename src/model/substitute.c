@@ -324,10 +324,10 @@ enum cr_err cr_model_resample(const struct cr_model_recipe *r,
     struct cr_grid g = {.nx = w.nx, .ny = 2 * w.half, .h = w.h};
     g.x0 = q->dims.cg_behind_front_axle + q->dims.front_overhang - w.nx * w.h;
     g.y0 = -w.half * w.h;
-    enum cr_err rc = run(&w, plan, &scratch, arena, &g, err);
+    enum cr_err code = run(&w, plan, &scratch, arena, &g, err);
     cr_arena_free(&scratch);
-    if (rc) {
-        return rc;
+    if (code) {
+        return code;
     }
     set_faces(&w, &g);
     *out = g;

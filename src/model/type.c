@@ -40,22 +40,22 @@ enum cr_err cr_model_name_read(const char *text, struct cr_model_name *out, stru
             known[i] = cr_type_word((enum cr_type)i);
         }
         near = cr_str_nearest(word, known, CR_TYPES);
-        enum cr_err rc = cr_err_set(err, CR_ERR_NAME, "no model \"%.80s\"", text);
+        enum cr_err code = cr_err_set(err, CR_ERR_NAME, "no model \"%.80s\"", text);
         if (near != NULL) {
             cr_err_hint(err, "did you mean %s%.40s?", near, text + len);
         } else {
             cr_err_hint(err, CR_TYPE_WORDS "; also with an hour, sedan/12");
         }
-        return rc;
+        return code;
     }
     *out = (struct cr_model_name){.type = (enum cr_type)type};
     if (text[len] == '/') {
         char *end = NULL;
         long clock = strtol(text + len + 1, &end, 10);
         if (end == text + len + 1 || *end != '\0' || clock < 1 || clock > 12) {
-            enum cr_err rc = cr_err_set(err, CR_ERR_RANGE, "no model \"%.80s\"", text);
+            enum cr_err code = cr_err_set(err, CR_ERR_RANGE, "no model \"%.80s\"", text);
             cr_err_hint(err, "the direction of force is a clock hour, %s/1 to %s/12", word, word);
-            return rc;
+            return code;
         }
         out->clock = (int)clock;
     }

@@ -119,12 +119,12 @@ static enum cr_err check_count(double nx, double ny, double nz, struct cr_error 
     if (nx * ny * nz <= CR_VOXELS_MAX) {
         return CR_ERR_OK;
     }
-    enum cr_err rc = cr_err_set(err, CR_ERR_RANGE,
-                                "%.0f x %.0f x %.0f voxels are more than "
-                                "%d million",
-                                nx, ny, nz, CR_VOXELS_MAX / 1000000);
+    enum cr_err code = cr_err_set(err, CR_ERR_RANGE,
+                                  "%.0f x %.0f x %.0f voxels are more than "
+                                  "%d million",
+                                  nx, ny, nz, CR_VOXELS_MAX / 1000000);
     cr_err_hint(err, "take larger voxels, or the 2D model");
-    return rc;
+    return code;
 }
 
 static void describe(const struct cr_model_query *q, const struct cr_grid *g, struct cr_voxels *v) {
@@ -153,41 +153,41 @@ enum cr_err cr_model_voxels(const struct cr_model_lib *lib, const struct cr_mode
     part.z_hi = INFINITY;
     part.blend = false;
     w.sectors = cr_model_sectors(q->pdof, q->blend, w.sector);
-    enum cr_err rc = cr_model_query_check(q, err);
-    if (!rc) {
-        rc = check_count(ceil(q->dims.length / q->voxel), ceil(q->dims.width / q->voxel),
-                         ceil(q->dims.height / q->voxel), err);
+    enum cr_err code = cr_model_query_check(q, err);
+    if (!code) {
+        code = check_count(ceil(q->dims.length / q->voxel), ceil(q->dims.width / q->voxel),
+                           ceil(q->dims.height / q->voxel), err);
     }
-    if (!rc) {
-        rc = cr_model_body_of(lib, q->type, &r, &w.body, err);
+    if (!code) {
+        code = cr_model_body_of(lib, q->type, &r, &w.body, err);
     }
-    if (!rc) {
-        rc = cr_model_stretch_make(r, &q->dims, &w.stretch, err);
+    if (!code) {
+        code = cr_model_stretch_make(r, &q->dims, &w.stretch, err);
     }
-    for (int i = 0; i < w.sectors && !rc; i++) {
+    for (int i = 0; i < w.sectors && !code; i++) {
         part.pdof = w.sector[i].clock * (CR_PI / 6);
-        rc = cr_model_substitute(lib, &part, &scratch, &w.plan[i], err);
+        code = cr_model_substitute(lib, &part, &scratch, &w.plan[i], err);
     }
-    if (!rc) {
+    if (!code) {
         describe(q, &w.plan[0], out);
         out->nz = (int)ceil(q->dims.height / q->voxel - 1e-9);
-        rc = raise_all(&w, out, arena, &scratch, err);
+        code = raise_all(&w, out, arena, &scratch, err);
     }
     cr_arena_free(&scratch);
-    return rc;
+    return code;
 }
 
 enum cr_err cr_model_flat(const struct cr_model_lib *lib, const struct cr_model_query *q,
                           struct cr_arena *arena, struct cr_voxels *out, struct cr_error *err) {
     struct cr_grid g;
-    enum cr_err rc = cr_model_substitute(lib, q, arena, &g, err);
-    if (!rc) {
+    enum cr_err code = cr_model_substitute(lib, q, arena, &g, err);
+    if (!code) {
         describe(q, &g, out);
         out->flat = true;
         out->fill = g.fill;
         out->energy = g.energy;
     }
-    return rc;
+    return code;
 }
 
 /* Energy crushed down to the middle of each layer, from the nearer of both ends, in place. */

@@ -10,7 +10,7 @@ static const struct {
     const char *key, *word, *unit;
     size_t at;
     int decimals;
-} VALUES[] = {
+} value_rows[] = {
     {"mass_kg", "mass", "kg", AT(mass), 0},
     {"kerb_mass_kg", "kerb mass", "kg", AT(kerb_mass), 0},
     {"load_kg", "load", "kg", AT(load), 0},
@@ -28,13 +28,13 @@ static const struct {
 
 /* one assumed key of a participant; keys that are not numbers stand as they are */
 static void add_value(const struct cr_participant *part, const char *key, struct cr_str *out) {
-    for (size_t i = 0; i < sizeof VALUES / sizeof VALUES[0]; i++) {
-        if (strcmp(VALUES[i].key, key) == 0) {
+    for (size_t i = 0; i < sizeof value_rows / sizeof value_rows[0]; i++) {
+        if (strcmp(value_rows[i].key, key) == 0) {
             double x;
-            memcpy(&x, (const char *)part + VALUES[i].at, sizeof x);
+            memcpy(&x, (const char *)part + value_rows[i].at, sizeof x);
             /* no-break spaces keep number and unit together */
-            cr_str_addf(out, "%s\u00a0%.*f\u00a0%s", VALUES[i].word, VALUES[i].decimals, x,
-                        VALUES[i].unit);
+            cr_str_addf(out, "%s\u00a0%.*f\u00a0%s", value_rows[i].word, value_rows[i].decimals, x,
+                        value_rows[i].unit);
             return;
         }
     }

@@ -6,12 +6,12 @@
 #include <math.h>
 #include <stdio.h>
 
-static const double EDGE = 0.05; /* m, voxels of the 3D models */
+static const double edge = 0.05; /* m, voxels of the 3D models */
 
 static struct cr_model_query query_of(const struct cr_result *result, int body) {
     const struct cr_scene *scene = &result->resolved;
     struct cr_model_query q = cr_scene_query(scene, &scene->part[body], result->of[body].pdof);
-    q.voxel = EDGE;
+    q.voxel = edge;
     return q;
 }
 

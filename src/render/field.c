@@ -8,7 +8,7 @@
 
 /* Upper end of the EES scale, km/h: fixed, so that pictures can be compared; what is harder still
  * is drawn as the last step. */
-static const double EES_TOP = 100;
+static const double ees_top = 100;
 
 const char *cr_field_word(enum cr_field field) {
     static const char *const words[CR_FIELDS] = {
@@ -94,7 +94,7 @@ enum cr_err cr_pic_field_init(struct cr_pic *pic, struct cr_error *err) {
         pic->field_max = pic->field == CR_FIELD_CRUSH ? 100 : scale_top(pic);
         return CR_ERR_OK;
     }
-    pic->field_max = EES_TOP;
+    pic->field_max = ees_top;
     for (int k = 0; k < pic->n; k++) {
         struct cr_pic_body *b = &pic->body[k];
         if (b->grid->nx > 0) {

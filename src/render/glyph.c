@@ -39,7 +39,7 @@ uint32_t cr_glyph_next(const char **utf8) {
 static const struct {
     uint32_t from, to;
     int columns;
-} RANGES[] = {
+} wide_ranges[] = {
     {0x0300, 0x036F, 0}, {0x1100, 0x115F, 2},   {0x200B, 0x200F, 0},   {0x202A, 0x202E, 0},
     {0x2066, 0x2069, 0}, {0x2E80, 0xA4CF, 2},   {0xAC00, 0xD7A3, 2},   {0xF900, 0xFAFF, 2},
     {0xFE00, 0xFE0F, 0}, {0xFE30, 0xFE6F, 2},   {0xFEFF, 0xFEFF, 0},   {0xFF00, 0xFF60, 2},
@@ -47,9 +47,9 @@ static const struct {
 };
 
 int cr_glyph_columns(uint32_t ch) {
-    for (size_t i = 0; i < sizeof RANGES / sizeof RANGES[0]; i++) {
-        if (ch >= RANGES[i].from && ch <= RANGES[i].to) {
-            return RANGES[i].columns;
+    for (size_t i = 0; i < sizeof wide_ranges / sizeof wide_ranges[0]; i++) {
+        if (ch >= wide_ranges[i].from && ch <= wide_ranges[i].to) {
+            return wide_ranges[i].columns;
         }
     }
     return 1;
@@ -66,7 +66,7 @@ int cr_glyph_width(const char *utf8) {
 static const struct {
     uint32_t ch;
     char ascii;
-} ASCII[] = {
+} ascii_for[] = {
     {0xB0, ' '},   {0xB1, '~'},    {0xB2, '2'},    {0xB3, '3'},   {0xB5, 'u'},   {0xB7, '.'},
     {0xD7, 'x'},   {0x0394, 'd'},  {0x03A3, 'S'},  {0x03BC, 'u'}, {0x03C8, 'y'}, {0x2013, '-'},
     {0x2014, '-'}, {0x2018, '\''}, {0x2019, '\''}, {0x201C, '"'}, {0x201D, '"'}, {0x2022, '*'},
@@ -90,9 +90,9 @@ char cr_glyph_ascii(uint32_t ch) {
     if (ch >= 0x2581 && ch <= 0x2588) {
         return "_.:-=+*#"[ch - 0x2581];
     }
-    for (size_t i = 0; i < sizeof ASCII / sizeof ASCII[0]; i++) {
-        if (ASCII[i].ch == ch) {
-            return ASCII[i].ascii;
+    for (size_t i = 0; i < sizeof ascii_for / sizeof ascii_for[0]; i++) {
+        if (ascii_for[i].ch == ch) {
+            return ascii_for[i].ascii;
         }
     }
     return '?';
@@ -100,15 +100,15 @@ char cr_glyph_ascii(uint32_t ch) {
 
 /* what the fonts of the Linux console have beside ASCII: common to code page 437, which is built
  * in, and to the Latin fonts of console-setup */
-static const uint32_t CONSOLE[] = {
+static const uint32_t console_glyphs[] = {
     0xB0,   0xB1,   0xB2,   0xB5,   0xB7,   0x2190, 0x2191, 0x2192, 0x2193,
     0x2500, 0x2502, 0x250C, 0x2510, 0x2514, 0x2518, 0x251C, 0x2524, 0x252C,
     0x2534, 0x253C, 0x2580, 0x2584, 0x2588, 0x2591, 0x2592, 0x2593,
 };
 
 uint32_t cr_glyph_console(uint32_t ch) {
-    for (size_t i = 0; i < sizeof CONSOLE / sizeof CONSOLE[0]; i++) {
-        if (CONSOLE[i] == ch) {
+    for (size_t i = 0; i < sizeof console_glyphs / sizeof console_glyphs[0]; i++) {
+        if (console_glyphs[i] == ch) {
             return ch;
         }
     }

@@ -17,28 +17,28 @@ enum {
     SIDE_W = 76  /* right-hand column with table, sweep and log */
 };
 
-static const char *const TITLES[CR_AREAS] = {
+static const char *const area_titles[CR_AREAS] = {
 #define X(name, title, word) title,
     CR_AREA_LIST(X)
 #undef X
 };
-static const char *const WORDS[CR_AREAS] = {
+static const char *const area_words[CR_AREAS] = {
 #define X(name, title, word) word,
     CR_AREA_LIST(X)
 #undef X
 };
 
 const char *cr_area_title(enum cr_area pane) {
-    return TITLES[pane];
+    return area_titles[pane];
 }
 
 const char *cr_area_word(enum cr_area pane) {
-    return WORDS[pane];
+    return area_words[pane];
 }
 
 int cr_area_find(const char *word) {
     for (int i = 0; i < CR_AREAS; i++) {
-        if (strcmp(WORDS[i], word) == 0) {
+        if (strcmp(area_words[i], word) == 0) {
             return i;
         }
     }

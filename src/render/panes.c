@@ -69,7 +69,7 @@ struct cr_rect cr_render_overlay(struct cr_cells *cells, const struct cr_look *l
 static const struct {
     const char *word;
     enum cr_role role;
-} STATES[CR_TITLE_STATES] = {
+} title_states[CR_TITLE_STATES] = {
     [CR_TITLE_EMPTY] = {"EMPTY", CR_ROLE_DIM},
     [CR_TITLE_UNSOLVED] = {"UNSOLVED", CR_ROLE_WARN},
     [CR_TITLE_EDITED] = {"EDITED", CR_ROLE_WARN},
@@ -107,11 +107,11 @@ void cr_render_title(struct cr_cells *cells, struct cr_rect at, const struct cr_
                  title->vehicles == 1 ? "" : "s", title->objects, title->objects == 1 ? "" : "s");
         add(&pen, 3, CR_ROLE_TEXT, text);
     }
-    snprintf(text, sizeof text, "%s", STATES[title->state].word);
+    snprintf(text, sizeof text, "%s", title_states[title->state].word);
     if (title->state == CR_TITLE_SOLVING && isfinite(title->progress)) {
         snprintf(text, sizeof text, "SOLVING %.0f %%", title->progress * 100);
     }
-    add(&pen, wide ? 3 : 2, STATES[title->state].role, text);
+    add(&pen, wide ? 3 : 2, title_states[title->state].role, text);
     if (isfinite(title->t_end)) {
         snprintf(text, sizeof text, "t %.1f/%.1f ms",
                  (isfinite(title->time) ? title->time : title->t_end) * 1e3, title->t_end * 1e3);

@@ -7,7 +7,7 @@
 #include <string.h>
 
 /* rows kept free of bodies: a label above, a label below, scale and legend */
-static const double POST = 1.0; /* m: rigid objects below this stand out of crushed voxels */
+static const double post = 1.0; /* m: rigid objects below this stand out of crushed voxels */
 enum { ROWS_ABOVE = 1, ROWS_BELOW = 2, COLS_SIDE = 1 };
 
 static void set_box(struct cr_pic_body *b) {
@@ -60,7 +60,7 @@ static void init_body(struct cr_pic_body *b, int i, const struct cr_compiled *co
         b->outline_n = cr_scene_outline(part, b->outline, CR_PIC_OUTLINE);
     }
     set_box(b);
-    b->small = b->grid->nx == 0 && b->hi.x - b->lo.x < POST && b->hi.y - b->lo.y < POST;
+    b->small = b->grid->nx == 0 && b->hi.x - b->lo.x < post && b->hi.y - b->lo.y < post;
 }
 
 double cr_pic_left(const struct cr_pic *pic, const struct cr_pic_body *b, int i) {
@@ -189,20 +189,20 @@ void cr_pic_box(const struct cr_pic *pic, const struct cr_result *result, struct
 }
 
 /* Scales that make 1 m a whole number of columns, or a column a round number of m. */
-static const double SCALES[] = {1.0 / 60, 1.0 / 50, 1.0 / 40, 1.0 / 30, 1.0 / 25, 1.0 / 20,
+static const double scales[] = {1.0 / 60, 1.0 / 50, 1.0 / 40, 1.0 / 30, 1.0 / 25, 1.0 / 20,
                                 1.0 / 16, 1.0 / 14, 1.0 / 12, 1.0 / 11, 1.0 / 10, 1.0 / 9,
                                 1.0 / 8,  1.0 / 7,  1.0 / 6,  1.0 / 5,  1.0 / 4,  1.0 / 3,
                                 0.5,      1,        2,        5,        10,       20,
                                 50,       100,      200,      500,      1000};
 
 static double fit_scale(const struct cr_vec2 box[2], int w, int h) {
-    int n = sizeof SCALES / sizeof SCALES[0];
+    int n = sizeof scales / sizeof scales[0];
     for (int i = 0; i < n; i++) {
-        if (box[1].x - box[0].x <= SCALES[i] * w && box[1].y - box[0].y <= 2 * SCALES[i] * h) {
-            return SCALES[i];
+        if (box[1].x - box[0].x <= scales[i] * w && box[1].y - box[0].y <= 2 * scales[i] * h) {
+            return scales[i];
         }
     }
-    return SCALES[n - 1];
+    return scales[n - 1];
 }
 
 void cr_pic_fit(struct cr_pic *pic, const struct cr_result *result,

@@ -10,22 +10,22 @@
 #include <string.h>
 
 enum { MARGIN = 2, ROWS_MORE = 3, SUB = 3 };
-static const double EES_TOP = 100; /* km/h, as in the scene picture */
-static const double NEAR = 0.5;    /* m of material that the front view looks into */
+static const double ees_top = 100;    /* km/h, as in the scene picture */
+static const double near_depth = 0.5; /* m of material that the front view looks into */
 
-static const char *const WORDS[CR_PROJECTS] = {
+static const char *const view_words[CR_PROJECTS] = {
 #define X(name, word) word,
     CR_PROJECT_LIST(X)
 #undef X
 };
 
 const char *cr_project_word(enum cr_project view) {
-    return WORDS[view];
+    return view_words[view];
 }
 
 int cr_project_find(const char *word) {
     for (int i = 0; i < CR_PROJECTS; i++) {
-        if (strcmp(WORDS[i], word) == 0) {
+        if (strcmp(view_words[i], word) == 0) {
             return i;
         }
     }
@@ -90,7 +90,7 @@ static void look_along(const struct cr_projection *p, struct cr_plane *pl, const
         from = (int)cr_clamp(floor((p->slice_y - m->y0) / m->edge), 0, m->ny - 1);
         to = from + 1;
     } else if (p->view == CR_PROJECT_FRONT) {
-        most = (int)ceil(NEAR / m->edge);
+        most = (int)ceil(near_depth / m->edge);
     }
     for (int w = to - 1; w >= from && most > 0; w--) {
         int i[3];
@@ -113,7 +113,7 @@ enum cr_err cr_project_plane(const struct cr_projection *p, struct cr_plane *pl,
     int n[3];
     if (p->voxels->flat && p->view != CR_PROJECT_TOP) {
         cr_err_set(err, CR_ERR_RANGE, "%s is a 2D model, it has no %s view", p->voxels->name,
-                   WORDS[p->view]);
+                   view_words[p->view]);
         cr_err_hint(err, "use the top view");
         return CR_ERR_RANGE;
     }
@@ -124,7 +124,7 @@ enum cr_err cr_project_plane(const struct cr_projection *p, struct cr_plane *pl,
     size_t size = (size_t)n[0] * (size_t)n[1];
     pl->ees = malloc(2 * size * sizeof *pl->ees);
     if (pl->ees == NULL) {
-        return cr_err_set(err, CR_ERR_MEMORY, "no memory for the %s view", WORDS[p->view]);
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for the %s view", view_words[p->view]);
     }
     pl->depth = pl->ees + size;
     for (int v = 0; v < n[1]; v++) {
@@ -142,23 +142,23 @@ void cr_plane_fini(struct cr_plane *plane) {
 
 /* ---- to cells ---- */
 
-static const double SCALES[] = {1.0 / 40, 1.0 / 30, 1.0 / 25, 1.0 / 20, 1.0 / 16, 1.0 / 14,
+static const double scales[] = {1.0 / 40, 1.0 / 30, 1.0 / 25, 1.0 / 20, 1.0 / 16, 1.0 / 14,
                                 1.0 / 12, 1.0 / 10, 1.0 / 9,  1.0 / 8,  1.0 / 7,  1.0 / 6,
                                 1.0 / 5,  1.0 / 4,  1.0 / 3,  0.5,      1};
 
 static double scale(const struct cr_projection *p, int w, int h) {
-    int n[3], last = sizeof SCALES / sizeof SCALES[0] - 1;
+    int n[3], last = sizeof scales / sizeof scales[0] - 1;
     axes(p->view, p->voxels, n);
     double edge = p->voxels->edge;
     if (p->m_per_col > 0) {
         return p->m_per_col;
     }
     for (int i = 0; i < last; i++) {
-        if (n[0] * edge <= SCALES[i] * w && n[1] * edge <= 2 * SCALES[i] * h) {
-            return SCALES[i];
+        if (n[0] * edge <= scales[i] * w && n[1] * edge <= 2 * scales[i] * h) {
+            return scales[i];
         }
     }
-    return SCALES[last];
+    return scales[last];
 }
 
 int cr_render_projection_rows(const struct cr_projection *p, int width, int most) {
@@ -197,7 +197,7 @@ static struct sum gather(const struct cr_plane *pl, double m, double col, double
 }
 
 static uint8_t step_of(const struct sum *s) {
-    double level = s->solid > 0 ? s->ees / s->solid / EES_TOP : 0;
+    double level = s->solid > 0 ? s->ees / s->solid / ees_top : 0;
     return level >= 1 ? CR_STEPS + 1 : cr_shade_step(level);
 }
 
@@ -227,7 +227,7 @@ static void draw_cell(struct cr_cell *cell, const struct cr_plane *pl, double m,
                               gather(pl, m, col, row + 0.5, 0.5, top)};
         draw_blocks(cell, half);
     } else if (2 * s.solid >= s.n) {
-        *cell = (struct cr_cell){.ch = cr_glyph_shade(s.ees / s.solid / EES_TOP, look->ascii),
+        *cell = (struct cr_cell){.ch = cr_glyph_shade(s.ees / s.solid / ees_top, look->ascii),
                                  .role = CR_ROLE_FIELD,
                                  .fg = look->color != CR_COLOR_NONE ? step_of(&s) : 0};
     }
@@ -258,7 +258,7 @@ static void draw_frame(struct cr_cells *cells, struct cr_rect at, const struct c
             cr_cells_at(cells, x, y)->fg = cr_shade_step(u);
         }
     }
-    snprintf(text, sizeof text, " %.0f+ km/h", EES_TOP);
+    snprintf(text, sizeof text, " %.0f+ km/h", ees_top);
     x += cr_cells_print(cells, x, y, at.x + at.w - x, CR_ROLE_TEXT, text) + 3;
     if (p->grid != NULL && x + 26 < at.x + at.w) {
         x += cr_cells_print(cells, x, y, 0, CR_ROLE_CRUSHED, "0..9") + 1;

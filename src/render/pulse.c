@@ -12,7 +12,7 @@
 static const struct {
     const char *title, *unit; /* unit NULL: that of the list of quantities */
     double factor;            /* from the list's unit to the shown one */
-} SHOWN[CR_QUANTITIES + 1] = {
+} shown_rows[CR_QUANTITIES + 1] = {
     [CR_QUANTITY_X] = {"x", NULL, 1},
     [CR_QUANTITY_Y] = {"y", NULL, 1},
     [CR_QUANTITY_HEADING] = {"heading", NULL, 1},
@@ -27,7 +27,7 @@ static const struct {
     [CR_QUANTITIES] = {"|a|", "g", 1 / CR_G},
 };
 
-static const char *const UNITS[CR_QUANTITIES] = {
+static const char *const quantity_units[CR_QUANTITIES] = {
 #define X(name, key, unit, factor) [CR_QUANTITY_##name] = unit,
     CR_QUANTITY_LIST(X)
 #undef X
@@ -55,11 +55,11 @@ int cr_render_samples(const struct cr_solution *sol) {
 static double value(const struct cr_solution *sol, int sample, int body,
                     enum cr_quantity quantity) {
     if (quantity < CR_QUANTITIES) {
-        return cr_result_quantity(sol, sample, body, quantity) * SHOWN[quantity].factor;
+        return cr_result_quantity(sol, sample, body, quantity) * shown_rows[quantity].factor;
     }
     double ax = cr_result_quantity(sol, sample, body, CR_QUANTITY_AX);
     double ay = cr_result_quantity(sol, sample, body, CR_QUANTITY_AY);
-    return hypot(ax, ay) * SHOWN[quantity].factor;
+    return hypot(ax, ay) * shown_rows[quantity].factor;
 }
 
 static void set_name(char name[2], const struct cr_result *result, int body) {
@@ -91,7 +91,7 @@ static enum cr_err filtered_series(const struct cr_result *result, int body,
     code = cr_cfc_filter(60, p.dt, p.ax, p.n, NULL);
     code = code == CR_ERR_OK ? cr_cfc_filter(60, p.dt, p.ay, p.n, NULL) : code;
     for (int i = 0; code == CR_ERR_OK && i < n; i++) {
-        y[i] = pulse_at(&p, quantity, sol->t[i]) * SHOWN[quantity].factor;
+        y[i] = pulse_at(&p, quantity, sol->t[i]) * shown_rows[quantity].factor;
     }
     cr_pulse_fini(&p);
     return code;
@@ -159,14 +159,15 @@ enum cr_err cr_plot_pulse(const struct cr_result *result, enum cr_quantity quant
         cr_plot_made_fini(out);
         return no_memory(err);
     }
-    out->plot = (struct cr_plot){.title = SHOWN[quantity].title,
-                                 .x_unit = "ms",
-                                 .y_unit = SHOWN[quantity].unit != NULL ? SHOWN[quantity].unit
-                                                                        : UNITS[quantity],
-                                 .curves = curves,
-                                 .curve = out->curve,
-                                 .units = result->units,
-                                 .cursor = (cursor - sol->t_contact) * 1e3};
+    out->plot =
+        (struct cr_plot){.title = shown_rows[quantity].title,
+                         .x_unit = "ms",
+                         .y_unit = shown_rows[quantity].unit != NULL ? shown_rows[quantity].unit
+                                                                     : quantity_units[quantity],
+                         .curves = curves,
+                         .curve = out->curve,
+                         .units = result->units,
+                         .cursor = (cursor - sol->t_contact) * 1e3};
     return CR_ERR_OK;
 }
 

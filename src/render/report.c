@@ -373,14 +373,14 @@ static void join(struct cr_str *out, const char *left, const char *right, int co
     }
 }
 
-static const section RIGHT[] = {impacts, profiles, cr_page_phases, balance, robust, notes};
-enum { RIGHTS = sizeof RIGHT / sizeof RIGHT[0] };
+static const section right_column[] = {impacts, profiles, cr_page_phases, balance, robust, notes};
+enum { RIGHTS = sizeof right_column / sizeof right_column[0] };
 
 /* the table, and beside it on a wide page (below it else) what remains to be said */
 static enum cr_err tables_and_rest(const struct cr_page *page, struct cr_error *err) {
     if (page->width < BESIDE) {
         enum cr_err code = tables(page, err);
-        return code == CR_ERR_OK ? write_all(page, RIGHT, RIGHTS, err) : code;
+        return code == CR_ERR_OK ? write_all(page, right_column, RIGHTS, err) : code;
     }
     struct cr_str text[2] = {{0}, {0}};
     struct cr_page half = *page;
@@ -389,7 +389,7 @@ static enum cr_err tables_and_rest(const struct cr_page *page, struct cr_error *
     enum cr_err code = tables(&half, err);
     if (code == CR_ERR_OK) {
         half.out = &text[1];
-        code = write_all(&half, RIGHT, RIGHTS, err);
+        code = write_all(&half, right_column, RIGHTS, err);
     }
     page->out->failed = page->out->failed || text[0].failed || text[1].failed;
     if (code == CR_ERR_OK) {

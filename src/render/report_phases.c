@@ -12,13 +12,13 @@ enum { CONTACT_LINES = 12 };
 static const struct {
     const char *head, *unit;
     int end; /* column it ends before; the first is left-aligned */
-} PHASE[] = {
+} phase_rows[] = {
     {"contact", "", 12},     {"plastic", "ms", 26}, {"elastic", "ms", 37},   {"stop", "", 48},
     {"closing", "km/h", 56}, {"e", "", 61},         {"impulse", "kN s", 69}, {"friction", "kJ", 78},
 };
-enum { PHASE_COLUMNS = sizeof PHASE / sizeof PHASE[0] };
+enum { PHASE_COLUMNS = sizeof phase_rows / sizeof phase_rows[0] };
 
-static const char *const WHY[] = {
+static const char *const why_text[] = {
     [CR_STOP_NONE] = "still in contact when the solve ended",
     [CR_STOP_MOMENTUM] = "the approach momentum left is the elastic share",
     [CR_STOP_SEPARATION] = "the bodies part in the next slice",
@@ -33,10 +33,10 @@ static enum cr_err phase_line(const struct cr_page *page, enum cr_role role,
     if (code != CR_ERR_OK) {
         return code;
     }
-    cr_cells_print(&c, 1, 0, PHASE[0].end, role, text[0]);
+    cr_cells_print(&c, 1, 0, phase_rows[0].end, role, text[0]);
     for (int i = 1; i < PHASE_COLUMNS; i++) {
-        cr_cells_print_right(&c, PHASE[i].end, 0, PHASE[i].end - PHASE[i - 1].end - 1, role,
-                             text[i]);
+        cr_cells_print_right(&c, phase_rows[i].end, 0,
+                             phase_rows[i].end - phase_rows[i - 1].end - 1, role, text[i]);
     }
     return cr_page_emit(page, &c, err);
 }
@@ -51,7 +51,7 @@ static void pair_of(double a, const char *between, double b, char *out, size_t s
 
 /* a number of a column, in the unit that it shows */
 static void put(const struct cr_page *page, int column, double x, int decimals, char out[64]) {
-    cr_units_shown(page->result->units, PHASE[column].unit, &x, &decimals);
+    cr_units_shown(page->result->units, phase_rows[column].unit, &x, &decimals);
     cr_render_number(x, decimals, out, 64);
 }
 
@@ -81,14 +81,14 @@ static enum cr_err contact_line(const struct cr_page *page, const struct cr_cont
 static enum cr_err stop_notes(const struct cr_page *page, struct cr_error *err) {
     const struct cr_solution *sol = page->result->solution;
     enum cr_err code = CR_ERR_OK;
-    for (size_t w = 0; w < sizeof WHY / sizeof WHY[0] && code == CR_ERR_OK; w++) {
+    for (size_t w = 0; w < sizeof why_text / sizeof why_text[0] && code == CR_ERR_OK; w++) {
         bool used = false;
         for (int i = 0; i < sol->contacts; i++) {
             used |= (size_t)sol->contact[i].stop == w;
         }
         if (used) {
             char text[160];
-            snprintf(text, sizeof text, "stop %s: %s", cr_stop_word((enum cr_stop)w), WHY[w]);
+            snprintf(text, sizeof text, "stop %s: %s", cr_stop_word((enum cr_stop)w), why_text[w]);
             code = cr_page_paragraph(page, 2, CR_ROLE_DIM, text, err);
         }
     }
@@ -121,8 +121,8 @@ enum cr_err cr_page_phases(const struct cr_page *page, struct cr_error *err) {
     double most = 0;
     int hidden = 0;
     for (int i = 0; i < PHASE_COLUMNS; i++) {
-        head[i] = PHASE[i].head;
-        unit[i] = cr_units_shown(page->result->units, PHASE[i].unit, NULL, NULL);
+        head[i] = phase_rows[i].head;
+        unit[i] = cr_units_shown(page->result->units, phase_rows[i].unit, NULL, NULL);
     }
     for (int i = 0; i < sol->contacts; i++) {
         most = fmax(most, cr_vec2_len(sol->contact[i].impulse));

@@ -47,7 +47,7 @@ static const struct {
     int decimals, when;
     bool grid_only;
     double (*get)(const struct source *s);
-} ROWS[] = {
+} value_rows[] = {
     {"mass", "kg", 0, ALWAYS, false, mass},
     {"v0", "km/h", 1, ALWAYS, false, v0},
     {"v", "km/h", 1, ALWAYS, false, v_now},
@@ -86,26 +86,26 @@ static void write_rows(struct spot *p, const struct cr_result *result, double ti
     /* the last rows are the least important: they give way to the foot */
     int end = p->at.y + p->at.h - (p->at.h >= 14 ? FOOT : 0);
     bool final = at_end(result, time);
-    for (size_t i = 0; i < sizeof ROWS / sizeof ROWS[0] && p->y < end; i++) {
-        if (ROWS[i].when != ALWAYS && (ROWS[i].when == AT_END) != final) {
+    for (size_t i = 0; i < sizeof value_rows / sizeof value_rows[0] && p->y < end; i++) {
+        if (value_rows[i].when != ALWAYS && (value_rows[i].when == AT_END) != final) {
             continue;
         }
-        cr_cells_print(p->cells, p->at.x, p->y, LABEL, CR_ROLE_TEXT, ROWS[i].label);
+        cr_cells_print(p->cells, p->at.x, p->y, LABEL, CR_ROLE_TEXT, value_rows[i].label);
         for (int k = 0; k < p->n; k++) {
             int b = p->body[k];
             char text[32] = "-";
             struct source s = {result, b, cr_render_state(&result->compiled, result, b, time),
                                final};
-            if (!ROWS[i].grid_only || result->compiled.cs.body[b].grid.nx > 0) {
-                double x = ROWS[i].get(&s);
-                int decimals = ROWS[i].decimals;
-                cr_units_shown(result->units, ROWS[i].unit, &x, &decimals);
+            if (!value_rows[i].grid_only || result->compiled.cs.body[b].grid.nx > 0) {
+                double x = value_rows[i].get(&s);
+                int decimals = value_rows[i].decimals;
+                cr_units_shown(result->units, value_rows[i].unit, &x, &decimals);
                 cr_render_number(x, decimals, text, sizeof text);
             }
             cr_cells_print_right(p->cells, column_end(p, k), p->y, COLUMN - 1, CR_ROLE_TEXT, text);
         }
         cr_cells_print(p->cells, p->at.x + p->at.w - UNIT, p->y++, UNIT, CR_ROLE_DIM,
-                       cr_units_shown(result->units, ROWS[i].unit, NULL, NULL));
+                       cr_units_shown(result->units, value_rows[i].unit, NULL, NULL));
     }
 }
 

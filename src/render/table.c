@@ -134,7 +134,7 @@ static void put_face(const struct source *s, char *buf, int size) {
 }
 
 /* clang-format off */
-static const struct row FINAL[] = {
+static const struct row result_rows[] = {
     {"type", "", -1, NULL, put_type, false, false},
     {"model", "", -1, NULL, put_model, true, false},
     {"mass", "kg", 0, get_mass, NULL, false, false},
@@ -177,14 +177,14 @@ static const struct row FINAL[] = {
     {"  yaw rate", "deg/s", 1, get_yaw_after, NULL, false, false},
     {"    change in the crash", "deg/s", 1, get_yaw_change, NULL, false, false},
 };
-static const struct row REST[] = {
+static const struct row rest_rows[] = {
     {"At rest", NULL, 0, NULL, NULL, false, false},
     {"  after first contact", "s", 2, get_rest_t, NULL, false, false},
     {"  x", "m", 2, get_rest_x, NULL, false, false},
     {"  y", "m", 2, get_rest_y, NULL, false, false},
     {"  heading", "deg", 1, get_rest_heading, NULL, false, false},
 };
-static const struct row INSTANT[] = {
+static const struct row instant_rows[] = {
     {"type", "", -1, NULL, put_type, false, false},
     {"mass", "kg", 0, get_mass, NULL, false, false},
     {"speed at first contact", "km/h", 1, get_before, NULL, false, false},
@@ -202,9 +202,9 @@ static const struct row INSTANT[] = {
 /* clang-format on */
 
 enum {
-    FINALS = sizeof FINAL / sizeof FINAL[0],
-    RESTS = sizeof REST / sizeof REST[0],
-    INSTANTS = sizeof INSTANT / sizeof INSTANT[0]
+    FINALS = sizeof result_rows / sizeof result_rows[0],
+    RESTS = sizeof rest_rows / sizeof rest_rows[0],
+    INSTANTS = sizeof instant_rows / sizeof instant_rows[0]
 };
 
 /* ---- columns ---- */
@@ -254,7 +254,7 @@ static bool is_shown(const struct cr_result *result, const struct row *row) {
 static int final_rows(const struct cr_result *result) {
     int n = 0;
     for (int i = 0; i < FINALS; i++) {
-        n += is_shown(result, &FINAL[i]);
+        n += is_shown(result, &result_rows[i]);
     }
     return n;
 }
@@ -306,8 +306,8 @@ static double measured(const struct cr_reference *ref, const struct cr_result *r
 
 /* Rows of severity and below: the others say what went in. */
 static bool has_measures(const struct row *row) {
-    return row >= FINAL && row < FINAL + FINALS && row->number != NULL && row->number != get_mass &&
-           row->number != get_before;
+    return row >= result_rows && row < result_rows + FINALS && row->number != NULL &&
+           row->number != get_mass && row->number != get_before;
 }
 
 static bool any_measured(const struct cr_reference *ref, const struct cr_result *result,
@@ -454,17 +454,17 @@ static void draw(struct layout *l, const struct cr_result *result, double time) 
     write_head(l, result);
     if (isfinite(time)) {
         for (int i = 0; i < INSTANTS; i++) {
-            write_row(l, result, &INSTANT[i], time);
+            write_row(l, result, &instant_rows[i], time);
         }
         return;
     }
     for (int i = 0; i < FINALS; i++) {
-        if (is_shown(result, &FINAL[i])) {
-            write_row(l, result, &FINAL[i], time);
+        if (is_shown(result, &result_rows[i])) {
+            write_row(l, result, &result_rows[i], time);
         }
     }
     for (int i = 0; i < RESTS && at_rest(result); i++) {
-        write_row(l, result, &REST[i], time);
+        write_row(l, result, &rest_rows[i], time);
     }
     write_injuries(l, result);
 }
@@ -481,7 +481,7 @@ int cr_render_table_rows_beside(const struct cr_result *result,
                                 const struct cr_reference *reference) {
     int rows = cr_render_table_rows(result);
     for (int i = 0; i < FINALS && reference != NULL; i++) {
-        rows += any_measured(reference, result, &FINAL[i]);
+        rows += any_measured(reference, result, &result_rows[i]);
     }
     return rows + (result->impacts > 1 ? 1 + cr_render_impacts_rows(result) : 0);
 }

@@ -16,7 +16,7 @@
 /* In every theme but contrast, plain words are the terminal's own, so they can be read whatever
  * its background; each colour has a contrast ratio (WCAG 2.1) of at least 3 on the backgrounds the
  * theme is for, which both ends of the scale allow only near the middle lightness. */
-static const struct cr_theme THEMES[] = {
+static const struct cr_theme themes[] = {
     {"auto",
      "readable on any background; dark or light where the terminal says which",
      {
@@ -134,20 +134,20 @@ static const struct cr_theme THEMES[] = {
      -1,
      -1},
 };
-enum { THEMES_N = sizeof THEMES / sizeof THEMES[0] };
+enum { THEMES_N = sizeof themes / sizeof themes[0] };
 
 int cr_theme_count(void) {
     return THEMES_N;
 }
 
 const struct cr_theme *cr_theme_get(int i) {
-    return &THEMES[i < 0 || i >= THEMES_N ? 0 : i];
+    return &themes[i < 0 || i >= THEMES_N ? 0 : i];
 }
 
 const struct cr_theme *cr_theme_find(const char *name) {
     for (int i = 0; i < THEMES_N; i++) {
-        if (strcmp(THEMES[i].name, name) == 0) {
-            return &THEMES[i];
+        if (strcmp(themes[i].name, name) == 0) {
+            return &themes[i];
         }
     }
     return NULL;
@@ -155,12 +155,12 @@ const struct cr_theme *cr_theme_find(const char *name) {
 
 /* Eight steps whose CIE lightness rises all the way, which the nearest colours of the palette to
  * the original maps do not [COLOUR-RAMP]. */
-static const uint8_t RAMP_256[CR_COLORMAPS][8] = {
+static const uint8_t ramp_256[CR_COLORMAPS][8] = {
     [CR_COLORMAP_VIRIDIS] = {17, 53, 24, 30, 36, 78, 148, 220},
     [CR_COLORMAP_MAGMA] = {17, 53, 90, 126, 168, 209, 216, 229},
     [CR_COLORMAP_GRAY] = {234, 237, 240, 243, 246, 249, 252, 255},
 };
-static const uint8_t RAMP_16[CR_COLORMAPS][8] = {
+static const uint8_t ramp_16[CR_COLORMAPS][8] = {
     [CR_COLORMAP_VIRIDIS] = {4, 4, 6, 6, 2, 2, 3, 3},
     [CR_COLORMAP_MAGMA] = {4, 4, 5, 5, 1, 1, 3, 3},
     [CR_COLORMAP_GRAY] = {8, 8, 8, 8, 7, 7, 15, 15},
@@ -168,7 +168,7 @@ static const uint8_t RAMP_16[CR_COLORMAPS][8] = {
 
 int cr_theme_ramp(enum cr_colormap map, enum cr_color color, int step) {
     int i = step < 1 ? 0 : step > 8 ? 7 : step - 1;
-    return color == CR_COLOR_16 ? RAMP_16[map][i] : RAMP_256[map][i];
+    return color == CR_COLOR_16 ? ramp_16[map][i] : ramp_256[map][i];
 }
 
 static int16_t ramp(enum cr_colormap map, enum cr_color color, int step) {
@@ -176,7 +176,7 @@ static int16_t ramp(enum cr_colormap map, enum cr_color color, int step) {
 }
 
 struct cr_style cr_theme_style(const struct cr_look *look, const struct cr_cell *cell) {
-    const struct cr_theme *theme = look->theme != NULL ? look->theme : &THEMES[0];
+    const struct cr_theme *theme = look->theme != NULL ? look->theme : &themes[0];
     struct cr_style style = theme->role[cell->role < CR_ROLES ? cell->role : CR_ROLE_TEXT];
     style.flags |= cell->flags;
     if (cell->fg > 0) {

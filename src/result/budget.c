@@ -7,7 +7,7 @@
 
 /* bytes of the solver and the model per voxel of a vehicle (measured: 55), more being better than
  * less */
-static const double VOXEL_BYTES = 64;
+static const double voxel_bytes = 64;
 
 /* voxels of all vehicles in plan, as compiling will make them */
 static double voxels(const struct cr_scene *scene) {
@@ -63,7 +63,7 @@ enum cr_err cr_result_too_expensive(const struct cr_scene *scene, const struct c
 
 enum cr_err cr_result_afford(const struct cr_scene *scene, const struct cr_context *ctx,
                              struct cr_error *err) {
-    if (ctx->max_bytes > 0 && VOXEL_BYTES * voxels(scene) > ctx->max_bytes) {
+    if (ctx->max_bytes > 0 && voxel_bytes * voxels(scene) > ctx->max_bytes) {
         return cr_result_too_expensive(scene, ctx, false, err);
     }
     return CR_ERR_OK;

@@ -6,27 +6,27 @@
 #include <string.h>
 
 /* residual depth from which a column counts as damaged, m: what a tape measure shows */
-static const double DAMAGED = 0.01;
+static const double damaged = 0.01;
 /* Front and rear are measured along the bumper beam: recorded damage width over overall width of
  * 186 full-width wall tests [RESIDUAL-SHAPE]. */
-static const double BEAM_WIDTH = 0.83;
+static const double beam_width = 0.83;
 /* Beyond where the undeformed outline lies this far back, m, it is the corner that leads round to
  * the next face. */
-static const double CORNER = 0.15;
+static const double corner = 0.15;
 /* B-pillar, behind the front axle as a share of the wheelbase; only for the extent zones */
-static const double B_PILLAR = 0.5;
+static const double b_pillar = 0.5;
 /* belt line and upper edge of the frame as shares of the height: the paper models' profiles put
  * the sill at 0.3 and the lower edge of the windows at 0.62 of the height */
-static const double BELT = 0.62, FRAME = 0.35;
+static const double belt = 0.62, frame = 0.35;
 /* share of the height from which an object at a flank reaches above the belt line */
-static const double ROOF = 0.75;
+static const double roof = 0.75;
 /* SAE J224: direct damage of an end no wider than 4 in (0.1 m) that runs along the flank is the
  * flank's */
-static const double SCRAPE = 0.102;
+static const double scrape = 0.102;
 /* A second face is reported from this share of the energy and this depth on, m. */
-static const double SECOND_SHARE = 0.2, SECOND_DEPTH = 0.05;
+static const double second_share = 0.2, second_depth = 0.05;
 /* share of a voxel's material below which a loss is rounding */
-static const double NOTHING = 1e-9;
+static const double nothing = 1e-9;
 
 /* A body's damage and whose doing it is. */
 struct damage {
@@ -97,7 +97,7 @@ enum cr_err cr_damage_owners(const struct cr_result *r, const struct cr_events *
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for the damage of a result");
     }
     for (size_t i = 0; i < n; i++) {
-        bool lost = g->fill[i] - o->left[i] > NOTHING;
+        bool lost = g->fill[i] - o->left[i] > nothing;
         (*out)[i] =
             (short)(lost ? owner(all, body, (double)o->t_crushed[i], voxel_at(g, (int)i)) : -1);
     }
@@ -146,7 +146,7 @@ static void split_faces(const struct damage *m, double energy[CR_FACES], double 
     struct cr_vec2 start = first_way(m->event, m->side);
     for (int i = 0; i < g->nx * g->ny; i++) {
         double lost = g->fill[i] - m->deform.left[i];
-        bool here = lost > NOTHING && (m->of == NULL || m->of[i] == own);
+        bool here = lost > nothing && (m->of == NULL || m->of[i] == own);
         enum cr_face f = CR_FACES;
         if (here) {
             struct cr_vec2 way =
@@ -172,11 +172,11 @@ static struct face_damage scan_face(const struct cr_deform *d, enum cr_face face
         f.residual_sum += all.residual;
         f.dynamic_sum += all.dynamic;
         cr_deepest_add(&deepest, lost);
-        if (all.residual > DAMAGED) {
+        if (all.residual > damaged) {
             f.lo = k < f.lo ? k : f.lo;
             f.hi = k;
         }
-        if (direct.residual > DAMAGED) {
+        if (direct.residual > damaged) {
             f.direct_lo = k < f.direct_lo ? k : f.direct_lo;
             f.direct_hi = k;
         }
@@ -202,10 +202,10 @@ static struct face_damage choose_face(struct damage *m, struct cr_severity *s,
     s->face = began_at(m, inward);
     struct face_damage f = scan_face(&m->deform, s->face);
     if (cr_face_is_end(s->face) && f.direct_hi >= f.direct_lo &&
-        width_of(&m->deform, f.direct_lo, f.direct_hi) <= SCRAPE) {
+        width_of(&m->deform, f.direct_lo, f.direct_hi) <= scrape) {
         enum cr_face flank = flank_beside(m, &f);
         struct face_damage g = scan_face(&m->deform, flank);
-        if (width_of(&m->deform, g.direct_lo, g.direct_hi) > SCRAPE) {
+        if (width_of(&m->deform, g.direct_lo, g.direct_hi) > scrape) {
             s->face = flank;
             return g;
         }
@@ -224,7 +224,7 @@ static enum cr_err second_face(struct damage *m, struct cr_severity *s, struct c
     }
     /* a flank that was only scraped past holds what its way counts for the end */
     bool beside = !(energy[s->face] > 0);
-    if (beside || !(energy[best] > SECOND_SHARE * sum)) {
+    if (beside || !(energy[best] > second_share * sum)) {
         return CR_ERR_OK;
     }
     const struct cr_grid *g = m->deform.grid;
@@ -238,7 +238,7 @@ static enum cr_err second_face(struct damage *m, struct cr_severity *s, struct c
     d.through = true;
     struct face_damage f = scan_face(&d, (enum cr_face)best);
     struct cr_depth deep = both(&d, (enum cr_face)best, f.depth);
-    if (deep.residual >= SECOND_DEPTH) {
+    if (deep.residual >= second_depth) {
         s->second = (struct cr_second_face){.face = (enum cr_face)best,
                                             .depth = deep.residual,
                                             .depth_dynamic = deep.dynamic,
@@ -277,16 +277,16 @@ static void crush_profile(const struct cr_deform *d, const struct face_damage *f
         foremost = fmin(foremost, cr_deform_setback(d->grid, s->face, k));
     }
     if (cr_face_is_end(s->face)) {
-        lo = fmax(lo, n * (1 - BEAM_WIDTH) / 2);
-        hi = fmin(hi, n * (1 + BEAM_WIDTH) / 2);
+        lo = fmax(lo, n * (1 - beam_width) / 2);
+        hi = fmin(hi, n * (1 + beam_width) / 2);
     }
     if (!(hi >= lo)) {
         return;
     }
-    while (lo < hi && cr_deform_setback(d->grid, s->face, (int)lo) - foremost > CORNER) {
+    while (lo < hi && cr_deform_setback(d->grid, s->face, (int)lo) - foremost > corner) {
         lo = (int)lo + 1.5;
     }
-    while (lo < hi && cr_deform_setback(d->grid, s->face, (int)hi) - foremost > CORNER) {
+    while (lo < hi && cr_deform_setback(d->grid, s->face, (int)hi) - foremost > corner) {
         hi = (int)hi - 0.5;
     }
     /* the whole face springs back by one share, so that what was straight stays straight */
@@ -333,17 +333,17 @@ static char vertical(const struct damage *m, enum cr_face face) {
     if (q->kind != CR_KIND_OBJECT) {
         return 'E';
     }
-    if (q->z_lo >= BELT * p->height) {
+    if (q->z_lo >= belt * p->height) {
         return 'G';
     }
-    if (q->z_lo >= FRAME * p->height) {
-        return q->z_hi > BELT * p->height ? 'H' : 'M';
+    if (q->z_lo >= frame * p->height) {
+        return q->z_hi > belt * p->height ? 'H' : 'M';
     }
-    if (q->z_hi <= FRAME * p->height) {
+    if (q->z_hi <= frame * p->height) {
         return 'L';
     }
     /* the classification counts a side hit to the roof, a front hit below the belt line */
-    return !cr_face_is_end(face) && q->z_hi > ROOF * p->height ? 'A' : 'E';
+    return !cr_face_is_end(face) && q->z_hi > roof * p->height ? 'A' : 'E';
 }
 
 static void classify(const struct damage *m, const struct face_damage *f, struct cr_severity *s) {
@@ -351,7 +351,7 @@ static void classify(const struct damage *m, const struct face_damage *f, struct
     const struct cr_participant *p = &m->r->resolved.part[m->body];
     int n = cr_face_lines(g, s->face);
     double length = or_else(p->length, g->nx * g->h), width = or_else(p->width, g->ny * g->h);
-    double pillar = or_else(p->front_overhang + B_PILLAR * p->wheelbase, length / 2);
+    double pillar = or_else(p->front_overhang + b_pillar * p->wheelbase, length / 2);
     struct cr_cdc_case what = {
         .pdof = s->pdof,
         .face = s->face,

@@ -7,21 +7,21 @@
 #include <string.h>
 
 /* intact material behind damage that ends a column, m: thicker than any gap between structures */
-static const double INTACT = 0.3;
+static const double intact_least = 0.3;
 /* share of a voxel's material below which a loss is rounding */
-static const double NOTHING = 1e-9;
+static const double nothing = 1e-9;
 
 /* share of a shallow crush that springs back: walls at 23 to 40 km/h of share/validation/data */
-static const double SHALLOW = 0.4;
+static const double shallow = 0.4;
 /* crush that leaves nothing, m: walls at 8 km/h and rear ends of cars struck below 13 km/h */
-static const double ELASTIC = 0.11;
+static const double elastic_depth = 0.11;
 
 double cr_deform_residual(double dynamic, double springback) {
     if (!(dynamic > 0)) {
         return 0;
     }
     double back = springback > 0 ? springback : 0;
-    return dynamic - fmin(back, fmax(SHALLOW * dynamic, fmin(dynamic, ELASTIC)));
+    return dynamic - fmin(back, fmax(shallow * dynamic, fmin(dynamic, elastic_depth)));
 }
 
 double cr_deform_dynamic(double residual, double springback) {
@@ -29,18 +29,18 @@ double cr_deform_dynamic(double residual, double springback) {
         return 0;
     }
     double back = springback > 0 ? springback : 0;
-    return fmin(residual + back, fmax(residual + ELASTIC, residual / (1 - SHALLOW)));
+    return fmin(residual + back, fmax(residual + elastic_depth, residual / (1 - shallow)));
 }
 
 /* one step along a line or column; true when the line is over */
 static bool walk(double fill, double lost, double step, double *sum, double *intact) {
-    if (lost > NOTHING) {
+    if (lost > nothing) {
         *sum += lost * step;
         *intact = 0;
     } else {
         *intact += fill * step;
     }
-    return *sum > 0 && *intact > INTACT;
+    return *sum > 0 && *intact > intact_least;
 }
 
 /* box of the voxels that lost material, in voxels; false if none did */
@@ -50,7 +50,7 @@ static bool lost_box(const struct cr_deform *d, int lo[2], int hi[2]) {
     lo[1] = g->ny;
     hi[0] = hi[1] = -1;
     for (int i = 0; i < g->nx * g->ny; i++) {
-        if (g->fill[i] - d->left[i] > NOTHING) {
+        if (g->fill[i] - d->left[i] > nothing) {
             int x = i % g->nx, y = i / g->nx;
             lo[0] = x < lo[0] ? x : lo[0];
             hi[0] = x > hi[0] ? x : hi[0];
@@ -108,13 +108,13 @@ static bool clip(struct cr_vec2 at, struct cr_vec2 dir, const int lo[2], const i
 /* material lost along at + t dir, both in voxels; result in voxels */
 static double line_loss(const struct cr_deform *d, struct cr_vec2 at, struct cr_vec2 dir,
                         const int lo[2], const int hi[2]) {
-    static const double STEP = 0.25; /* voxels */
+    static const double step_most = 0.25; /* voxels */
     const struct cr_grid *g = d->grid;
     double t0, t1, sum = 0, intact = 0;
     if (!clip(at, dir, lo, hi, &t0, &t1)) {
         return 0;
     }
-    int n = (int)ceil((t1 - t0) / STEP);
+    int n = (int)ceil((t1 - t0) / step_most);
     double step = (t1 - t0) / n;
     for (int i = 0; i < n; i++) {
         struct cr_vec2 p = cr_vec2_axpy(at, t0 + (i + 0.5) * step, dir);
@@ -179,7 +179,7 @@ double cr_deform_column(const struct cr_deform *d, enum cr_face face, int k, boo
             lost = 0;
         }
         if (walk(g->fill[at] * g->h, lost, 1, &sum, &intact) ||
-            (!d->through && !(sum > 0) && intact > INTACT)) {
+            (!d->through && !(sum > 0) && intact > intact_least)) {
             break;
         }
     }
@@ -190,7 +190,7 @@ double cr_deform_setback(const struct cr_grid *g, enum cr_face face, int k) {
     int n = cr_face_line_length(g, face);
     for (int i = 0; i < n; i++) {
         double fill = g->fill[place(g, face, k, i)];
-        if (fill > NOTHING) {
+        if (fill > nothing) {
             return (i + 1 - fill) * g->h;
         }
     }
@@ -215,7 +215,7 @@ void cr_deform_relax(const struct cr_deform *d, enum cr_face face, double *left)
         double back = (lost - cr_deform_residual(lost, g->springback[face])) / g->h;
         int deep = 0;
         /* the place in which the last of the column's loss lies */
-        for (int i = 0; sum * g->h < lost - NOTHING && i < cr_face_line_length(g, face); i++) {
+        for (int i = 0; sum * g->h < lost - nothing && i < cr_face_line_length(g, face); i++) {
             int at = place(g, face, k, i);
             sum += fmax(0, g->fill[at] - left[at]);
             deep = i;
@@ -249,7 +249,7 @@ enum cr_face cr_deform_face(const struct cr_deform *d, struct cr_vec2 inward) {
     double of[CR_FACES] = {0};
     for (int i = 0; i < g->nx * g->ny; i++) {
         double lost = g->fill[i] - d->left[i];
-        if (lost > NOTHING) {
+        if (lost > nothing) {
             struct cr_vec2 at = {g->x0 + (i % g->nx + 0.5) * g->h,
                                  g->y0 + ((int)(i / g->nx) + 0.5) * g->h};
             of[cr_deform_face_at(g, at, inward)] += g->energy[i] * lost / g->fill[i];

@@ -6,15 +6,15 @@
 #include <string.h>
 
 /* 49 CFR 563.5: an event is over when the velocity changes by no more than this within 20 ms */
-static const double QUIET = 0.8 / 3.6, WINDOW = 0.020;
+static const double quiet_speed = 0.8 / 3.6, quiet_window = 0.020;
 /* the same for pairs that do not reach it by far, as a share of their greatest change */
-static const double FAINT = 0.05;
+static const double faint_share = 0.05;
 /* touches that follow each other sooner are one impact, s: the length of a crash pulse */
-static const double GAP = 0.1;
+static const double gap_between = 0.1;
 /* A contact is reported whole unless it rubs for longer than this before or after, s. */
-static const double RUB = 0.1;
+static const double rub_most = 0.1;
 /* Below this share of the first relative speed its direction is chance. */
-static const double SLOW = 0.2;
+static const double slow_share = 0.2;
 
 /* What the passes over the slices share; a contact's span is where it is more than rubbing. */
 struct span {
@@ -72,9 +72,9 @@ static double sweep(const struct work *w, int contact, double least) {
             continue;
         }
         sum = cr_vec2_add(sum, push(&sol->slice[i]));
-        while (tail < i &&
-               (sol->slice[tail].contact != contact ||
-                slice_end(sol, i) - sample_begin(sol, sol->slice[tail].sample) > WINDOW + 1e-9)) {
+        while (tail < i && (sol->slice[tail].contact != contact ||
+                            slice_end(sol, i) - sample_begin(sol, sol->slice[tail].sample) >
+                                quiet_window + 1e-9)) {
             bool own = sol->slice[tail].contact == contact;
             sum = own ? cr_vec2_sub(sum, push(&sol->slice[tail])) : sum;
             tail++;
@@ -99,7 +99,7 @@ static double quiet_of(const struct work *w, int contact) {
             top = fmax(top, w->span[k].peak);
         }
     }
-    return fmin(QUIET, FAINT * top);
+    return fmin(quiet_speed, faint_share * top);
 }
 
 static void find_spans(struct work *w) {
@@ -122,8 +122,8 @@ static void find_spans(struct work *w) {
         struct span *of = &w->span[k];
         double end = contact_end(sol, c);
         sweep(w, k, quiet_of(w, k));
-        of->begin = !(of->begin - c->t_begin > RUB) ? c->t_begin : of->begin;
-        of->end = !(end - of->end > RUB) ? end : of->end;
+        of->begin = !(of->begin - c->t_begin > rub_most) ? c->t_begin : of->begin;
+        of->end = !(end - of->end > rub_most) ? end : of->end;
     }
 }
 
@@ -144,7 +144,7 @@ static void group(struct work *w, struct cr_events *out) {
         struct span *of = &w->span[k];
         int at = latest(out, c);
         bool faint = of->peak < quiet_of(w, k);
-        if (at < 0 || (!faint && of->begin - out->event[at].t_end > GAP)) {
+        if (at < 0 || (!faint && of->begin - out->event[at].t_end > gap_between)) {
             at = out->n++;
             out->event[at] = (struct cr_event){.body = {c->a, c->b},
                                                .t_begin = of->begin,
@@ -275,7 +275,7 @@ static void add_slices(struct work *w, struct cr_events *all) {
         bool in = s->sample >= e->first && s->sample < e->first + e->samples;
         struct cr_vec2 rel = cr_vec2_sub(point_velocity(sol, s->sample, c->b, s->coe),
                                          point_velocity(sol, s->sample, c->a, s->coe));
-        rel = cr_vec2_len(rel) > SLOW * e->closing ? rel : cr_vec2(0, 0);
+        rel = cr_vec2_len(rel) > slow_share * e->closing ? rel : cr_vec2(0, 0);
         for (int side = 0; side < 2; side++) {
             int body = side == 0 ? c->a : c->b;
             struct cr_vec2 arm = cr_vec2_sub(s->coe, end_of(sol, s->sample, body)->pos);

@@ -16,18 +16,18 @@
 #include <string.h>
 
 enum covariate { DELTA_V, CLOSING, EES, COVARIATES };
-static const char *const COVARIATE[COVARIATES] = {"delta_v", "closing_speed", "ees"};
+static const char *const covariate_words[COVARIATES] = {"delta_v", "closing_speed", "ees"};
 
 static const struct {
     const char *word;
     double mps;
-} UNIT[] = {{"m/s", 1}, {"km/h", 1 / 3.6}, {"mph", 0.44704}};
+} unit_words[] = {{"m/s", 1}, {"km/h", 1 / 3.6}, {"mph", 0.44704}};
 
 /* sector -> number: the clock hour, else left or right, else front, side or rear, else all */
 enum sector { FRONT = 13, SIDE, LEFT, RIGHT, REAR, ALL, SECTORS };
-static const char *const SECTOR[SECTORS] = {"",     "1",    "2",     "3",    "4",  "5",  "6",
-                                            "7",    "8",    "9",     "10",   "11", "12", "front",
-                                            "side", "left", "right", "rear", "all"};
+static const char *const sector_words[SECTORS] = {
+    "",   "1",  "2",  "3",     "4",    "5",    "6",     "7",    "8",  "9",
+    "10", "11", "12", "front", "side", "left", "right", "rear", "all"};
 
 struct irf {
     char name[CR_NAME_MAX], title[CR_NAME_MAX], level[16];
@@ -74,7 +74,7 @@ static bool read_sectors(const cJSON *json, double sector[SECTORS]) {
     const cJSON *item;
     cJSON_ArrayForEach(item, json) {
         int i = 1;
-        while (i < SECTORS && strcmp(SECTOR[i], item->string ? item->string : "")) {
+        while (i < SECTORS && strcmp(sector_words[i], item->string ? item->string : "")) {
             i++;
         }
         if (i == SECTORS || !cJSON_IsNumber(item)) {
@@ -87,7 +87,7 @@ static bool read_sectors(const cJSON *json, double sector[SECTORS]) {
 
 static int find_covariate(const char *s) {
     for (int i = 0; i < COVARIATES; i++) {
-        if (!strcmp(s, COVARIATE[i])) {
+        if (strcmp(s, covariate_words[i]) == 0) {
             return i;
         }
     }
@@ -95,9 +95,9 @@ static int find_covariate(const char *s) {
 }
 
 static double find_unit(const char *s) {
-    for (size_t i = 0; i < sizeof UNIT / sizeof *UNIT; i++) {
-        if (!strcmp(s, UNIT[i].word)) {
-            return UNIT[i].mps;
+    for (size_t i = 0; i < sizeof unit_words / sizeof *unit_words; i++) {
+        if (strcmp(s, unit_words[i].word) == 0) {
+            return unit_words[i].mps;
         }
     }
     return NAN;
@@ -107,7 +107,7 @@ static double find_unit(const char *s) {
 static enum cr_err read_formula(const cJSON *json, const char *path, struct irf *f,
                                 struct cr_error *err) {
     const char *formula = word(json, "formula");
-    f->power = !strcmp(formula, "power");
+    f->power = strcmp(formula, "power") == 0;
     if (!f->power && strcmp(formula, "logistic") != 0) {
         return bad(err, path, f->name, "formula", "'logistic' or 'power'");
     }
@@ -157,8 +157,8 @@ static enum cr_err read_irf(const cJSON *json, const char *path, struct irf *f,
     }
     f->lo = lo->valuedouble;
     f->hi = hi->valuedouble;
-    f->vehicle_partner = !strcmp(word(json, "partner"), "vehicle");
-    f->front_only = !strcmp(word(json, "side"), "front");
+    f->vehicle_partner = strcmp(word(json, "partner"), "vehicle") == 0;
+    f->front_only = strcmp(word(json, "side"), "front") == 0;
     f->by_default = cJSON_IsTrue(cJSON_GetObjectItemCaseSensitive(json, "default"));
     return read_formula(json, path, f, err);
 }
@@ -174,26 +174,26 @@ static enum cr_err add_file(struct cr_irf_set *set, const char *path, struct cr_
     char *text = NULL;
     size_t len;
     cJSON *json = NULL;
-    enum cr_err rc = cr_file_read_regular(path, &text, &len, err);
-    if (rc) {
-        return rc;
+    enum cr_err code = cr_file_read_regular(path, &text, &len, err);
+    if (code) {
+        return code;
     }
     chain_hash(set, text, len);
     json = cJSON_ParseWithLength(text, len);
     const cJSON *list = cJSON_GetObjectItemCaseSensitive(json, "functions"), *item;
     if (!cJSON_IsArray(list)) {
-        rc = cr_err_set(err, CR_ERR_SYNTAX, "not a file of injury risk functions");
+        code = cr_err_set(err, CR_ERR_SYNTAX, "not a file of injury risk functions");
         cr_err_place(err, path, 0, 0);
         cr_err_hint(err, "a JSON object with a list 'functions' is wanted");
         goto out;
     }
     cJSON_ArrayForEach(item, list) {
         if (!cr_grow(&set->irf, &set->size, set->n, sizeof *set->irf)) {
-            rc = cr_err_set(err, CR_ERR_MEMORY, "no memory for risk functions");
+            code = cr_err_set(err, CR_ERR_MEMORY, "no memory for risk functions");
             goto out;
         }
-        rc = read_irf(item, path, &set->irf[set->n], err);
-        if (rc) {
+        code = read_irf(item, path, &set->irf[set->n], err);
+        if (code) {
             goto out;
         }
         set->n++;
@@ -201,12 +201,12 @@ static enum cr_err add_file(struct cr_irf_set *set, const char *path, struct cr_
 out:
     cJSON_Delete(json);
     free(text);
-    return rc;
+    return code;
 }
 
 static int is_json(const struct dirent *e) {
     size_t n = strlen(e->d_name);
-    return n > 5 && e->d_name[0] != '.' && !strcmp(e->d_name + n - 5, ".json");
+    return n > 5 && e->d_name[0] != '.' && strcmp(e->d_name + n - 5, ".json") == 0;
 }
 
 enum cr_err cr_irf_load(const char *dir, struct cr_irf_set **out, struct cr_error *err) {
@@ -217,22 +217,22 @@ enum cr_err cr_irf_load(const char *dir, struct cr_irf_set **out, struct cr_erro
         cr_err_set(err, CR_ERR_IO, "cannot list folder '%s': %s", dir, strerror(errno));
         return CR_ERR_IO;
     }
-    enum cr_err rc = CR_ERR_OK;
+    enum cr_err code = CR_ERR_OK;
     struct cr_irf_set *set = calloc(1, sizeof *set);
     if (!set) {
-        rc = cr_err_set(err, CR_ERR_MEMORY, "no memory for risk functions");
+        code = cr_err_set(err, CR_ERR_MEMORY, "no memory for risk functions");
     }
     for (int i = 0; i < n; i++) {
         struct cr_str path = {0};
         cr_str_addf(&path, "%s/%s", dir, entry[i]->d_name);
-        rc = rc ? rc : add_file(set, cr_str_get(&path), err);
+        code = code ? code : add_file(set, cr_str_get(&path), err);
         cr_str_fini(&path);
         free(entry[i]);
     }
     free(entry);
-    if (rc) {
+    if (code) {
         cr_irf_free(set);
-        return rc;
+        return code;
     }
     bool any = false;
     for (int i = 0; i < set->n; i++) {
@@ -263,8 +263,8 @@ static bool is_chosen(const struct irf *f, const char *words) {
         char one[CR_NAME_MAX];
         size_t len = strcspn(at, ",");
         snprintf(one, sizeof one, "%.*s", (int)(len < sizeof one ? len : 0), at);
-        chosen = chosen || !strcmp(one, "all") || !strcmp(one, f->name) ||
-                 (f->by_default && !strcmp(one, "auto"));
+        chosen = chosen || strcmp(one, "all") == 0 || strcmp(one, f->name) == 0 ||
+                 (f->by_default && strcmp(one, "auto") == 0);
         at += len + (at[len] == ',');
     }
     return chosen;
@@ -336,7 +336,7 @@ void cr_irf_apply(const struct cr_irf_set *set, const struct cr_irf_case *what,
         to->probability = f->power ? fmin(1, pow(fmax(0, x) / by, f->exponent))
                                    : 1 / (1 + exp(-(f->intercept + f->slope * x + by)));
         to->extrapolated = x < f->lo || x > f->hi;
-        // a direction the function says nothing of
+        /* a direction the function says nothing of */
         if (!isfinite(to->probability)) {
             severity->injuries--;
         }

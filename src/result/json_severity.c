@@ -31,7 +31,7 @@ static double course_deg(double rad) {
     return cr_deg(cr_angle_wrap(rad));
 }
 
-static const char *const FACE[CR_FACES] = {
+static const char *const face_words[CR_FACES] = {
     [CR_FACE_FRONT] = "front",
     [CR_FACE_LEFT] = "left",
     [CR_FACE_REAR] = "rear",
@@ -66,7 +66,7 @@ static void put_second(const struct cr_second_face *second, cJSON *p) {
         return;
     }
     cJSON *to = cr_tree_object(p, "second_face");
-    cr_tree_text(to, "face", FACE[second->face]);
+    cr_tree_text(to, "face", face_words[second->face]);
     cr_json_put(to, "face_depth_m", second->depth);
     cr_json_put(to, "face_depth_dynamic_m", second->depth_dynamic);
     cr_json_put(to, "damage_width_m", second->width);
@@ -78,7 +78,7 @@ void cr_json_deformation(const struct cr_severity *s, int version, cJSON *p) {
     cr_json_put(p, "deformation_area_m2", s->deformation_area);
     cr_tree_put(p, "crush_profile_m",
                 cr_json_numbers(version > 1 ? s->profile : s->profile_outline, CR_PROFILE));
-    cr_tree_text(p, "face", FACE[s->face]);
+    cr_tree_text(p, "face", face_words[s->face]);
     cr_json_put(p, "face_depth_m", s->face_depth);
     cr_json_put(p, "face_depth_dynamic_m", s->face_depth_dynamic);
     cr_json_put(p, "damage_width_m", s->damage_width);

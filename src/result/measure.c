@@ -10,9 +10,9 @@
 #include <string.h>
 
 /* shortest pulse record, s: OLC and VPI need the time after the contact too */
-static const double RECORD = 0.3;
+static const double record = 0.3;
 /* share of the greatest acceleration below which the tail of a pulse does not count */
-static const double TAIL = 0.05;
+static const double tail = 0.05;
 
 int cr_result_main_contact(const struct cr_solution *sol, int body) {
     int best = -1;
@@ -118,7 +118,7 @@ static enum cr_err measure_record(const struct taking *t, int i, struct cr_sever
     const struct cr_outcome *o = &t->r->solution->body[i];
     struct cr_vec2 u = cr_vec2_unit(s->delta_v_world, cr_vec2(1, 0));
     struct cr_pulse p;
-    enum cr_err code = cr_pulse_new(t->r->solution, i, u, RECORD, &p, t->err);
+    enum cr_err code = cr_pulse_new(t->r->solution, i, u, record, &p, t->err);
     if (code) {
         return code;
     }
@@ -131,7 +131,7 @@ static enum cr_err measure_record(const struct taking *t, int i, struct cr_sever
         s->vpi = cr_pulse_vpi(p.along + start, p.n - start, p.dt);
         s->acceleration_max = cr_pulse_peak(&p, &s->t_max);
         s->t_max -= o->t_first;
-        s->pulse = lasting(t->all, i, &p, TAIL * s->acceleration_max);
+        s->pulse = lasting(t->all, i, &p, tail * s->acceleration_max);
         s->acceleration_mean = s->pulse > 0 ? s->delta_v / s->pulse : 0;
     }
     cr_pulse_fini(&p);
@@ -150,7 +150,7 @@ static enum cr_err measure_pulse(const struct taking *t, const struct cr_event *
     if (!code) {
         s->acceleration_max = cr_pulse_peak(&p, &s->t_max);
         s->t_max -= t->r->solution->body[e->body[side]].t_first;
-        s->pulse = cr_pulse_lasting(&p, TAIL * s->acceleration_max, e->t_begin, e->t_end);
+        s->pulse = cr_pulse_lasting(&p, tail * s->acceleration_max, e->t_begin, e->t_end);
         s->acceleration_mean = s->pulse > 0 ? s->delta_v / s->pulse : 0;
     }
     cr_pulse_fini(&p);
@@ -278,9 +278,9 @@ static enum cr_err measure_outline(const struct taking *t, int body, struct cr_s
         return cr_err_set(t->err, CR_ERR_MEMORY, "no memory for an outline");
     }
     cr_deform_relax(&d, s->face, left);
-    enum cr_err rc = cr_deform_outline(g, left, g->h / 4, &s->outline, &s->outline_n, t->err);
+    enum cr_err code = cr_deform_outline(g, left, g->h / 4, &s->outline, &s->outline_n, t->err);
     free(left);
-    return rc;
+    return code;
 }
 
 static enum cr_err measure_body(const struct taking *t, int i) {

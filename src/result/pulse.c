@@ -6,10 +6,10 @@
 #include <string.h>
 
 /* 10 kHz, the rate of ISO/TS 18571 and of the test vector of [CFC-FILTER] */
-static const double STEP = 1e-4;
-static const double BEFORE = 0.02; /* s of rest ahead of first contact, as test signals have */
-static const double AFTER = 0.02;  /* s beyond the last contact */
-static const double LONGEST = 20;  /* s, bounds the memory of a pulse */
+static const double pulse_step = 1e-4;
+static const double rest_before = 0.02; /* s of rest ahead of first contact, as test signals have */
+static const double rest_after = 0.02;  /* s beyond the last contact */
+static const double longest = 20;       /* s, bounds the memory of a pulse */
 
 /* walk through the trace with increasing time: state at t, linear between the ends of slices */
 struct cursor {
@@ -72,14 +72,14 @@ static struct motion cursor_at(struct cursor *c, double t) {
 /* span: from `from` on, s, the time before it not counted; direction: unit, world */
 static enum cr_err fill(struct cursor c, double from, double span, struct cr_vec2 direction,
                         struct cr_pulse *out, struct cr_error *err) {
-    int n = (int)ceil((BEFORE + cr_clamp(span, STEP, LONGEST)) / STEP);
+    int n = (int)ceil((rest_before + cr_clamp(span, pulse_step, longest)) / pulse_step);
     double *m = calloc((size_t)n * 5, sizeof *m);
     if (!m) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for a pulse of %d samples", n);
     }
     *out = (struct cr_pulse){.n = n,
-                             .t0 = from - BEFORE,
-                             .dt = STEP,
+                             .t0 = from - rest_before,
+                             .dt = pulse_step,
                              .ax = m,
                              .ay = m + n,
                              .along = m + 2L * n,
@@ -89,8 +89,8 @@ static enum cr_err fill(struct cursor c, double from, double span, struct cr_vec
     double heading = c.sol->body[c.body].before.heading;
     struct motion a = cursor_at(&c, out->t0);
     for (int i = 0; i < n; i++) {
-        struct motion b = cursor_at(&c, out->t0 + (i + 1) * STEP);
-        struct cr_vec2 acc = cr_vec2_scale(cr_vec2_sub(b.vel, a.vel), 1 / STEP);
+        struct motion b = cursor_at(&c, out->t0 + (i + 1) * pulse_step);
+        struct cr_vec2 acc = cr_vec2_scale(cr_vec2_sub(b.vel, a.vel), 1 / pulse_step);
         double mid = (a.heading + b.heading) / 2;
         struct cr_vec2 own = cr_vec2_unrotate(acc, cos(mid), sin(mid));
         out->ax[i] = own.x;
@@ -110,7 +110,7 @@ enum cr_err cr_pulse_new(const struct cr_solution *sol, int body, struct cr_vec2
         return cr_err_set(err, CR_ERR_RANGE, "the solution has no time slices");
     }
     const struct cr_outcome *o = &sol->body[body];
-    double span = fmax(o->t_last - o->t_first + AFTER, length_s);
+    double span = fmax(o->t_last - o->t_first + rest_after, length_s);
     return fill(cursor_start(sol, body), o->t_first, span, direction, out, err);
 }
 
@@ -124,7 +124,7 @@ enum cr_err cr_pulse_of_event(const struct cr_solution *sol, const struct cr_eve
     c.only = event;
     c.side = side;
     struct cr_vec2 u = cr_vec2_unit(event->of[side].delta_v, cr_vec2(1, 0));
-    return fill(c, event->t_begin, event->t_end - event->t_begin + AFTER, u, out, err);
+    return fill(c, event->t_begin, event->t_end - event->t_begin + rest_after, u, out, err);
 }
 
 double cr_pulse_peak(const struct cr_pulse *p, double *when) {
@@ -156,22 +156,22 @@ void cr_pulse_fini(struct cr_pulse *pulse) {
 }
 
 double cr_pulse_olc(const double *accel, int n, double dt) {
-    static const double FREE = 0.065, STOP = 0.300; /* m */
+    static const double free_flight = 0.065, stop_way = 0.300; /* m */
     double s = 0, v = 0, t1 = -1, f0 = 0;
     for (int i = 0; i < n; i++) {
         double t = (i + 1) * dt, s0 = s, v0 = v;
         s += v * dt + accel[i] * dt * dt / 2;
         v += accel[i] * dt;
-        if (t1 < 0 && s >= FREE) {
-            t1 = t - dt + dt * (FREE - s0) / (s - s0);
+        if (t1 < 0 && s >= free_flight) {
+            t1 = t - dt + dt * (free_flight - s0) / (s - s0);
         }
         if (t1 < 0) {
             continue;
         }
         /* s_rel(t2) - OLC (t2 - t1)^2 / 2 = 0.3 m with OLC = v_rel(t2) / (t2 - t1) */
         double f = s - v * (t - t1) / 2;
-        if (f >= STOP) {
-            double share = f > f0 && f0 > 0 ? (STOP - f0) / (f - f0) : 1;
+        if (f >= stop_way) {
+            double share = f > f0 && f0 > 0 ? (stop_way - f0) / (f - f0) : 1;
             double t2 = t - dt + share * dt, v2 = v0 + share * (v - v0);
             if (v2 > 0) { /* else the vehicle has caught up: nothing holds the occupant */
                 return v2 / (t2 - t1);
@@ -184,23 +184,23 @@ double cr_pulse_olc(const double *accel, int n, double dt) {
         return 0;
     }
     double end = n * dt;
-    t1 = t1 < 0 ? end + (FREE - s) / v : t1;
-    double t2 = 2 * (STOP - s) / v + 2 * end - t1;
+    t1 = t1 < 0 ? end + (free_flight - s) / v : t1;
+    double t2 = 2 * (stop_way - s) / v + 2 * end - t1;
     return t2 > t1 ? v / (t2 - t1) : 0;
 }
 
 double cr_pulse_vpi(const double *accel, int n, double dt) {
-    static const double STIFFNESS = 2500, SLACK = 0.03; /* N/m per kg, m */
-    static const double TAIL = 1.0; /* s without acceleration after the record */
+    static const double stiffness = 2500, slack = 0.03; /* N/m per kg, m */
+    static const double tail_s = 1.0; /* s without acceleration after the record */
     double x = 0, v = 0, pull = 0, top = 0;
-    int tail = (int)(TAIL / dt);
+    int tail = (int)(tail_s / dt);
     /* after the record only what still runs into the belt can pull harder */
     for (int i = 0; i < n || (i < n + tail && v > 0); i++) {
         double a = i < n ? accel[i] : 0;
         /* velocity Verlet on the motion relative to the vehicle */
         v += (a - pull) * dt / 2;
         x += v * dt;
-        pull = x > SLACK ? STIFFNESS * (x - SLACK) : 0;
+        pull = x > slack ? stiffness * (x - slack) : 0;
         v += (a - pull) * dt / 2;
         top = pull > top ? pull : top;
     }
@@ -215,8 +215,8 @@ double cr_pulse_greater(double x, double y, double than) {
 }
 
 double cr_pulse_asi(const double *ax, const double *ay, int n, double dt) {
-    static const double WINDOW = 0.050, LIMIT_X = 12 * CR_G, LIMIT_Y = 9 * CR_G;
-    int w = (int)lround(WINDOW / dt);
+    static const double window_s = 0.050, limit_x = 12 * CR_G, limit_y = 9 * CR_G;
+    int w = (int)lround(window_s / dt);
     double sx = 0, sy = 0, top = 0;
     for (int i = 0; i < n; i++) {
         sx += ax[i];
@@ -225,15 +225,15 @@ double cr_pulse_asi(const double *ax, const double *ay, int n, double dt) {
             sx -= ax[i - w];
             sy -= ay[i - w];
         }
-        top = cr_pulse_greater(sx / w / LIMIT_X, sy / w / LIMIT_Y, top);
+        top = cr_pulse_greater(sx / w / limit_x, sy / w / limit_y, top);
     }
     return top;
 }
 
 /* greatest 10 ms mean of the vehicle's acceleration from sample `from` on */
 static double phd_after(const struct cr_pulse *p, int from) {
-    static const double WINDOW = 0.010;
-    int w = (int)lround(WINDOW / p->dt);
+    static const double window_s = 0.010;
+    int w = (int)lround(window_s / p->dt);
     double sum = 0, top = 0;
     for (int i = from; i < p->n; i++) {
         sum += hypot(p->ax[i], p->ay[i]);
@@ -246,13 +246,13 @@ static double phd_after(const struct cr_pulse *p, int from) {
 }
 
 double cr_pulse_thiv(const struct cr_pulse *p, int start, double *phd) {
-    static const double AHEAD = 0.6, ASIDE = 0.3; /* m, EN 1317 */
-    static const double PATIENCE = 2;             /* s to wait for a slow head */
+    static const double ahead = 0.6, aside = 0.3; /* m, EN 1317 */
+    static const double patience = 2;             /* s to wait for a slow head */
     /* position and velocity of the head against the CG, in axes that do not turn */
     struct cr_vec2 r = {0, 0}, v = {0, 0};
     double psi = 0, w = 0;
     *phd = 0;
-    int last = p->n + (int)(PATIENCE / p->dt);
+    int last = p->n + (int)(patience / p->dt);
     for (int i = start; i < last; i++) {
         struct cr_vec2 acc = {0, 0};
         if (i < p->n) {
@@ -265,7 +265,7 @@ double cr_pulse_thiv(const struct cr_pulse *p, int start, double *phd) {
         r = cr_vec2_axpy(r, p->dt, cr_vec2_axpy(v, -p->dt / 2, acc));
         v = cr_vec2_axpy(v, -p->dt, acc);
         struct cr_vec2 own = cr_vec2_unrotate(r, cos(psi), sin(psi));
-        if (fabs(own.x) >= AHEAD || fabs(own.y) >= ASIDE) {
+        if (fabs(own.x) >= ahead || fabs(own.y) >= aside) {
             *phd = i < p->n ? phd_after(p, i) : 0;
             break;
         }

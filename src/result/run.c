@@ -9,8 +9,8 @@
 #include <string.h>
 
 /* the trial's voxels and time slices, never finer than the scene's own */
-static const double TRIAL_VOXEL = 0.1; /* m */
-static const double TRIAL_DT = 2e-3;   /* s */
+static const double trial_voxel = 0.1; /* m */
+static const double trial_dt = 2e-3;   /* s */
 
 /* velocity at the end of the approach, world, m/s */
 static struct cr_vec2 approach(const struct cr_participant *p, struct cr_vec2 *pos,
@@ -140,23 +140,23 @@ static enum cr_err solve(const struct cr_scene *scene, const struct cr_context *
                          const double pdof[CR_BODY_MAX], struct cr_compiled *compiled,
                          struct cr_solver **solver, struct cr_error *err) {
     *solver = NULL;
-    enum cr_err rc = cr_scene_compile(scene, ctx->models, pdof, compiled, err);
-    if (rc) {
-        return rc;
+    enum cr_err code = cr_scene_compile(scene, ctx->models, pdof, compiled, err);
+    if (code) {
+        return code;
     }
-    rc = cr_result_solver(scene, &compiled->cs, solver, err);
+    code = cr_result_solver(scene, &compiled->cs, solver, err);
     struct watched watched = {.ctx = ctx, .solver = *solver, .compiled = compiled};
-    rc = rc ? rc : cr_solver_run(*solver, poll_watched, &watched, err);
+    code = code ? code : cr_solver_run(*solver, poll_watched, &watched, err);
     if (watched.late || watched.large) {
-        rc = cr_result_too_expensive(scene, ctx, watched.late, err);
+        code = cr_result_too_expensive(scene, ctx, watched.late, err);
     }
-    bool part = rc == CR_ERR_INTERRUPTED && ctx->keep && cr_solver_solution(*solver)->samples > 0;
-    if (rc && !part) {
+    bool part = code == CR_ERR_INTERRUPTED && ctx->keep && cr_solver_solution(*solver)->samples > 0;
+    if (code && !part) {
         cr_solver_free(*solver);
         *solver = NULL;
         cr_compiled_fini(compiled);
     }
-    return rc;
+    return code;
 }
 
 static enum cr_err trial(const struct cr_scene *scene, const struct cr_context *ctx,
@@ -164,23 +164,23 @@ static enum cr_err trial(const struct cr_scene *scene, const struct cr_context *
     struct cr_scene coarse;
     struct cr_compiled compiled;
     struct cr_solver *solver;
-    enum cr_err rc = cr_scene_copy(scene, &coarse, err);
-    if (rc) {
-        return rc;
+    enum cr_err code = cr_scene_copy(scene, &coarse, err);
+    if (code) {
+        return code;
     }
-    coarse.set.voxel = fmax(coarse.set.voxel, TRIAL_VOXEL);
-    coarse.set.dt = fmax(coarse.set.dt, TRIAL_DT);
+    coarse.set.voxel = fmax(coarse.set.voxel, trial_voxel);
+    coarse.set.dt = fmax(coarse.set.dt, trial_dt);
     coarse.set.end = CR_END_SEPARATION;
     struct cr_context all = *ctx;
     all.keep = false;
-    rc = solve(&coarse, &all, pdof, &compiled, &solver, err);
-    if (!rc) {
+    code = solve(&coarse, &all, pdof, &compiled, &solver, err);
+    if (!code) {
         read_pdof(cr_solver_solution(solver), pdof);
         cr_solver_free(solver);
         cr_compiled_fini(&compiled);
     }
     cr_scene_fini(&coarse);
-    return rc;
+    return code;
 }
 
 /* the model that belongs to direction b is another one than that of a */
@@ -202,20 +202,20 @@ static enum cr_err settle(struct cr_result *r, const struct cr_context *ctx, str
     const struct cr_scene *scene = &r->resolved;
     double pdof[CR_BODY_MAX] = {0}, found[CR_BODY_MAX];
     bool any = false;
-    enum cr_err rc = CR_ERR_OK;
+    enum cr_err code = CR_ERR_OK;
     for (int i = 0; i < scene->n; i++) {
         pdof[i] = scene->part[i].kind == CR_KIND_VEHICLE ? guess_pdof(scene, i) : 0;
         any = any || is_auto(&scene->part[i]);
     }
     if (any) {
-        rc = trial(scene, ctx, pdof, err);
+        code = trial(scene, ctx, pdof, err);
         r->passes++;
     }
-    for (int pass = 0; pass < 2 && !rc; pass++) {
-        rc = solve(scene, ctx, pdof, &r->compiled, &r->solver, err);
+    for (int pass = 0; pass < 2 && !code; pass++) {
+        code = solve(scene, ctx, pdof, &r->compiled, &r->solver, err);
         r->passes++;
         r->solution = r->solver != NULL ? cr_solver_solution(r->solver) : NULL;
-        if (rc) {
+        if (code) {
             break;
         }
         memcpy(found, pdof, sizeof found);
@@ -237,7 +237,7 @@ static enum cr_err settle(struct cr_result *r, const struct cr_context *ctx, str
         r->solver = NULL;
         r->solution = NULL;
     }
-    return rc;
+    return code;
 }
 
 static void warn_part(struct cr_result *r) {
@@ -282,21 +282,21 @@ enum cr_err cr_result_run(const struct cr_scene *scene, const struct cr_context 
     }
     cr_scene_init(&r->scene);
     cr_scene_init(&r->resolved);
-    enum cr_err rc = cr_scene_copy(scene, &r->scene, err);
-    rc = rc ? rc : cr_scene_copy(scene, &r->resolved, err);
-    rc = rc ? rc : cr_scene_resolve(&r->resolved, ctx->models, &r->assumed, err);
-    rc = rc ? rc : cr_result_afford(&r->resolved, ctx, err);
-    rc = rc ? rc : need_vehicle(&r->resolved, err);
-    rc = rc ? rc : check_injury(&r->resolved, ctx, err);
-    rc = rc ? rc : settle(r, ctx, err);
-    bool part = rc == CR_ERR_INTERRUPTED && r->solution != NULL;
+    enum cr_err code = cr_scene_copy(scene, &r->scene, err);
+    code = code ? code : cr_scene_copy(scene, &r->resolved, err);
+    code = code ? code : cr_scene_resolve(&r->resolved, ctx->models, &r->assumed, err);
+    code = code ? code : cr_result_afford(&r->resolved, ctx, err);
+    code = code ? code : need_vehicle(&r->resolved, err);
+    code = code ? code : check_injury(&r->resolved, ctx, err);
+    code = code ? code : settle(r, ctx, err);
+    bool part = code == CR_ERR_INTERRUPTED && r->solution != NULL;
     if (ctx->irf != NULL) {
         snprintf(r->irf_hash, sizeof r->irf_hash, "%s", cr_irf_hash(ctx->irf));
     }
-    enum cr_err measured = rc && !part ? rc : cr_result_measure(r, ctx->irf, part ? NULL : err);
+    enum cr_err measured = code && !part ? code : cr_result_measure(r, ctx->irf, part ? NULL : err);
     if (measured) {
         cr_result_free(r);
-        return rc ? rc : measured;
+        return code ? code : measured;
     }
     if (part) {
         warn_part(r);
@@ -305,7 +305,7 @@ enum cr_err cr_result_run(const struct cr_scene *scene, const struct cr_context 
     cr_result_trajectories(r);
     cr_result_quality(r, ctx->models);
     *out = r;
-    return rc;
+    return code;
 }
 
 void cr_result_free(struct cr_result *result) {

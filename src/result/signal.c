@@ -144,14 +144,14 @@ enum cr_err cr_signal_load(const char *path, const char *column, struct cr_signa
     struct cr_csv *csv = NULL;
     struct columns c = {.at = {-1, -1}};
     memset(out, 0, sizeof *out);
-    enum cr_err rc = cr_file_check_regular(path, err);
+    enum cr_err code = cr_file_check_regular(path, err);
     struct cr_csv_opts opts = {.path = path, .units = true};
-    rc = rc ? rc : cr_csv_open(&opts, &csv, err);
-    rc = rc ? rc : find_columns(csv, column, &c, err);
-    rc = rc ? rc : find_units(csv, &c, err);
-    rc = rc ? rc : read_rows(csv, &c, out, err);
-    rc = rc ? rc : finish(out, path, err);
-    if (rc) {
+    code = code ? code : cr_csv_open(&opts, &csv, err);
+    code = code ? code : find_columns(csv, column, &c, err);
+    code = code ? code : find_units(csv, &c, err);
+    code = code ? code : read_rows(csv, &c, out, err);
+    code = code ? code : finish(out, path, err);
+    if (code) {
         cr_signal_free(out);
     } else {
         const struct cr_unit *si = c.unit[1] != NULL ? cr_unit_nth(c.unit[1]->dim, 0) : NULL;
@@ -159,7 +159,7 @@ enum cr_err cr_signal_load(const char *path, const char *column, struct cr_signa
         snprintf(out->unit, sizeof out->unit, "%s", si != NULL ? si->name : "");
     }
     cr_csv_close(csv);
-    return rc;
+    return code;
 }
 
 void cr_signal_free(struct cr_signal *signal) {

@@ -13,18 +13,18 @@
 
 /* narrow object, m: between NHTSA's 254 mm pole and the 0.41 m of a narrow CDC [CDC-J224]
  */
-static const double NARROW = 0.41;
+static const double narrow = 0.41;
 /* closing speed of the full-width wall tests, [WALL-SPEEDS]: 40 to 56 km/h, with a margin of
  * 2 km/h for the scatter of the test speed */
-static const double WALL_LO = 38 / 3.6, WALL_HI = 58 / 3.6;
+static const double wall_lo = 38 / 3.6, wall_hi = 58 / 3.6;
 /* side pole tests [POLE-SPEED]: 32 km/h */
-static const double POLE_LO = 28 / 3.6, POLE_HI = 34 / 3.6;
+static const double pole_lo = 28 / 3.6, pole_hi = 34 / 3.6;
 /* EES above what any calibrated face was crushed with, m/s */
-static const double EES_HI = 65 / 3.6;
+static const double ees_hi = 65 / 3.6;
 /* restitution as measured [RESTITUTION-SPEED] */
-static const double RESTITUTION_HI = 0.4;
-static const double DEEP = 0.6;         /* share of the vehicle's length */
-static const double RESIDUAL_HI = 1e-6; /* of momentum or energy, relative */
+static const double restitution_hi = 0.4;
+static const double deep = 0.6;         /* share of the vehicle's length */
+static const double residual_hi = 1e-6; /* of momentum or energy, relative */
 
 void cr_result_warn(struct cr_result *r, const char *code, const char *fmt, ...) {
     if (r->warnings == CR_WARNING_MAX) {
@@ -87,8 +87,8 @@ static bool is_vehicle(const struct cr_result *r, int i) {
 
 static bool is_narrow(const struct cr_participant *p) {
     return p->kind == CR_KIND_OBJECT &&
-           ((p->shape == CR_OBJECT_POLE && 2 * p->radius < NARROW) ||
-            (p->shape == CR_OBJECT_BOX && fmin(p->length, p->width) < NARROW));
+           ((p->shape == CR_OBJECT_POLE && 2 * p->radius < narrow) ||
+            (p->shape == CR_OBJECT_BOX && fmin(p->length, p->width) < narrow));
 }
 
 /* what was asked for is there: the vehicle brings its own model or stiffness of that face */
@@ -98,7 +98,7 @@ static bool has_own(const struct cr_participant *p, int face) {
 
 /* Direct damage narrower than this share of the width at one end of the front: outside the rails
  * (validation.md, small overlap). */
-static const double SMALL_OVERLAP = 0.3;
+static const double small_overlap = 0.3;
 
 static void check_face(struct cr_result *r, const struct cr_contact *c, int car, int other) {
     const struct cr_severity *s = &r->of[car];
@@ -114,7 +114,7 @@ static void check_face(struct cr_result *r, const struct cr_contact *c, int car,
     /* a narrow object in the middle of the front is no small overlap */
     bool edge = s->cdc[0] && (s->cdc[3] == 'L' || s->cdc[3] == 'R');
     if (s->face == CR_FACE_FRONT && edge && q->kind == CR_KIND_OBJECT &&
-        c->energy[0] + c->energy[1] > 0 && s->contact_width < SMALL_OVERLAP * p->width) {
+        c->energy[0] + c->energy[1] > 0 && s->contact_width < small_overlap * p->width) {
         cr_result_warn(r, "small-overlap",
                        "%s: small overlap outside the rails: tested cars slid off rounded edges "
                        "and poles, the model holds on; take delta-v and EES as upper bounds",
@@ -135,7 +135,7 @@ static void check_contact(struct cr_result *r, const struct cr_contact *c) {
     }
     bool side = face == CR_FACE_LEFT || face == CR_FACE_RIGHT;
     char number[16];
-    double lo = side ? POLE_LO : WALL_LO, hi = side ? POLE_HI : WALL_HI;
+    double lo = side ? pole_lo : wall_lo, hi = side ? pole_hi : wall_hi;
     if (vehicle[0] != vehicle[1] && (c->closing < lo || c->closing > hi)) {
         double limit = cr_round12(cr_kmh(c->closing < lo ? lo : hi));
         cr_result_warn(r, "extrapolated-speed",
@@ -149,11 +149,11 @@ static void check_contact(struct cr_result *r, const struct cr_contact *c) {
             check_face(r, c, k ? c->b : c->a, k ? c->a : c->b);
         }
     }
-    if (c->restitution > RESTITUTION_HI) {
+    if (c->restitution > restitution_hi) {
         cr_result_warn(r, "restitution",
                        "%s with %s: restitution %s is above the %g of measured crashes; "
                        "set \"restitution\" lower or \"auto\"",
-                       id, with, beside(c->restitution, RESTITUTION_HI, number), RESTITUTION_HI);
+                       id, with, beside(c->restitution, restitution_hi, number), restitution_hi);
     }
 }
 
@@ -166,16 +166,16 @@ static void check_vehicle(struct cr_result *r, int i) {
                        "depth are estimates; own A, B stiffness of the rear can be given",
                        p->id);
     }
-    if (s->ees > EES_HI) {
+    if (s->ees > ees_hi) {
         char number[16];
-        double limit = cr_round12(cr_kmh(EES_HI));
+        double limit = cr_round12(cr_kmh(ees_hi));
         cr_result_warn(r, "extrapolated-ees",
                        "%s: EES %s km/h is above the %.0f km/h of the tests behind the models",
                        p->id, beside(cr_kmh(s->ees), limit, number), limit);
     }
     bool end = cr_face_is_end(s->face);
     double extent = end ? p->length : p->width;
-    if (s->deformation_dynamic_max > DEEP * extent) {
+    if (s->deformation_dynamic_max > deep * extent) {
         cr_result_warn(r, "deep",
                        "%s: crushed over %.0f %% of its %s: structures behind that depth are an "
                        "assumption of the model; check masses, speeds and overlap",
@@ -210,7 +210,7 @@ void cr_result_check(struct cr_result *r) {
         }
     }
     const struct cr_balance *b = &sol->balance;
-    if (b->momentum_residual > RESIDUAL_HI || b->energy_residual > RESIDUAL_HI) {
+    if (b->momentum_residual > residual_hi || b->energy_residual > residual_hi) {
         cr_result_warn(r, "balance",
                        "the balance does not close: momentum %.1e, energy %.1e of the whole; "
                        "a smaller \"dt_ms\" should cure it, please report the scene",

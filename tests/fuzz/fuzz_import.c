@@ -35,8 +35,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (models == NULL && cr_model_lib_open(dir, &models, &err) != CR_ERR_OK) {
         exit(3);
     }
-    struct cr_import_opts opts = {
-        .models = models, .point = -1, .before = 2, .take = take, .failed = failed};
+    struct cr_import_opts opts;
+    cr_import_init(&opts);
+    opts.models = models;
+    opts.take = take;
+    opts.failed = failed;
     int formats = 1;
     for (const char *p = cr_import_formats(); *p != '\0'; p++) {
         formats += *p == '|';
@@ -45,7 +48,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     for (opts.format = 0; opts.format < formats; opts.format++) {
         struct cr_import_count count = {0};
         err.text[0] = '\0';
-        if (cr_import_file(&opts, path, &count, &err) != CR_ERR_OK && err.text[0] == '\0') {
+        if (cr_import_files(&opts, &path, 1, &count, &err) != CR_ERR_OK && err.text[0] == '\0') {
             abort();
         }
     }

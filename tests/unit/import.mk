@@ -6,5 +6,5 @@ check_PROGRAMS += test_import_text
 TESTS += test_import_text
 test_import_text_SOURCES = tests/unit/test_import_text.c
 test_import_text_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
-test_import_text_LDADD = libimport.a libscene.a libsolver.a libmodel.a libbase.a $(CMOCKA_LIBS) $(CJSON_LIBS) \
-	$(NETTLE_LIBS) $(EXPAT_LIBS)
+test_import_text_LDADD = libimport.a libresult.a libscene.a libsolver.a libmodel.a libbase.a $(CMOCKA_LIBS) $(CJSON_LIBS) \
+	$(NETTLE_LIBS) $(EXPAT_LIBS) $(SQLITE3_LIBS)

@@ -16,12 +16,12 @@ static int open_lib(void **state) {
     struct cr_error err;
     (void)state;
     snprintf(dir, sizeof dir, "%s/models", getenv("SRC") != NULL ? getenv("SRC") : "..");
-    enum cr_err rc = cr_model_lib_open(dir, &lib, &err);
-    rc = rc ? rc : cr_model_need_all(lib, &err);
-    if (rc) {
+    enum cr_err code = cr_model_lib_open(dir, &lib, &err);
+    code = code ? code : cr_model_need_all(lib, &err);
+    if (code) {
         printf("# %s\n", cr_err_format(&err, line, sizeof line));
     }
-    return (int)rc;
+    return (int)code;
 }
 
 static int close_lib(void **state) {

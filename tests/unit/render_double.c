@@ -6,7 +6,7 @@
 #include <string.h>
 
 enum { SLICES = 200 };
-static const double H = 0.05, T_CONTACT = 0.1, DT = 0.0005, PULSE = 0.080;
+static const double edge = 0.05, t_contact = 0.1, time_step = 0.0005, pulse = 0.080;
 
 struct car {
     const char *id, *model;
@@ -27,22 +27,22 @@ static void *take(struct render_double *d, size_t n, size_t size) {
 
 /* material within 0.25 m of the corners is cut off round; rails and engine are harder */
 static void make_grid(struct render_double *d, const struct car *car, struct cr_grid *g) {
-    g->nx = (int)lround(car->length / H);
-    g->ny = (int)lround(car->width / H);
-    g->h = H;
+    g->nx = (int)lround(car->length / edge);
+    g->ny = (int)lround(car->width / edge);
+    g->h = edge;
     g->x0 = -0.5 * car->length;
     g->y0 = -0.5 * car->width;
     double *fill = take(d, (size_t)(g->nx * g->ny), sizeof *fill);
     double *energy = take(d, (size_t)(g->nx * g->ny), sizeof *energy);
     for (int i = 0; i < g->nx * g->ny; i++) {
-        double x = g->x0 + (i % g->nx + 0.5) * H, y = g->y0 + (i / g->nx + 0.5) * H;
+        double x = g->x0 + (i % g->nx + 0.5) * edge, y = g->y0 + (i / g->nx + 0.5) * edge;
         double dx = fmax(fabs(x) - 0.5 * car->length + 0.25, 0);
         double dy = fmax(fabs(y) - 0.5 * car->width + 0.25, 0);
         fill[i] = dx * dx + dy * dy < 0.25 * 0.25;
         double ahead = 0.5 * car->length - x;
         double rail = fabs(fabs(y) - 0.3 * car->width) < 0.1 ? 2.5 : 1;
         double density = fmin(20 + 120 * ahead, 200) * 1e3 * rail; /* J/m2 */
-        energy[i] = fill[i] * density * H * H;
+        energy[i] = fill[i] * density * edge * edge;
     }
     g->fill = fill;
     g->energy = energy;
@@ -56,7 +56,7 @@ static void crush(struct render_double *d, const struct car *car, const struct c
     float *t = take(d, n, sizeof *t);
     uint8_t *how = take(d, n, sizeof *how);
     for (int i = 0; i < g->nx * g->ny; i++) {
-        double x = g->x0 + (i % g->nx + 0.5) * H, y = g->y0 + (i / g->nx + 0.5) * H;
+        double x = g->x0 + (i % g->nx + 0.5) * edge, y = g->y0 + (i / g->nx + 0.5) * edge;
         double beside = fmax(fmax(car->band[0] - y, y - car->band[1]), 0);
         double in = 0.5 * car->length - x, depth = car->depth - beside;
         left[i] = g->fill[i];
@@ -64,7 +64,7 @@ static void crush(struct render_double *d, const struct car *car, const struct c
         if (g->fill[i] > 0 && in < depth) {
             left[i] = 0;
             how[i] = beside > 0 ? CR_CRUSH_INDUCED : CR_CRUSH_CONTACT;
-            t[i] = (float)(T_CONTACT + 0.05 * in / car->depth);
+            t[i] = (float)(t_contact + 0.05 * in / car->depth);
         }
     }
     o->left = left;
@@ -73,27 +73,27 @@ static void crush(struct render_double *d, const struct car *car, const struct c
 }
 
 static struct cr_sample motion(const struct car *car, double t) {
-    double u = fmin(t, PULSE), w = CR_PI / PULSE;
+    double u = fmin(t, pulse), w = CR_PI / pulse;
     double v = car->speed - car->a_peak / w * (1 - cos(w * u));
     double way = car->speed * u - car->a_peak / w * (u - sin(w * u) / w);
     double x0 = -0.5 * car->length;
     double c = cos(car->heading);
     way += (t - u) * v;
-    double a = t < PULSE ? -car->a_peak * sin(w * t) : 0;
+    double a = t < pulse ? -car->a_peak * sin(w * t) : 0;
     struct cr_sample s = {.pos = {c * (x0 + way), car->y},
                           .vel = {c * v, 0},
-                          .heading = car->heading + car->turn * pow(u / PULSE, 2),
+                          .heading = car->heading + car->turn * pow(u / pulse, 2),
                           .acc = {c * a, 0},
                           .force = {c * a * car->mass, 0},
                           .coe = {0, 0.45}};
-    s.yaw_rate = t < PULSE ? 2 * car->turn * t / (PULSE * PULSE) : 2 * car->turn / PULSE;
+    s.yaw_rate = t < pulse ? 2 * car->turn * t / (pulse * pulse) : 2 * car->turn / pulse;
     s.energy = 0.5 * car->mass * 120 * pow(fmin(u / 0.05, 1), 2);
     s.crushed = car->depth * (car->band[1] - car->band[0]) * fmin(u / 0.05, 1);
     return s;
 }
 
 static void severity(const struct car *car, struct cr_severity *of) {
-    double dv = 2 * car->a_peak * PULSE / CR_PI;
+    double dv = 2 * car->a_peak * pulse / CR_PI;
     *of = (struct cr_severity){.ees = sqrt(120),
                                .energy = 60 * car->mass,
                                .energy_induced = 3 * car->mass,
@@ -103,9 +103,9 @@ static void severity(const struct car *car, struct cr_severity *of) {
                                .pdof = 0,
                                .pdof_clock = 12,
                                .cdc = "12FYEW3",
-                               .yaw_rate_change = 2 * car->turn / PULSE,
+                               .yaw_rate_change = 2 * car->turn / pulse,
                                .speed_after = fabs(car->speed - dv),
-                               .yaw_rate_after = 2 * car->turn / PULSE,
+                               .yaw_rate_after = 2 * car->turn / pulse,
                                .deformation_max = car->depth - 0.195,
                                .deformation_dynamic_max = car->depth,
                                .deformation_area = 0.5,
@@ -114,7 +114,7 @@ static void severity(const struct car *car, struct cr_severity *of) {
                                .acceleration_max = car->a_peak,
                                .acceleration_mean = car->a_peak * 2 / CR_PI,
                                .t_max = 0.04,
-                               .pulse = PULSE,
+                               .pulse = pulse,
                                .olc = 0.8 * car->a_peak,
                                .asi = car->a_peak / 120,
                                .vpi = 1.2 * car->a_peak,
@@ -147,12 +147,12 @@ static void add_car(struct render_double *d, int i, const struct car *car) {
     make_grid(d, car, &body->grid);
     crush(d, car, &body->grid, o);
     o->before = motion(car, 0);
-    o->after = o->rest = motion(car, PULSE);
-    o->t_first = T_CONTACT;
-    o->t_last = T_CONTACT + PULSE;
+    o->after = o->rest = motion(car, pulse);
+    o->t_first = t_contact;
+    o->t_last = t_contact + pulse;
     o->t_rest = NAN;
     body->vel = cr_vec2(cos(car->heading) * car->speed, 0);
-    body->pos = cr_vec2_axpy(o->before.pos, -T_CONTACT, body->vel);
+    body->pos = cr_vec2_axpy(o->before.pos, -t_contact, body->vel);
     o->delta_v = cr_vec2_sub(o->after.vel, o->before.vel);
     severity(car, &d->result.of[i]);
 }
@@ -161,10 +161,10 @@ static void add_trace(struct render_double *d, const struct car *car, int n) {
     double *t = take(d, SLICES, sizeof *t);
     struct cr_sample *trace = take(d, (size_t)SLICES * (size_t)n, sizeof *trace);
     for (int k = 0; k < SLICES; k++) {
-        t[k] = T_CONTACT + (k + 1) * DT;
+        t[k] = t_contact + (k + 1) * time_step;
         for (int i = 0; i < n; i++) {
             if (car[i].mass > 0) {
-                trace[k * n + i] = motion(&car[i], (k + 1) * DT);
+                trace[k * n + i] = motion(&car[i], (k + 1) * time_step);
             }
         }
     }
@@ -177,11 +177,11 @@ static void begin(struct render_double *d, int n) {
     memset(d, 0, sizeof *d);
     d->result.solution = &d->solution;
     d->solution.bodies = n;
-    d->solution.t_contact = T_CONTACT;
-    d->solution.dt = DT;
+    d->solution.t_contact = t_contact;
+    d->solution.dt = time_step;
     d->result.resolved.n = n;
-    d->result.resolved.set.dt = DT;
-    d->result.resolved.set.voxel = H;
+    d->result.resolved.set.dt = time_step;
+    d->result.resolved.set.voxel = edge;
     d->result.compiled.cs.n = n;
 }
 
@@ -189,7 +189,7 @@ static void add_contact(struct render_double *d, double impulse) {
     struct cr_contact *c = take(d, 1, sizeof *c);
     *c = (struct cr_contact){.a = 0,
                              .b = 1,
-                             .t_begin = T_CONTACT,
+                             .t_begin = t_contact,
                              .t_plastic_end = 0.17,
                              .t_elastic_end = 0.175,
                              .t_end = 0.18,
@@ -233,7 +233,7 @@ void render_double_init(struct render_double *d) {
         add_car(d, i, &cars[i]);
     }
     add_trace(d, cars, 2);
-    add_contact(d, 2400 * 2 * 200 * PULSE / CR_PI);
+    add_contact(d, 2400 * 2 * 200 * pulse / CR_PI);
     static char keys[][CR_NAME_MAX + 32] = {"A.track_m", "A.cg.height_m", "B.track_m"};
     d->result.resolved.part[0].cg_height = 0.7;
     static char from[3][CR_FROM_MAX];
@@ -259,14 +259,14 @@ void render_double_wall(struct render_double *d) {
     wall->length = 4;
     wall->mass = NAN;
     d->result.compiled.cs.body[1] = (struct cr_body){.mass = 0, .heading = CR_PI};
-    d->solution.body[1].t_first = T_CONTACT;
+    d->solution.body[1].t_first = t_contact;
     d->solution.body[1].t_last = NAN;
     d->solution.body[1].before.heading = CR_PI;
     add_trace(d, cars, 2);
     for (int k = 0; k < SLICES; k++) {
         ((struct cr_sample *)d->solution.trace)[2 * k + 1].heading = CR_PI;
     }
-    add_contact(d, 1500 * 2 * 300 * PULSE / CR_PI);
+    add_contact(d, 1500 * 2 * 300 * pulse / CR_PI);
 }
 
 void render_double_fini(struct render_double *d) {

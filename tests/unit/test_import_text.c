@@ -1,5 +1,5 @@
 /* The parts of import that need no file: expressions, records of CarMaker, channels, what XML a
- * file begins with. */
+ * file begins with, options by their words. */
 #include "import/channel.h"
 #include "import/erg_priv.h"
 #include "import/formula.h"
@@ -144,11 +144,43 @@ static void xml_begins(void **state) {
     }
 }
 
+static void options_by_words(void **state) {
+    static const char *const bad[][2] = {{"format", "xslx"}, {"case", "3,,4"},  {"case", ""},
+                                         {"before", "0"},    {"before", "2km"}, {"before", "2h"},
+                                         {"reference", "x"}, {"sign", "minus"}};
+    struct cr_import_opts o;
+    struct cr_error err;
+    (void)state;
+    cr_import_init(&o);
+    assert_int_equal(cr_import_set(&o, "case", "17,a b", &err), CR_ERR_OK);
+    assert_int_equal(o.cases.n, 2);
+    assert_string_equal(o.cases.id[1], "a b");
+    assert_int_equal(cr_import_set(&o, "case", "3", &err), CR_ERR_OK);
+    assert_int_equal(o.cases.n, 1);
+    assert_int_equal(cr_import_set(&o, "reference", "rear-axle", &err), CR_ERR_OK);
+    assert_int_equal(o.point, CR_POINT_REAR_AXLE);
+    assert_int_equal(cr_import_set(&o, "reference", "auto", &err), CR_ERR_OK);
+    assert_int_equal(o.point, -1);
+    assert_int_equal(cr_import_set(&o, "before", "500ms", &err), CR_ERR_OK);
+    check_near(o.before, 0.5, 1e-12);
+    assert_int_equal(cr_import_set(&o, "format", "pcm", &err), CR_ERR_OK);
+    assert_int_equal(o.format, 1);
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        err.src[0] = '\0';
+        assert_int_equal(cr_import_set(&o, bad[i][0], bad[i][1], &err), CR_ERR_USAGE);
+        assert_int_equal(strncmp(err.src, "--", 2), 0);
+        assert_string_equal(err.src + 2, bad[i][0]);
+    }
+    check_near(o.before, 0.5, 1e-12);
+    assert_int_equal(o.format, 1);
+    cr_import_fini(&o);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(formula_values), cmocka_unit_test(formula_faults),
         cmocka_unit_test(erg_types),      cmocka_unit_test(channel_integral),
-        cmocka_unit_test(xml_begins),
+        cmocka_unit_test(xml_begins),     cmocka_unit_test(options_by_words),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -284,7 +284,7 @@ static void test_queries_refused(void **state) {
  * that is asked for, while that of another type can still be had. */
 static enum cr_err read_changed(const char *from, const char *to, struct cr_error *err) {
     const char *dir = "test_model.tmp";
-    enum cr_err rc = CR_ERR_OK;
+    enum cr_err code = CR_ERR_OK;
     mkdir(dir, 0700);
     for (int i = 0; i < CR_TYPES; i++) {
         char path[600], *text = NULL;
@@ -312,8 +312,8 @@ static enum cr_err read_changed(const char *from, const char *to, struct cr_erro
     struct cr_model_query q = query_of(CR_TYPE_SUV, 12, 0.05);
     assert_int_equal(cr_model_substitute(other, &q, &arena, &g, NULL), CR_ERR_OK);
     q = query_of(CR_TYPE_SEDAN, 12, 0.05);
-    rc = cr_model_need_all(other, err);
-    assert_int_equal(cr_model_substitute(other, &q, &arena, &g, err), rc);
+    code = cr_model_need_all(other, err);
+    assert_int_equal(cr_model_substitute(other, &q, &arena, &g, err), code);
     cr_arena_free(&arena);
     cr_model_lib_free(other);
     for (int i = 0; i < CR_TYPES; i++) {
@@ -322,7 +322,7 @@ static enum cr_err read_changed(const char *from, const char *to, struct cr_erro
         remove(path);
     }
     rmdir(dir);
-    return rc;
+    return code;
 }
 
 /* Force of the layer at a depth of n voxels behind the foremost, over the whole width of a face, N.
@@ -395,12 +395,12 @@ static void test_recipes_refused(void **state) {
     assert_int_equal(read_changed("\"label\"", "\"label\"", &err), CR_ERR_OK);
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         memset(&err, 0, sizeof err);
-        enum cr_err rc = read_changed(bad[i].from, bad[i].to, &err);
-        if (rc != bad[i].code || strcmp(err.where, bad[i].where) != 0 ||
+        enum cr_err code = read_changed(bad[i].from, bad[i].to, &err);
+        if (code != bad[i].code || strcmp(err.where, bad[i].where) != 0 ||
             strstr(err.text, bad[i].says) == NULL || err.line == 0 ||
             strstr(err.src, "sedan.json") == NULL) {
             char buf[1024];
-            fail_msg("case %zu: code %d: %s", i, (int)rc, cr_err_format(&err, buf, sizeof buf));
+            fail_msg("case %zu: code %d: %s", i, (int)code, cr_err_format(&err, buf, sizeof buf));
         }
     }
 }

@@ -34,11 +34,11 @@ static struct hit against_wall(double angle, const char *model) {
     struct cr_error err = {0};
     struct cr_context ctx = {.models = lib};
     cr_scene_init(&scene);
-    enum cr_err rc = cr_scene_parse(json, strlen(json), "test", &scene, &err);
-    if (!rc) {
-        rc = cr_result_run(&scene, &ctx, &result, &err);
+    enum cr_err code = cr_scene_parse(json, strlen(json), "test", &scene, &err);
+    if (!code) {
+        code = cr_result_run(&scene, &ctx, &result, &err);
     }
-    if (rc) {
+    if (code) {
         char buf[1024];
         fail_msg("at %g deg: %s", angle, cr_err_format(&err, buf, sizeof buf));
     }

@@ -159,11 +159,11 @@ static void test_help_lists_every_option(void **state) {
 
 static void test_choice_matches_whole_words_only(void **state) {
     (void)state;
-    assert_int_equal(cr_options_choice("auto|always|never", "always"), 1);
-    assert_int_equal(cr_options_choice("auto|always|never", "never"), 2);
-    assert_int_equal(cr_options_choice("auto|always|never", "al"), -1);
-    assert_int_equal(cr_options_choice("auto|always|never", ""), -1);
-    assert_int_equal(cr_options_choice("auto|always|never", "auto|always"), -1);
+    assert_int_equal(cr_str_choice("auto|always|never", "always"), 1);
+    assert_int_equal(cr_str_choice("auto|always|never", "never"), 2);
+    assert_int_equal(cr_str_choice("auto|always|never", "al"), -1);
+    assert_int_equal(cr_str_choice("auto|always|never", ""), -1);
+    assert_int_equal(cr_str_choice("auto|always|never", "auto|always"), -1);
 }
 
 int main(void) {

@@ -46,7 +46,7 @@ static void draw_force(struct cr_cells *cells, const struct golden *g, struct re
                        CR_QUANTITY_FORCE, g->time, NULL));
 }
 
-static const struct cr_render_line LOG[] = {
+static const struct cr_render_line log_lines[] = {
     {CR_ROLE_KEY, "crumple> load by-hand.json"},
     {CR_ROLE_TEXT, "  scene: A suv, B mini-compact; settings dt=0.5ms restitution=0.1"},
     {CR_ROLE_KEY, "crumple> solve"},
@@ -55,7 +55,7 @@ static const struct cr_render_line LOG[] = {
                    "so it is cut"},
 };
 
-static const struct cr_render_key KEYS[] = {
+static const struct cr_render_key key_rows[] = {
     {"F1", "help"},     {"F5", "solve"},   {"F6", "panes"},  {"Tab", "complete"},
     {"^R", "history"},  {"^C", "cancel"},  {"F10", "quit"},  {"F2", "save"},
     {"F7/F8", "frame"}, {"F9", "palette"}, {"^L", "redraw"}, {"u", "undo"},
@@ -103,10 +103,10 @@ static void draw_screen(struct cr_cells *cells, const struct golden *g, struct r
                                               .selected = 0},
                                .quantity = CR_QUANTITIES,
                                .sweep = &sheet,
-                               .log = LOG,
-                               .log_n = (int)(sizeof LOG / sizeof LOG[0]),
-                               .key = KEYS,
-                               .keys = (int)(sizeof KEYS / sizeof KEYS[0]),
+                               .log = log_lines,
+                               .log_n = (int)(sizeof log_lines / sizeof log_lines[0]),
+                               .key = key_rows,
+                               .keys = (int)(sizeof key_rows / sizeof key_rows[0]),
                                .hint =
                                    "       pulse NAME ax|ay|a|v|yaw [vs=FILE.csv] [filter=cfc60]"};
     struct cr_layout layout;
@@ -126,7 +126,7 @@ static void draw_screen(struct cr_cells *cells, const struct golden *g, struct r
     { .ascii = false }
 #define ASCII                                                                                      \
     { .ascii = true }
-static const struct golden CASES[] = {
+static const struct golden golden_cases[] = {
     {"report-80", 80, 0, UTF8, false, NULL, NAN, CR_FIELD_EES},
     {"report-80-ascii", 80, 0, ASCII, false, NULL, NAN, CR_FIELD_EES},
     {"report-120", 120, 0, UTF8, false, NULL, NAN, CR_FIELD_EES},
@@ -180,12 +180,12 @@ static void test_golden(void **state) {
 }
 
 int main(void) {
-    enum { N = sizeof CASES / sizeof CASES[0] };
+    enum { N = sizeof golden_cases / sizeof golden_cases[0] };
     struct CMUnitTest tests[N];
     struct golden cases[N];
     for (int i = 0; i < N; i++) {
-        cases[i] = CASES[i];
-        tests[i] = (struct CMUnitTest){CASES[i].name, test_golden, NULL, NULL, &cases[i]};
+        cases[i] = golden_cases[i];
+        tests[i] = (struct CMUnitTest){golden_cases[i].name, test_golden, NULL, NULL, &cases[i]};
     }
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

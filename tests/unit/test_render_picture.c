@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const struct cr_look PLAIN = {.color = CR_COLOR_NONE};
-static const double DV_A = 2 * 200 * 0.080 / CR_PI; /* of the half-sine pulse, m/s */
+static const struct cr_look plain = {.color = CR_COLOR_NONE};
+static const double dv_a = 2 * 200 * 0.080 / CR_PI; /* of the half-sine pulse, m/s */
 
 static struct cr_scene_view view_at(double time) {
     return (struct cr_scene_view){
@@ -66,10 +66,10 @@ static void test_motion_between(void **state) {
     check_near(cr_vec2_len(s.force), 0, 0);
     /* half way through the pulse half the delta-v is there and the force is at its peak */
     s = cr_render_state(k, &d.result, 0, 0.14);
-    check_near(s.vel.x, v - DV_A / 2, 1e-6);
+    check_near(s.vel.x, v - dv_a / 2, 1e-6);
     check_near(s.force.x, -200 * 2400, 1);
     s = cr_render_state(k, &d.result, 0, NAN);
-    check_near(s.vel.x, v - DV_A, 1e-6);
+    check_near(s.vel.x, v - dv_a, 1e-6);
     /* without a result: the start */
     s = cr_render_state(k, NULL, 0, NAN);
     check_near(s.pos.x, -2.5 - 0.1 * v, 1e-9);
@@ -88,10 +88,10 @@ static void test_state_while_solving(void **state) {
     d.solution.samples = 80; /* 40 ms: half of the delta-v */
     d.solution.body[0].t_last = d.solution.body[1].t_last = (double)NAN;
     struct cr_sample s = cr_render_state(&d.result.compiled, &d.result, 0, (double)NAN);
-    check_near(s.vel.x, 56 / 3.6 - DV_A / 2, 1e-6);
+    check_near(s.vel.x, 56 / 3.6 - dv_a / 2, 1e-6);
     check_near(cr_render_t_main(&d.solution), 0.14, 1e-9);
     struct cr_scene_view view = view_at((double)NAN);
-    struct cr_cells c = picture(&d, &view, &PLAIN);
+    struct cr_cells c = picture(&d, &view, &plain);
     assert_true(count(&c, 0xD7) > 5);
     cr_cells_fini(&c);
     render_double_fini(&d);
@@ -102,7 +102,7 @@ static void test_size_on_the_screen(void **state) {
     struct render_double d;
     render_double_init(&d);
     struct cr_scene_view view = view_at(0.08);
-    struct cr_cells c = picture(&d, &view, &PLAIN);
+    struct cr_cells c = picture(&d, &view, &plain);
     int rows = 0, widest = 0;
     for (int y = 0; y < c.h - 1; y++) {
         int first, last;
@@ -131,17 +131,17 @@ static void test_crushed_only_when_it_happened(void **state) {
     int before = 0, middle, after;
     struct cr_scene_view view = view_at(0.05);
     for (int i = 0; i < 2; i++) { /* on the way and at the first contact */
-        struct cr_cells c = picture(&d, &view, &PLAIN);
+        struct cr_cells c = picture(&d, &view, &plain);
         before += count(&c, 0xD7) + count(&c, '~');
         cr_cells_fini(&c);
         view.time = 0.1;
     }
     view.time = 0.125;
-    struct cr_cells c = picture(&d, &view, &PLAIN);
+    struct cr_cells c = picture(&d, &view, &plain);
     middle = count(&c, 0xD7);
     cr_cells_fini(&c);
     view.time = NAN;
-    c = picture(&d, &view, &PLAIN);
+    c = picture(&d, &view, &plain);
     after = count(&c, 0xD7);
     assert_int_equal(before, 0);
     assert_true(middle > 5);
@@ -161,7 +161,7 @@ static void test_overlap_before_the_crash(void **state) {
         struct cr_cells c;
         struct cr_error err;
         assert_int_equal(cr_cells_new(120, 30, &c, &err), CR_ERR_OK);
-        assert_int_equal(cr_render_scene(&c, (struct cr_rect){0, 0, 120, 30}, &PLAIN,
+        assert_int_equal(cr_render_scene(&c, (struct cr_rect){0, 0, 120, 30}, &plain,
                                          &d.result.compiled, &d.result.resolved, NULL, &view, &err),
                          CR_ERR_OK);
         if (i == 0) {
@@ -183,7 +183,7 @@ static void test_forces_end_with_the_crash(void **state) {
     render_double_init(&d);
     struct cr_scene_view view = view_at(0.14);
     view.vectors = true;
-    struct cr_cells c = picture(&d, &view, &PLAIN);
+    struct cr_cells c = picture(&d, &view, &plain);
     int force = 0;
     for (int i = 0; i < c.w * (c.h - 1); i++) {
         force += c.cell[i].role == CR_ROLE_FORCE;
@@ -191,7 +191,7 @@ static void test_forces_end_with_the_crash(void **state) {
     assert_true(force > 10);
     cr_cells_fini(&c);
     view.time = NAN;
-    c = picture(&d, &view, &PLAIN);
+    c = picture(&d, &view, &plain);
     for (int i = 0; i < c.w * c.h; i++) {
         assert_int_not_equal(c.cell[i].role, CR_ROLE_FORCE);
     }
@@ -224,7 +224,7 @@ static void test_report_fits_its_width(void **state) {
     for (int width = 60; width <= 220; width += 7) {
         struct cr_str s = {0};
         struct cr_error err;
-        assert_int_equal(cr_render_report(&d.result, &PLAIN, width, &s, &err), CR_ERR_OK);
+        assert_int_equal(cr_render_report(&d.result, &plain, width, &s, &err), CR_ERR_OK);
         char *line = s.s;
         while (*line != '\0') {
             char *end = strchr(line, '\n');
@@ -242,7 +242,7 @@ static void test_report_fits_its_width(void **state) {
 static char *report_of(const struct render_double *d) {
     struct cr_str s = {0};
     struct cr_error err;
-    assert_int_equal(cr_render_report(&d->result, &PLAIN, 80, &s, &err), CR_ERR_OK);
+    assert_int_equal(cr_render_report(&d->result, &plain, 80, &s, &err), CR_ERR_OK);
     return s.s;
 }
 
@@ -296,10 +296,10 @@ static void test_table_values(void **state) {
     int rows = cr_render_table_rows(&d.result);
     assert_int_equal(cr_cells_new(78, rows, &c, &err), CR_ERR_OK);
     assert_int_equal(
-        cr_render_table(&c, (struct cr_rect){0, 0, 78, rows}, &PLAIN, &d.result, NAN, &err),
+        cr_render_table(&c, (struct cr_rect){0, 0, 78, rows}, &plain, &d.result, NAN, &err),
         CR_ERR_OK);
     struct cr_str s = {0};
-    cr_cells_text(&c, &PLAIN, &s);
+    cr_cells_text(&c, &plain, &s);
     /* delta-v 10.186 m/s = 36.7 km/h for A, twice that for B; EES sqrt(120) m/s = 39.4 km/h;
      * 200 m/s2 = 20.4 g; 60 kg-1 J x 2400 kg = 144 kJ */
     static const char *const want[][4] = {
@@ -374,7 +374,7 @@ static void test_plot_peak(void **state) {
     struct cr_cells c;
     struct cr_error err;
     assert_int_equal(cr_cells_new(60, 15, &c, &err), CR_ERR_OK);
-    assert_int_equal(cr_render_plot(&c, (struct cr_rect){0, 0, 60, 15}, &PLAIN, &plot, &err),
+    assert_int_equal(cr_render_plot(&c, (struct cr_rect){0, 0, 60, 15}, &plain, &plot, &err),
                      CR_ERR_OK);
     int top_x = 0, top_n = 0, cursor = 0;
     for (int i = 0; i < 60; i++) {
@@ -401,9 +401,9 @@ static void test_plot_of_nothing(void **state) {
     struct cr_error err;
     assert_int_equal(cr_cells_new(40, 10, &c, &err), CR_ERR_OK);
     for (int i = 0; i < 2; i++) {
-        assert_int_equal(cr_render_plot(&c, (struct cr_rect){0, 0, 40, 10}, &PLAIN, &plot, &err),
+        assert_int_equal(cr_render_plot(&c, (struct cr_rect){0, 0, 40, 10}, &plain, &plot, &err),
                          CR_ERR_OK);
-        assert_int_equal(cr_render_plot(&c, (struct cr_rect){0, 0, 5, 2}, &PLAIN, &plot, &err),
+        assert_int_equal(cr_render_plot(&c, (struct cr_rect){0, 0, 5, 2}, &plain, &plot, &err),
                          CR_ERR_OK);
         plot.curves = 1;
         plot.curve = &curve;
@@ -428,7 +428,7 @@ static void test_small_rectangles(void **state) {
             struct cr_error err;
             struct cr_rect at = {2, 1, w, h};
             assert_int_equal(cr_cells_new(w + 4, h + 2, &c, &err), CR_ERR_OK);
-            assert_int_equal(cr_render_scene(&c, at, &PLAIN, NULL, NULL, &d.result, &view, &err),
+            assert_int_equal(cr_render_scene(&c, at, &plain, NULL, NULL, &d.result, &view, &err),
                              CR_ERR_OK);
             for (int i = 0; i < c.w * c.h; i++) {
                 int x = i % c.w, y = i / c.w;

@@ -8,7 +8,7 @@
 #include <string.h>
 
 enum { NX = 80, NY = 36, N = NX * NY, SAMPLES = 12000, SLICES = 4000, CONTACTS = 4 };
-static const double H = 0.05, DT = 5e-4, MASS = 1500, INERTIA = 2500, T0 = 1;
+static const double edge = 0.05, time_step = 5e-4, mass_kg = 1500, inertia = 2500, t_contact = 1;
 static double fill[N], energy[N], left[N], t[SAMPLES];
 static float when[N];
 static uint8_t how[N];
@@ -33,8 +33,8 @@ static void make(void) {
                                .trace = trace,
                                .contact = contact,
                                .slice = slice,
-                               .t_contact = T0,
-                               .dt = DT};
+                               .t_contact = t_contact,
+                               .dt = time_step};
     clear();
     memset(trace, 0, sizeof trace);
     memset(result, 0, sizeof *result);
@@ -48,7 +48,7 @@ static void make(void) {
         when[i] = INFINITY;
     }
     for (int k = 0; k < SAMPLES; k++) {
-        t[k] = T0 + (k + 1) * DT;
+        t[k] = t_contact + (k + 1) * time_step;
         for (int b = 0; b < 3; b++) {
             trace[3 * k + b].pos = cr_vec2(4.0 * b, 0);
         }
@@ -57,11 +57,11 @@ static void make(void) {
         result->resolved.part[b] = (struct cr_participant){
             .kind = CR_KIND_VEHICLE, .length = 4, .width = 1.8, .height = 1.5};
         struct cr_body *body = &result->compiled.cs.body[b];
-        body->mass = MASS;
-        body->inertia = INERTIA;
+        body->mass = mass_kg;
+        body->inertia = inertia;
         body->grid = (struct cr_grid){.nx = NX,
                                       .ny = NY,
-                                      .h = H,
+                                      .h = edge,
                                       .x0 = -2,
                                       .y0 = -0.9,
                                       .fill = fill,
@@ -71,15 +71,15 @@ static void make(void) {
                                           .left = left,
                                           .how = how,
                                           .t_crushed = when,
-                                          .t_first = T0,
+                                          .t_first = t_contact,
                                           .t_last = t[SAMPLES - 1]};
     }
 }
 
 /* the motion goes on from sample k with a velocity and a yaw rate that a slice has changed */
 static void go_on(int body, int k, struct cr_vec2 dv, double turn) {
-    trace[3 * k + body].acc = cr_vec2_axpy(trace[3 * k + body].acc, 1 / DT, dv);
-    trace[3 * k + body].yaw_acc += turn / DT;
+    trace[3 * k + body].acc = cr_vec2_axpy(trace[3 * k + body].acc, 1 / time_step, dv);
+    trace[3 * k + body].yaw_acc += turn / time_step;
     for (int i = k; i < SAMPLES; i++) {
         trace[3 * i + body].vel = cr_vec2_add(trace[3 * i + body].vel, dv);
         trace[3 * i + body].yaw_rate += turn;
@@ -88,15 +88,15 @@ static void go_on(int body, int k, struct cr_vec2 dv, double turn) {
 
 /* a contact between cars a and a + 1 from `begin` on over n slices, impulse j on the second one */
 static struct cr_contact *touch(int a, double begin, int n, struct cr_vec2 j, double y) {
-    int k0 = (int)lround((begin - T0) / DT);
+    int k0 = (int)lround((begin - t_contact) / time_step);
     struct cr_contact *c = &contact[sol.contacts];
     struct cr_vec2 one = cr_vec2_scale(j, 1.0 / n), coe = cr_vec2(4.0 * a + 2, y);
     *c = (struct cr_contact){.a = a,
                              .b = a + 1,
                              .t_begin = begin,
-                             .t_plastic_end = begin + n * DT * 0.8,
-                             .t_elastic_end = begin + n * DT * 0.9,
-                             .t_end = begin + n * DT,
+                             .t_plastic_end = begin + n * time_step * 0.8,
+                             .t_elastic_end = begin + n * time_step * 0.9,
+                             .t_end = begin + n * time_step,
                              .stop = CR_STOP_MOMENTUM,
                              .closing = 10,
                              .impulse = j,
@@ -115,8 +115,8 @@ static struct cr_contact *touch(int a, double begin, int n, struct cr_vec2 j, do
             struct cr_vec2 gain = cr_vec2_scale(one, side == 0 ? -1 : 1);
             struct cr_vec2 arm = cr_vec2_sub(coe, cr_vec2(4.0 * b, 0));
             trace[3 * (k0 + i) + b].force =
-                cr_vec2_axpy(trace[3 * (k0 + i) + b].force, 1 / DT, gain);
-            go_on(b, k0 + i, cr_vec2_scale(gain, 1 / MASS), cr_vec2_cross(arm, gain) / INERTIA);
+                cr_vec2_axpy(trace[3 * (k0 + i) + b].force, 1 / time_step, gain);
+            go_on(b, k0 + i, cr_vec2_scale(gain, 1 / mass_kg), cr_vec2_cross(arm, gain) / inertia);
             sol.body[b].energy += i == 0 ? c->energy[side] : 0;
         }
     }
@@ -135,8 +135,8 @@ static void measure(void) {
 static void pushed_from_both_ends(void **state) {
     (void)state;
     make();
-    touch(0, T0, 100, cr_vec2(MASS * 6, 0), 0);
-    touch(1, T0 + 0.4, 100, cr_vec2(MASS * 5.5, 0), 0);
+    touch(0, t_contact, 100, cr_vec2(mass_kg * 6, 0), 0);
+    touch(1, t_contact + 0.4, 100, cr_vec2(mass_kg * 5.5, 0), 0);
     measure();
     assert_int_equal(result->impacts, 2);
     const struct cr_severity *first = &result->impact[0].of[1], *then = &result->impact[1].of[0];
@@ -146,7 +146,7 @@ static void pushed_from_both_ends(void **state) {
     assert_int_equal(then->pdof_clock, 12);
     check_near(first->energy, 5000, 1e-9);
     check_near(then->energy, 3000, 1e-9);
-    check_near(first->ees, sqrt(2 * 5000 / MASS), 1e-12);
+    check_near(first->ees, sqrt(2 * 5000 / mass_kg), 1e-12);
     check_near(first->coe.x, -2, 1e-9);
     check_near(then->coe.x, 2, 1e-9);
     /* a constant push of 50 ms each; CFC60 rounds its corners off */
@@ -158,7 +158,7 @@ static void pushed_from_both_ends(void **state) {
     const struct cr_severity *all = &result->of[1];
     check_near(all->delta_v, 11.5, 1e-9);
     check_near(all->delta_v_net, 0.5, 1e-9);
-    check_near(all->ees, sqrt(2 * 8000 / MASS), 1e-12);
+    check_near(all->ees, sqrt(2 * 8000 / mass_kg), 1e-12);
     assert_int_equal(all->impacts, 2);
     assert_int_equal(all->severest, 0);
     assert_int_equal(all->pdof_clock, 6);
@@ -171,8 +171,8 @@ static void pushed_from_both_ends(void **state) {
 static void pushed_from_both_ends_at_once(void **state) {
     (void)state;
     make();
-    touch(0, T0, 200, cr_vec2(MASS * 8, 0), 0);
-    touch(1, T0 + 0.02, 100, cr_vec2(MASS * 7, 0), 0);
+    touch(0, t_contact, 200, cr_vec2(mass_kg * 8, 0), 0);
+    touch(1, t_contact + 0.02, 100, cr_vec2(mass_kg * 7, 0), 0);
     measure();
     assert_int_equal(result->impacts, 2);
     check_near(result->impact[0].of[1].delta_v, 8, 1e-9);
@@ -185,16 +185,16 @@ static void pushed_from_both_ends_at_once(void **state) {
 static void touches_within_a_tenth_of_a_second_are_one(void **state) {
     (void)state;
     make();
-    touch(0, T0, 100, cr_vec2(MASS * 5, 0), 0);
-    touch(0, T0 + 0.149, 40, cr_vec2(MASS * 2, 0), 0);
+    touch(0, t_contact, 100, cr_vec2(mass_kg * 5, 0), 0);
+    touch(0, t_contact + 0.149, 40, cr_vec2(mass_kg * 2, 0), 0);
     measure();
     assert_int_equal(result->impacts, 1);
     assert_int_equal(result->impact[0].contacts, 2);
     check_near(result->impact[0].of[1].delta_v, 7, 1e-9);
-    check_near(result->impact[0].t_end, T0 + 0.169, 1e-9);
+    check_near(result->impact[0].t_end, t_contact + 0.169, 1e-9);
     make();
-    touch(0, T0, 100, cr_vec2(MASS * 5, 0), 0);
-    touch(0, T0 + 0.151, 40, cr_vec2(-MASS * 2, 0), 0);
+    touch(0, t_contact, 100, cr_vec2(mass_kg * 5, 0), 0);
+    touch(0, t_contact + 0.151, 40, cr_vec2(-mass_kg * 2, 0), 0);
     measure();
     assert_int_equal(result->impacts, 2);
     check_near(result->of[1].delta_v, 7, 1e-9);
@@ -206,19 +206,19 @@ static void touches_within_a_tenth_of_a_second_are_one(void **state) {
 static void rubbing_is_no_impact(void **state) {
     (void)state;
     make();
-    touch(0, T0, 100, cr_vec2(MASS * 5, 0), 0);
-    touch(0, T0 + 0.051, 1800, cr_vec2(MASS * 0.9, 0), 0);
-    touch(0, T0 + 2, 40, cr_vec2(0, MASS * 2), 0);
+    touch(0, t_contact, 100, cr_vec2(mass_kg * 5, 0), 0);
+    touch(0, t_contact + 0.051, 1800, cr_vec2(mass_kg * 0.9, 0), 0);
+    touch(0, t_contact + 2, 40, cr_vec2(0, mass_kg * 2), 0);
     contact[1].t_end = contact[1].t_plastic_end = contact[1].t_elastic_end = NAN;
     contact[1].stop = CR_STOP_NONE;
     measure();
     assert_int_equal(result->impacts, 2);
-    check_near(result->impact[0].t_end, T0 + 0.05, 1e-9);
+    check_near(result->impact[0].t_end, t_contact + 0.05, 1e-9);
     check_near(result->impact[0].of[1].delta_v, 5, 1e-9);
     check_near(result->impact[0].of[1].energy, 10e3, 1e-9);
     check_near(result->impact[0].of[1].pulse, 0.05, 0.006);
     check_near(result->impact[1].of[1].delta_v, 2, 1e-9);
-    check_near(result->impact[1].t_begin, T0 + 2, 1e-9);
+    check_near(result->impact[1].t_begin, t_contact + 2, 1e-9);
     assert_int_equal(result->impact[0].stop, CR_STOP_MOMENTUM);
 }
 
@@ -226,9 +226,9 @@ static void rubbing_is_no_impact(void **state) {
 static void a_contact_ends_where_it_only_rubs(void **state) {
     (void)state;
     make();
-    struct cr_contact *c = touch(0, T0, 100, cr_vec2(MASS * 5, 0), 0);
+    struct cr_contact *c = touch(0, t_contact, 100, cr_vec2(mass_kg * 5, 0), 0);
     int n = sol.slices;
-    touch(0, T0 + 0.05, 1800, cr_vec2(MASS * 0.9, 0), 0);
+    touch(0, t_contact + 0.05, 1800, cr_vec2(mass_kg * 0.9, 0), 0);
     for (int i = n; i < sol.slices; i++) {
         slice[i].contact = 0;
     }
@@ -238,7 +238,7 @@ static void a_contact_ends_where_it_only_rubs(void **state) {
     measure();
     assert_int_equal(result->impacts, 1);
     /* 20 ms after the last push less than 0.8 km/h is left of it */
-    check_near(result->impact[0].t_end, T0 + 0.05 + 0.02, 2e-3);
+    check_near(result->impact[0].t_end, t_contact + 0.05 + 0.02, 2e-3);
     check_near(result->impact[0].of[1].delta_v, 5, 0.02);
     assert_int_equal(result->impact[0].stop, CR_STOP_SEPARATION);
 }
@@ -247,13 +247,13 @@ static void a_contact_ends_where_it_only_rubs(void **state) {
 static void yaw_and_tyres(void **state) {
     (void)state;
     make();
-    touch(0, T0, 100, cr_vec2(MASS * 5, 0), 0.6);
+    touch(0, t_contact, 100, cr_vec2(mass_kg * 5, 0), 0.6);
     for (int k = 0; k < 400; k++) {
-        go_on(1, k, cr_vec2(-8 * DT, 0), 0);
+        go_on(1, k, cr_vec2(-8 * time_step, 0), 0);
     }
     measure();
     const struct cr_severity *s = &result->impact[0].of[1];
-    check_near(s->yaw_rate_change, -0.6 * MASS * 5 / INERTIA, 1e-9);
+    check_near(s->yaw_rate_change, -0.6 * mass_kg * 5 / inertia, 1e-9);
     check_near(s->coe.y, 0.6, 1e-9);
     check_near(s->delta_v_world.x, 5 - 8 * 0.05, 1e-9);
     check_near(s->speed_after, 5 - 8 * 0.05, 1e-9);
@@ -263,8 +263,8 @@ static void yaw_and_tyres(void **state) {
 static void damage_belongs_to_its_impact(void **state) {
     (void)state;
     make();
-    touch(0, T0, 100, cr_vec2(MASS * 6, 0), 0);
-    touch(1, T0 + 0.4, 100, cr_vec2(MASS * 7, 0), 0);
+    touch(0, t_contact, 100, cr_vec2(mass_kg * 6, 0), 0);
+    touch(1, t_contact + 0.4, 100, cr_vec2(mass_kg * 7, 0), 0);
     for (int i = 0; i < 2; i++) { /* how the cars come at each other */
         for (int k = 0; k < 100; k++) {
             trace[3 * (800 * i + k) + i].vel.x += 5;
@@ -275,12 +275,12 @@ static void damage_belongs_to_its_impact(void **state) {
     for (int y = 0; y < NY; y++) {
         for (int x = 0; x < 6; x++) {
             left[y * NX + x] = 0;
-            when[y * NX + x] = (float)(T0 + 0.02);
+            when[y * NX + x] = (float)(t_contact + 0.02);
             how[y * NX + x] = CR_CRUSH_CONTACT;
         }
         for (int x = NX - 10; x < NX; x++) {
             left[y * NX + x] = 0;
-            when[y * NX + x] = (float)(T0 + 0.42);
+            when[y * NX + x] = (float)(t_contact + 0.42);
             how[y * NX + x] = CR_CRUSH_CONTACT;
         }
     }
@@ -316,7 +316,7 @@ static void doubts_are_named(void **state) {
     for (int b = 0; b < 3; b++) { /* 4 m from CG to CG are a bumper's touch of cars of 4 m */
         result->resolved.part[b].model.blend = true;
     }
-    touch(0, T0, 100, cr_vec2(MASS * 6, 0), 0);
+    touch(0, t_contact, 100, cr_vec2(mass_kg * 6, 0), 0);
     measure();
     cr_result_quality(result, NULL);
     assert_int_equal(result->warnings, 0);
@@ -324,18 +324,22 @@ static void doubts_are_named(void **state) {
     struct cr_impact *k = &result->impact[0];
     k->t_plastic_end = k->t_begin + 0.01;
     k->of[0].acceleration_max = 70 * CR_G;
+    k->friction = 0.49 * (k->of[0].energy + k->of[1].energy);
     k->of[1].energy_induced = 0.6 * k->of[1].energy;
     cr_result_quality(result, NULL);
     assert_int_equal(has("spike"), 1);
     assert_int_equal(has("induced"), 1);
     assert_int_equal(has("through"), 0);
+    assert_int_equal(has("grazing"), 0);
+    k->friction = 0.51 * (k->of[0].energy + k->of[1].energy);
     k->of[0].face = CR_FACE_FRONT;
     k->of[0].face_depth_dynamic = 3.9;
     cr_result_quality(result, NULL);
     assert_int_equal(has("through"), 1);
+    assert_int_equal(has("grazing"), 1);
 
     make(); /* the second car drives on into the first one's place */
-    touch(0, T0, 100, cr_vec2(MASS * 1, 0), 0);
+    touch(0, t_contact, 100, cr_vec2(mass_kg * 1, 0), 0);
     trace[3 * 50 + 1].pos.x = 1.5;
     contact[0].stop = CR_STOP_NO_OVERLAP;
     trace[3 * 99].vel.x += 9;

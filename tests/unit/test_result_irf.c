@@ -43,7 +43,7 @@ static double risk(const char *name, struct cr_irf_case what) {
     struct cr_severity s;
     cr_irf_apply(set, &what, &s);
     for (int i = 0; i < s.injuries; i++) {
-        if (!strcmp(s.injury[i].function, name)) {
+        if (strcmp(s.injury[i].function, name) == 0) {
             return s.injury[i].probability;
         }
     }
@@ -169,13 +169,13 @@ static enum cr_err load(const char *json, struct cr_error *err) {
     fputs(json, f);
     fclose(f);
     struct cr_irf_set *got;
-    enum cr_err rc = cr_irf_load(dir, &got, err);
-    if (!rc) {
+    enum cr_err code = cr_irf_load(dir, &got, err);
+    if (!code) {
         cr_irf_free(got);
     }
     unlink(path);
     rmdir(dir);
-    return rc;
+    return code;
 }
 
 #define ONE(rest) "{\"functions\":[{\"name\":\"x\",\"injury\":\"MAIS3+\"," rest "}]}"

@@ -9,7 +9,7 @@
 #include <string.h>
 
 enum { NX = 160, NY = 72, N = NX * NY, SLICES = 400 };
-static const double H = 0.025, DT = 2.5e-4, MASS = 1500;
+static const double edge = 0.025, time_step = 2.5e-4, mass_kg = 1500;
 static double fill[N], energy[N], left[N], t[SLICES];
 static uint8_t how[N];
 static struct cr_sample trace[SLICES * 2];
@@ -20,7 +20,7 @@ static struct cr_solution sol;
 /* a vehicle 4 m by 1.8 m at heading psi and a fixed wall; deceleration a(s) over 0 <= s <= 1 of
  * the pulse, along the heading */
 static void make(double psi, double (*a)(double), double length) {
-    int used = (int)lround(length / DT);
+    int used = (int)lround(length / time_step);
     struct cr_vec2 ahead = {cos(psi), sin(psi)}, vel = cr_vec2_scale(ahead, 16);
     for (int i = 0; i < N; i++) {
         fill[i] = left[i] = 1;
@@ -34,13 +34,13 @@ static void make(double psi, double (*a)(double), double length) {
                                .contacts = 1,
                                .contact = contact,
                                .t_contact = 2,
-                               .dt = DT};
+                               .dt = time_step};
     struct cr_outcome *o = &sol.body[0];
     o->before = (struct cr_sample){.vel = vel, .heading = psi};
     for (int k = 0; k < SLICES; k++) {
         double acc = k < used ? a((k + 0.5) / used) : 0;
-        vel = cr_vec2_axpy(vel, acc * DT, ahead);
-        t[k] = 2 + (k + 1) * DT;
+        vel = cr_vec2_axpy(vel, acc * time_step, ahead);
+        t[k] = 2 + (k + 1) * time_step;
         trace[2 * k] =
             (struct cr_sample){.vel = vel, .acc = cr_vec2_scale(ahead, acc), .heading = psi};
         trace[2 * k + 1] = (struct cr_sample){.pos = {3, 0}};
@@ -61,7 +61,7 @@ static void make(double psi, double (*a)(double), double length) {
                                      .t_plastic_end = 2.07,
                                      .t_elastic_end = 2.075,
                                      .t_end = 2 + length,
-                                     .impulse = cr_vec2_scale(o->delta_v, -MASS)};
+                                     .impulse = cr_vec2_scale(o->delta_v, -mass_kg)};
     memset(result, 0, sizeof *result);
     result->solution = &sol;
     result->resolved.n = 2;
@@ -76,10 +76,10 @@ static void make(double psi, double (*a)(double), double length) {
     result->resolved.set.residual_curve = -1;
     struct cr_body *car = &result->compiled.cs.body[0];
     result->compiled.cs.n = 2;
-    car->mass = MASS;
+    car->mass = mass_kg;
     car->grid = (struct cr_grid){.nx = NX,
                                  .ny = NY,
-                                 .h = H,
+                                 .h = edge,
                                  .x0 = -2,
                                  .y0 = -0.9,
                                  .fill = fill,
@@ -114,7 +114,7 @@ static void constant_deceleration(void **state) {
     check_near(s->delta_v_body.y, 0, 1e-9);
     check_near(s->delta_v_world.x, -16 * cos(cr_rad(30)), 1e-9);
     check_near(s->delta_v_world.y, -16 * sin(cr_rad(30)), 1e-9);
-    check_near(s->ees, sqrt(2 * 90e3 / MASS), 1e-12);
+    check_near(s->ees, sqrt(2 * 90e3 / mass_kg), 1e-12);
     check_near(cr_angle_wrap(s->pdof), 0, 1e-9);
     assert_int_equal(s->pdof_clock, 12);
     check_near(s->acceleration_mean, 160, 1e-9);
@@ -183,7 +183,7 @@ static void frontal_crush(void **state) {
     for (int i = 0; i < s->outline_n; i++) {
         area += cr_vec2_cross(s->outline[i], s->outline[(i + 1) % s->outline_n]) / 2;
     }
-    check_near(area, (4 - 0.35) * 1.8, 2 * H * H);
+    check_near(area, (4 - 0.35) * 1.8, 2 * edge * edge);
     /* zones from bumper to B-pillar: 0.9 + 2.5 / 2 = 2.15 m, 9 * 0.35 / 2.15 = 1.47 */
     assert_string_equal(s->cdc, "12FDEW2");
     /* with the residual curve the grid holds what is left on the car */
@@ -210,14 +210,14 @@ static void offset_profile(void **state) {
     const struct cr_severity *s = measure();
     /* right end of the damage: first damaged column, 12 voxels deep; deeper towards the left, where
      * the beam ends 0.085 of the width from the flank */
-    check_near(s->profile_dynamic[5], 12 * H, 1e-9);
+    check_near(s->profile_dynamic[5], 12 * edge, 1e-9);
     double beam = NY * (1 - 0.83) / 2;
-    check_near(s->profile_dynamic[0], (41.5 - beam) * H, 1e-9);
+    check_near(s->profile_dynamic[0], (41.5 - beam) * edge, 1e-9);
     for (int i = 1; i < CR_PROFILE; i++) {
         assert_true(s->profile[i] < s->profile[i - 1]);
     }
     assert_int_equal(s->cdc[3], 'Y');
-    check_near(s->damage_width, 30 * H, 1e-9);
+    check_near(s->damage_width, 30 * edge, 1e-9);
 }
 
 /* touches with less than 0.1 s between them are one impact; its pulse is what decelerates */

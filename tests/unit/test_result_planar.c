@@ -25,7 +25,7 @@ static const struct {
     const char *test;
     struct car car[2];
     double normal, e, ratio; /* of tangential to normal impulse as published */
-} ROSE[] = {
+} rose[] = {
     {"4363",
      {{2.6, 23.8, 180, 35.1, 3451.1, 2152, 39.5, -31},
       {5.7, 10.6, 32, 35, 4695.4, 2805, 29.1, 182}},
@@ -59,16 +59,16 @@ static struct cr_planar_body body_of(const struct car *c) {
 /* to the rounding of the inputs, which have two or three figures */
 static void planar_impacts_of_rose(void **state) {
     (void)state;
-    for (size_t k = 0; k < sizeof ROSE / sizeof *ROSE; k++) {
-        struct cr_planar_body b[2] = {body_of(&ROSE[k].car[0]), body_of(&ROSE[k].car[1])};
-        struct cr_vec2 n = polar(1, ROSE[k].normal);
-        struct cr_vec2 j = cr_planar_impulse(b, n, ROSE[k].e);
-        check_near(cr_vec2_cross(n, j) / cr_vec2_dot(n, j), ROSE[k].ratio, 0.015);
+    for (size_t k = 0; k < sizeof rose / sizeof *rose; k++) {
+        struct cr_planar_body b[2] = {body_of(&rose[k].car[0]), body_of(&rose[k].car[1])};
+        struct cr_vec2 n = polar(1, rose[k].normal);
+        struct cr_vec2 j = cr_planar_impulse(b, n, rose[k].e);
+        check_near(cr_vec2_cross(n, j) / cr_vec2_dot(n, j), rose[k].ratio, 0.015);
         for (int i = 0; i < 2; i++) {
             struct cr_vec2 own = cr_vec2_scale(j, i == 0 ? 1 : -1);
             double yaw = b[i].inv_inertia * cr_vec2_cross(b[i].arm, own);
-            check_near(cr_vec2_len(own) * b[i].inv_mass / MPH, ROSE[k].car[i].delta_v, 0.2);
-            check_near(yaw * 180 / CR_PI, ROSE[k].car[i].yaw, 1.5);
+            check_near(cr_vec2_len(own) * b[i].inv_mass / MPH, rose[k].car[i].delta_v, 0.2);
+            check_near(yaw * 180 / CR_PI, rose[k].car[i].yaw, 1.5);
         }
     }
 }

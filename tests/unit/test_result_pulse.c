@@ -7,16 +7,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double DT = 1e-4;
+static const double time_step = 1e-4;
 
 /* gain of the filter at a frequency, dB, from the power of one second of a sine */
 static double gain_db(double hz) {
     enum { N = 20000 };
     double *x = malloc(N * sizeof *x), power = 0;
     for (int i = 0; i < N; i++) {
-        x[i] = sin(2 * CR_PI * hz * i * DT);
+        x[i] = sin(2 * CR_PI * hz * i * time_step);
     }
-    assert_int_equal(cr_cfc_filter(60, DT, x, N, NULL), CR_ERR_OK);
+    assert_int_equal(cr_cfc_filter(60, time_step, x, N, NULL), CR_ERR_OK);
     for (int i = N / 4; i < 3 * N / 4; i++) {
         power += x[i] * x[i] / (N / 2);
     }
@@ -39,13 +39,13 @@ static void filter_keeps_constants_and_does_not_shift(void **state) {
     for (int i = 0; i < N; i++) {
         x[i] = 7.5;
     }
-    assert_int_equal(cr_cfc_filter(60, DT, x, N, NULL), CR_ERR_OK);
+    assert_int_equal(cr_cfc_filter(60, time_step, x, N, NULL), CR_ERR_OK);
     for (int i = 0; i < N; i++) {
         check_near(x[i], 7.5, 1e-9);
     }
     memset(x, 0, sizeof x);
     x[N / 2] = 1;
-    assert_int_equal(cr_cfc_filter(60, DT, x, N, NULL), CR_ERR_OK);
+    assert_int_equal(cr_cfc_filter(60, time_step, x, N, NULL), CR_ERR_OK);
     double sum = 0;
     for (int i = 0; i < N / 2; i++) {
         check_near(x[N / 2 - i], x[N / 2 + i], 1e-12);
@@ -73,7 +73,7 @@ static void filter_has_the_coefficients_of_the_test_vector(void **state) {
     }
     memset(x, 0, sizeof x);
     x[N / 2] = 1;
-    assert_int_equal(cr_cfc_filter(60, DT, x, N, NULL), CR_ERR_OK);
+    assert_int_equal(cr_cfc_filter(60, time_step, x, N, NULL), CR_ERR_OK);
     check_near(x[N / 2], energy, 1e-11);
 }
 
@@ -83,8 +83,8 @@ static void filter_refuses_coarse_samples(void **state) {
     struct cr_error err;
     assert_int_equal(cr_cfc_filter(1000, 1e-3, x, 8, &err), CR_ERR_RANGE);
     assert_non_null(strstr(err.text, "CFC1000"));
-    assert_int_equal(cr_cfc_filter(0, DT, x, 8, NULL), CR_ERR_RANGE);
-    // 100 Hz is allowed up to 0.775 of the Nyquist frequency: 3.875 ms
+    assert_int_equal(cr_cfc_filter(0, time_step, x, 8, NULL), CR_ERR_RANGE);
+    /* 100 Hz is allowed up to 0.775 of the Nyquist frequency: 3.875 ms */
     assert_int_equal(cr_cfc_filter(60, 3.8e-3, x, 8, NULL), CR_ERR_OK);
     assert_int_equal(cr_cfc_filter(60, 3.9e-3, x, 8, NULL), CR_ERR_RANGE);
 }
@@ -101,7 +101,7 @@ static double *constant(double a) {
 static void olc_of_constant_deceleration(void **state) {
     (void)state;
     double *a = constant(20 * CR_G);
-    check_near(cr_pulse_olc(a, LONG, DT), 60.0 / 47 * 20 * CR_G, 0.02);
+    check_near(cr_pulse_olc(a, LONG, time_step), 60.0 / 47 * 20 * CR_G, 0.02);
     free(a);
 }
 
@@ -109,10 +109,10 @@ static void olc_of_constant_deceleration(void **state) {
 static void olc_of_a_sudden_stop(void **state) {
     (void)state;
     static double a[10];
-    a[0] = 10 / DT;
-    check_near(cr_pulse_olc(a, 10, DT), 100 / 0.47, 0.5);
+    a[0] = 10 / time_step;
+    check_near(cr_pulse_olc(a, 10, time_step), 100 / 0.47, 0.5);
     memset(a, 0, sizeof a);
-    check_near(cr_pulse_olc(a, 10, DT), 0, 0);
+    check_near(cr_pulse_olc(a, 10, time_step), 0, 0);
 }
 
 /* slack is used up at sqrt(2 a 0.03); then a spring-mass of 50 rad/s about its rest under a */
@@ -120,23 +120,28 @@ static void vpi_of_constant_deceleration(void **state) {
     (void)state;
     double a = 150, v = sqrt(2 * a * 0.03);
     double *x = constant(a);
-    check_near(cr_pulse_vpi(x, LONG, DT), a + sqrt(a * a + 2500 * v * v), 0.2);
+    check_near(cr_pulse_vpi(x, LONG, time_step), a + sqrt(a * a + 2500 * v * v), 0.2);
     free(x);
 }
 
 static void asi_of_constant_deceleration(void **state) {
     (void)state;
     double *x = constant(12 * CR_G), *y = constant(9 * CR_G);
-    check_near(cr_pulse_asi(x, y, LONG, DT), sqrt(2), 1e-9);
-    // half a window long: half the mean
-    check_near(cr_pulse_asi(x, y, 250, DT), sqrt(2) / 2, 1e-9);
+    check_near(cr_pulse_asi(x, y, LONG, time_step), sqrt(2), 1e-9);
+    /* half a window long: half the mean */
+    check_near(cr_pulse_asi(x, y, 250, time_step), sqrt(2) / 2, 1e-9);
     free(x);
     free(y);
 }
 
 static struct cr_pulse pulse_of(double *ax, double *ay, double *zero, int n) {
-    return (struct cr_pulse){
-        .n = n, .dt = DT, .ax = ax, .ay = ay, .along = ax, .heading = zero, .yaw_rate = zero};
+    return (struct cr_pulse){.n = n,
+                             .dt = time_step,
+                             .ax = ax,
+                             .ay = ay,
+                             .along = ax,
+                             .heading = zero,
+                             .yaw_rate = zero};
 }
 
 /* the head travels 0.6 m ahead: v = sqrt(2 a 0.6); 0.3 m aside: sqrt(2 a 0.3) */
@@ -171,7 +176,7 @@ static void thiv_of_pure_yaw(void **state) {
     (void)state;
     double *zero = constant(0), *w = constant(2), *psi = constant(0), phd;
     for (int i = 0; i < LONG; i++) {
-        psi[i] = 2 * DT * i;
+        psi[i] = 2 * time_step * i;
     }
     struct cr_pulse p = pulse_of(zero, zero, psi, LONG);
     p.yaw_rate = w;
@@ -228,7 +233,7 @@ static void olc_is_never_negative(void **state) {
             for (int i = 0; i < LONG; i++) {
                 a[i] = i < turn ? 20 * CR_G : -back * 20 * CR_G;
             }
-            assert_true(cr_pulse_olc(a, LONG, DT) >= 0);
+            assert_true(cr_pulse_olc(a, LONG, time_step) >= 0);
         }
     }
 }

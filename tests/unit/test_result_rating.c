@@ -7,17 +7,17 @@
 
 enum { N = 1000 };
 static double t[N], c[N];
-static const double DT = 1e-4, PI = 3.14159265358979323846;
+static const double time_step = 1e-4, pi = 3.14159265358979323846;
 
 static void sine(double *x, double amplitude, double phase) {
     for (int i = 0; i < N; i++) {
-        x[i] = amplitude * sin(2 * PI * i / N + phase);
+        x[i] = amplitude * sin(2 * pi * i / N + phase);
     }
 }
 
 static struct cr_rating_iso rate(void) {
     struct cr_rating_iso r;
-    assert_int_equal(cr_rating_iso18571(t, c, N, DT, &r, NULL), CR_ERR_OK);
+    assert_int_equal(cr_rating_iso18571(t, c, N, time_step, &r, NULL), CR_ERR_OK);
     return r;
 }
 
@@ -59,7 +59,7 @@ static void constants(void **state) {
     }
     struct cr_rating_iso r = rate();
     check_near(r.corridor, 1, 1e-12);
-    // relative L1 distance 0.025 of the 0.5 that give nothing
+    /* relative L1 distance 0.025 of the 0.5 that give nothing */
     check_near(r.magnitude, 0.95, 1e-12);
     for (int i = 0; i < N; i++) {
         c[i] = 16;
@@ -67,7 +67,7 @@ static void constants(void **state) {
     r = rate();
     check_near(r.corridor, 0, 1e-12);
     check_near(r.magnitude, 0, 1e-12);
-    // 2 off 10: between 0.5 and 5, ((5 - 2) / 4.5)^2
+    /* 2 off 10: between 0.5 and 5, ((5 - 2) / 4.5)^2 */
     for (int i = 0; i < N; i++) {
         c[i] = 12;
     }
@@ -95,13 +95,13 @@ static void warping_forgives_time_not_size(void **state) {
     (void)state;
     sine(t, 1, 0);
     for (int i = 0; i < N; i++) {
-        c[i] = sin(2 * PI * pow((double)i / N, 1.05));
+        c[i] = sin(2 * pi * pow((double)i / N, 1.05));
     }
     assert_true(rate().magnitude > 0.97);
     sine(c, 1.2, 0);
     struct cr_rating_iso r = rate();
     assert_true(r.magnitude > 0.5 && r.magnitude < 0.97);
-    // slope 20 % too steep everywhere: 1 - 0.2 / 2
+    /* slope 20 % too steep everywhere: 1 - 0.2 / 2 */
     check_near(r.slope, 0.9, 1e-6);
 }
 
@@ -112,10 +112,10 @@ static void bad_curves_are_refused(void **state) {
     struct cr_error err;
     sine(t, 1, 0);
     sine(c, 1, 0);
-    assert_int_equal(cr_rating_iso18571(t, c, 5, DT, &r, &err), CR_ERR_RANGE);
+    assert_int_equal(cr_rating_iso18571(t, c, 5, time_step, &r, &err), CR_ERR_RANGE);
     assert_non_null(strstr(err.text, "samples"));
     c[7] = (double)NAN;
-    assert_int_equal(cr_rating_iso18571(t, c, N, DT, &r, &err), CR_ERR_RANGE);
+    assert_int_equal(cr_rating_iso18571(t, c, N, time_step, &r, &err), CR_ERR_RANGE);
     assert_non_null(strstr(err.text, "sample 7"));
     memset(t, 0, sizeof t);
     memset(c, 0, sizeof c);
@@ -129,10 +129,10 @@ static void cora(void **state) {
     sine(c, 2, 0);
     assert_int_equal(cr_rating_cora4(t, c, N, &r, NULL), CR_ERR_OK);
     check_near(r.total, 1, 1e-12);
-    // from 3 % to 7.5 % of the maximum: asin(0.03) and asin(0.075) of a period of 1000
-    assert_int_equal(r.first, (int)ceil(N * asin(0.03) / (2 * PI)));
-    assert_int_equal(r.last, (int)floor(N * (1 - asin(0.075) / (2 * PI))));
-    // half the size: same form, a quarter of the squares
+    /* from 3 % to 7.5 % of the maximum: asin(0.03) and asin(0.075) of a period of 1000 */
+    assert_int_equal(r.first, (int)ceil(N * asin(0.03) / (2 * pi)));
+    assert_int_equal(r.last, (int)floor(N * (1 - asin(0.075) / (2 * pi))));
+    /* half the size: same form, a quarter of the squares */
     sine(c, 1, 0);
     assert_int_equal(cr_rating_cora4(t, c, N, &r, NULL), CR_ERR_OK);
     check_near(r.progression, 1, 1e-12);

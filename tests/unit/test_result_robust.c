@@ -18,14 +18,14 @@ static struct cr_result *checked(int solves) {
     struct cr_scene scene;
     struct cr_result *r = NULL;
     struct cr_error err = {0};
-    enum cr_err rc = cr_scene_parse(wall, strlen(wall), "test", &scene, &err);
-    rc = rc ? rc : cr_result_run(&scene, &ctx, &r, &err);
+    enum cr_err code = cr_scene_parse(wall, strlen(wall), "test", &scene, &err);
+    code = code ? code : cr_result_run(&scene, &ctx, &r, &err);
     cr_scene_fini(&scene);
-    rc = rc ? rc : cr_robust_begin(r, &err);
-    for (int i = 0; i < solves && !rc; i++) {
-        rc = cr_robust_step(r, &ctx, &err);
+    code = code ? code : cr_robust_begin(r, &err);
+    for (int i = 0; i < solves && !code; i++) {
+        code = cr_robust_step(r, &ctx, &err);
     }
-    if (rc) {
+    if (code) {
         fail_msg("%s %s", err.text, err.where);
     }
     return r;

@@ -23,11 +23,11 @@ static enum cr_err run(double from, const char *extra, struct cr_result **out,
              "\"radius_m\":0.3,\"position_m\":[%.9f,%.9f]}]}",
              extra, -from, way * cos(a), way * sin(a));
     struct cr_scene scene;
-    enum cr_err rc = cr_scene_parse(json, strlen(json), "test", &scene, err);
+    enum cr_err code = cr_scene_parse(json, strlen(json), "test", &scene, err);
     *out = NULL;
-    rc = rc ? rc : cr_result_run(&scene, &ctx, out, err);
+    code = code ? code : cr_result_run(&scene, &ctx, out, err);
     cr_scene_fini(&scene);
-    return rc;
+    return code;
 }
 
 static struct cr_result *solved(double from, const char *extra) {
@@ -189,40 +189,40 @@ static void check_order(const cJSON *object, const char *const *key, int n) {
     }
 }
 
-static const char *const TOP[] = {"crumple_result", "scene",    "version", "method",
-                                  "assumed",        "warnings", "input",   "time",
-                                  "participants",   "impacts",  "balance", "trace"};
-static const char *const PART[] = {"id",
-                                   "ees_kmh",
-                                   "energy_kJ",
-                                   "energy_induced_kJ",
-                                   "delta_v_kmh",
-                                   "delta_v_forward_kmh",
-                                   "delta_v_left_kmh",
-                                   "delta_v_x_kmh",
-                                   "delta_v_y_kmh",
-                                   "pdof_deg",
-                                   "pdof_clock",
-                                   "model",
-                                   "cdc",
-                                   "yaw_rate_change_deg_s",
-                                   "speed_after_kmh",
-                                   "course_after_deg",
-                                   "yaw_rate_after_deg_s",
-                                   "deformation_max_m",
-                                   "deformation_dynamic_max_m",
-                                   "deformation_area_m2",
-                                   "crush_profile_m",
-                                   "deformation_outline_m",
-                                   "acceleration_max_g",
-                                   "acceleration_mean_g",
-                                   "pulse_ms",
-                                   "olc_g",
-                                   "asi",
-                                   "thiv_kmh",
-                                   "rest",
-                                   "injury"};
-static const char *const TRACE[] = {
+static const char *const top_keys[] = {"crumple_result", "scene",    "version", "method",
+                                       "assumed",        "warnings", "input",   "time",
+                                       "participants",   "impacts",  "balance", "trace"};
+static const char *const part_keys[] = {"id",
+                                        "ees_kmh",
+                                        "energy_kJ",
+                                        "energy_induced_kJ",
+                                        "delta_v_kmh",
+                                        "delta_v_forward_kmh",
+                                        "delta_v_left_kmh",
+                                        "delta_v_x_kmh",
+                                        "delta_v_y_kmh",
+                                        "pdof_deg",
+                                        "pdof_clock",
+                                        "model",
+                                        "cdc",
+                                        "yaw_rate_change_deg_s",
+                                        "speed_after_kmh",
+                                        "course_after_deg",
+                                        "yaw_rate_after_deg_s",
+                                        "deformation_max_m",
+                                        "deformation_dynamic_max_m",
+                                        "deformation_area_m2",
+                                        "crush_profile_m",
+                                        "deformation_outline_m",
+                                        "acceleration_max_g",
+                                        "acceleration_mean_g",
+                                        "pulse_ms",
+                                        "olc_g",
+                                        "asi",
+                                        "thiv_kmh",
+                                        "rest",
+                                        "injury"};
+static const char *const trace_keys[] = {
     "x_m",     "y_m",     "heading_deg",    "vx_mps",   "vy_mps",   "yaw_rate_deg_s",
     "ax_mps2", "ay_mps2", "yaw_acc_deg_s2", "force_kN", "energy_kJ"};
 #define COUNT(a) ((int)(sizeof(a) / sizeof *(a)))
@@ -236,12 +236,12 @@ static void json_has_the_keys_of_the_format(void **state) {
     assert_int_equal(strcspn(text.s, "\n"), text.len - 1);
     cJSON *json = cJSON_Parse(text.s);
     assert_non_null(json);
-    check_order(json, TOP, COUNT(TOP));
-    check_order(cJSON_GetArrayItem(cJSON_GetObjectItem(json, "participants"), 0), PART,
-                COUNT(PART));
+    check_order(json, top_keys, COUNT(top_keys));
+    check_order(cJSON_GetArrayItem(cJSON_GetObjectItem(json, "participants"), 0), part_keys,
+                COUNT(part_keys));
     const cJSON *trace = cJSON_GetObjectItem(json, "trace");
     const cJSON *own = cJSON_GetObjectItem(trace, "A");
-    check_order(own, TRACE, COUNT(TRACE));
+    check_order(own, trace_keys, COUNT(trace_keys));
     assert_int_equal(cJSON_GetArraySize(cJSON_GetObjectItem(own, "x_m")),
                      cJSON_GetArraySize(cJSON_GetObjectItem(trace, "t_s")));
     char hash[CR_HASH_SIZE];

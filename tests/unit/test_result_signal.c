@@ -19,9 +19,9 @@ static enum cr_err load(const char *text, const char *column, struct cr_signal *
     assert_true(fd >= 0);
     assert_int_equal(write(fd, text, strlen(text)), strlen(text));
     close(fd);
-    enum cr_err rc = cr_signal_load(path, column, s, err);
+    enum cr_err code = cr_signal_load(path, column, s, err);
     unlink(path);
-    return rc;
+    return code;
 }
 
 static void units_stand_in_the_names(void **state) {
@@ -159,10 +159,10 @@ static void pulse_against_itself(void **state) {
     assert_true(c.iso.total > 0.99 && c.cora.total > 0.99);
     check_near(c.peak_simulated, -300, 3);
     check_near(c.t_peak_simulated, 0.05, 2e-3);
-    // 100 ms of 120 with the mean of a half sine
+    /* 100 ms of 120 with the mean of a half sine */
     check_near(c.mean_measured, -300 * 2 / CR_PI * 100 / 120, 0.5);
     cr_compare_fini(&c);
-    // the other sign: as far off as can be
+    /* the other sign: as far off as can be */
     o.sign = -1;
     assert_int_equal(cr_compare_pulse(&sol, 0, &s, &o, &c, &err), CR_ERR_OK);
     assert_true(c.iso.total < 0.5);

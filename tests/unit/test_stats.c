@@ -7,7 +7,7 @@ static void mean_and_spread(void **state) {
     (void)state;
     const double x[] = {2, 4, 4, 4, 5, 5, 7, 9};
     check_near(cr_stats_mean(x, 8), 5, 1e-15);
-    // squares of the deviations: 9 + 1 + 1 + 1 + 0 + 0 + 4 + 16 = 32
+    /* squares of the deviations: 9 + 1 + 1 + 1 + 0 + 0 + 4 + 16 = 32 */
     check_near(cr_stats_sd(x, 8), sqrt(32.0 / 7), 1e-15);
     check_near(cr_stats_rms(x, 8), sqrt(29), 1e-14);
     assert_true(isnan(cr_stats_mean(x, 0)));
@@ -21,7 +21,7 @@ static void quantiles_lie_between_the_sorted_values(void **state) {
     check_near(cr_stats_median(x, 4), 6.5, 1e-15);
     check_near(cr_stats_quantile(x, 4, 0), 1, 0);
     check_near(cr_stats_quantile(x, 4, 1), 16, 0);
-    // position 0.25 * 3 = 0.75: 1 + 0.75 * 3
+    /* position 0.25 * 3 = 0.75: 1 + 0.75 * 3 */
     check_near(cr_stats_quantile(x, 4, 0.25), 3.25, 1e-15);
     check_near(cr_stats_quantile(x, 1, 0.9), 1, 0);
     assert_true(isnan(cr_stats_quantile(x, 0, 0.5)));
@@ -30,15 +30,15 @@ static void quantiles_lie_between_the_sorted_values(void **state) {
 
 static void errors_as_the_paper_counts_them(void **state) {
     (void)state;
-    // +10 %, -20 %, +4 %
+    /* +10 %, -20 %, +4 % */
     const double value[] = {11, 40, 26}, reference[] = {10, 50, 25};
     struct cr_stats_error e = cr_stats_errors(value, reference, 3);
     assert_int_equal(e.n, 3);
     check_near(e.mpe, -2, 1e-12);
     check_near(e.mape, 34.0 / 3, 1e-12);
-    // deviations from -2: 12, -18, 6: (144 + 324 + 36) / 2 = 252
+    /* deviations from -2: 12, -18, 6: (144 + 324 + 36) / 2 = 252 */
     check_near(e.sd, sqrt(252), 1e-12);
-    // 1, -10, 1
+    /* 1, -10, 1 */
     check_near(e.rms, sqrt(34), 1e-12);
     check_near(e.bias, -8.0 / 3, 1e-12);
     assert_true(isnan(cr_stats_errors(value, reference, 0).mpe));

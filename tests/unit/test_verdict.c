@@ -75,7 +75,7 @@ static void make(const double *measured, const double *extended, const double *p
 static const struct cr_verdict_row *row(const struct cr_verdict *v, const char *group,
                                         enum cr_measure m) {
     for (int i = 0; i < v->rows; i++) {
-        if (!strcmp(v->row[i].group, group) && v->row[i].measure == m) {
+        if (strcmp(v->row[i].group, group) == 0 && v->row[i].measure == m) {
             return &v->row[i];
         }
     }
@@ -84,7 +84,7 @@ static const struct cr_verdict_row *row(const struct cr_verdict *v, const char *
 
 static void errors_by_group(void **state) {
     (void)state;
-    // errors in %: +10, -10, +30 (sedan), 0, +20, -20 (SUV); paper failed in the last
+    /* errors in %: +10, -10, +30 (sedan), 0, +20, -20 (SUV); paper failed in the last */
     const double measured[] = {0.5, 0.5, 0.5, 0.4, 0.4, 0.2};
     const double extended[] = {0.55, 0.45, 0.65, 0.4, 0.48, 0.16};
     const double paper[] = {1, 1, 1, 0.8, 0.8, (double)NAN};
@@ -96,7 +96,7 @@ static void errors_by_group(void **state) {
     assert_int_equal(r->of[CR_METHOD_EXTENDED].n, 6);
     check_near(r->of[CR_METHOD_EXTENDED].mpe, 5, 1e-9);
     check_near(r->of[CR_METHOD_EXTENDED].mape, 15, 1e-9);
-    // deviations from 5: 5, -15, 25, -5, 15, -25: squares add up to 1750
+    /* deviations from 5: 5, -15, 25, -5, 15, -25: squares add up to 1750 */
     check_near(r->of[CR_METHOD_EXTENDED].sd, sqrt(1750.0 / 5), 1e-9);
     assert_int_equal(r->of[CR_METHOD_PAPER].n, 5);
     check_near(r->of[CR_METHOD_PAPER].mpe, 100, 1e-9);
@@ -161,8 +161,8 @@ static void fleet_scatter_is_about_the_type(void **state) {
         test[i].class = CR_TEST_POLE;
     }
     assert_int_equal(cr_verdict_make(&list, 3, &v, NULL), CR_ERR_OK);
-    // errors of the means: 0.5 / 0.45, 1, 0.5 / 0.55, twice: +11.111, 0, -9.0909 %, mean 0.67340;
-    // squares about it 108.945 + 0.45347 + 95.338, twice, over 6 values less 2 means
+    /* errors of the means: 0.5 / 0.45, 1, 0.5 / 0.55, twice: +11.111, 0, -9.0909 %, mean 0.67340;
+     * squares about it 108.945 + 0.45347 + 95.338, twice, over 6 values less 2 means */
     check_near(row(&v, "all", CR_MEASURE_DEPTH)->fleet_sd, sqrt(2 * 204.7365 / 4), 1e-3);
     cr_verdict_fini(&v);
 }
@@ -173,18 +173,18 @@ static void targets_are_missed_by_a_wrong_model(void **state) {
     const double measured[] = {0.5, 0.5, 0.5, 0.4, 0.4, 0.2};
     double computed[TESTS];
     struct cr_verdict v;
-    static const double FACTOR[] = {1, 1.019, 1.021, 0.5};
-    static const bool MET[] = {true, true, false, false};
+    static const double factor[] = {1, 1.019, 1.021, 0.5};
+    static const bool met[] = {true, true, false, false};
     for (int k = 0; k < 4; k++) {
         for (int i = 0; i < TESTS; i++) {
-            computed[i] = measured[i] * FACTOR[k];
+            computed[i] = measured[i] * factor[k];
         }
         make(measured, computed, computed);
         assert_int_equal(cr_verdict_make(&list, 3, &v, NULL), CR_ERR_OK);
-        assert_int_equal(target(&v, "wall: MPE of depth")->met, MET[k]);
+        assert_int_equal(target(&v, "wall: MPE of depth")->met, met[k]);
         cr_verdict_fini(&v);
     }
-    // without the extended method there is nothing to be judged
+    /* without the extended method there is nothing to be judged */
     assert_int_equal(cr_verdict_make(&list, 1u << CR_METHOD_PAPER, &v, NULL), CR_ERR_OK);
     assert_int_equal(v.targets, 0);
     cr_verdict_fini(&v);

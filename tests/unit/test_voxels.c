@@ -185,10 +185,10 @@ static void test_refused(void **state) {
         struct cr_error err = {0};
         snprintf(path, sizeof path, "test_voxels_bad.tmp.%s", b->file);
         write_text(path, b->text, strlen(b->text));
-        enum cr_err rc = cr_voxels_read(path, &arena, &v, NULL, &err);
-        if (rc != b->code || strstr(err.text, b->says) == NULL || err.line != b->line) {
+        enum cr_err code = cr_voxels_read(path, &arena, &v, NULL, &err);
+        if (code != b->code || strstr(err.text, b->says) == NULL || err.line != b->line) {
             char buf[1024];
-            fail_msg("case %zu: code %d, %s", i, (int)rc, cr_err_format(&err, buf, sizeof buf));
+            fail_msg("case %zu: code %d, %s", i, (int)code, cr_err_format(&err, buf, sizeof buf));
         }
         assert_string_equal(err.src, path);
         remove(path);
