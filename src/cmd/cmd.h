@@ -108,6 +108,7 @@ struct cr_arg {
     const char *words; /* see cr_arg_type; of a number: words that may stand instead */
     const char *def;   /* what is taken when it is not given, for help; NULL: nothing */
     const char *help;
+    bool spreads;    /* a number that may have a tolerance: 1.4+-0.05m */
     const char *key; /* of CR_VALUE_KEY */
     unsigned mask;   /* kinds the key is for, 0: a setting */
 };

@@ -38,7 +38,7 @@ struct cr_value {
     const struct cr_token *token; /* NULL: not given */
     const char *text;
     double number; /* SI, or the count */
-    double second; /* y of a point */
+    double second; /* y of a point; tolerance of a number that may have one, NaN: none */
     int word;      /* index in the words of the argument, -1: none of them */
     int sign;      /* +1, -1: typed with a sign, so relative where that is allowed; 0 */
 };
