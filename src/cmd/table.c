@@ -557,7 +557,7 @@ static const struct cr_command commands[] = {
      .example = {"save mine.json", "save! mine.json"}, .setup = PAIR_SETUP, .flags = CR_CMD_FORCE,
      .see = "load export"},
     {ROW(export, FILES, export_args, "write results, fields, pulses or pictures; ! overwrites"),
-     .example = {"export! result mine.csv", "export! report mine.html draws=10 tests=off"},
+     .example = {"export! result mine.csv", "export! pulse mine.csv"},
      .setup = SOLVED, .flags = CR_CMD_FORCE, .see = "save"},
     {ROW(source, FILES, source_args, "run a command file"),
      .example = {"source share/tutorial/1-first-crash.crumple",
