@@ -9,6 +9,7 @@ libtrial_a_SOURCES = \
 	src/trial/field_fit.c src/trial/field_load.c src/trial/field_rules.c \
 	src/trial/field_text.c src/trial/field_word.c \
 	src/trial/folds.c src/trial/folds.h \
+	src/trial/picture.c \
 	src/trial/trial.h \
 	src/trial/types.c src/trial/types.h \
 	src/trial/validate.c \
@@ -94,7 +95,7 @@ dist_validationpaper_DATA = \
 	share/validation/paper/v2v-compact-2015-super-2007.json \
 	share/validation/paper/v2v-q7-fiat500.json
 validationdocdir = $(docdir)
-dist_validationdoc_DATA = share/doc/validation.md share/doc/library.md \
+dist_validationdoc_DATA = share/doc/validation.md \
 	share/doc/method.md share/doc/sources.md
 dist_man_MANS += man/crumple-validation.7
 validationfielddir = $(pkgdatadir)/validation/field
