@@ -42,7 +42,7 @@ static struct cr_canvas *histogram(const struct subject *s) {
     const double mark[3] = {shown(s, s->st.quantile[0]), shown(s, s->st.quantile[2]),
                             shown(s, s->st.quantile[4])};
     char title[CR_NAME_MAX + 96];
-    snprintf(title, sizeof title, "%s %s", s->mc->id[s->body], s->m->name);
+    snprintf(title, sizeof title, "%s: %s", s->mc->id[s->body], say(s, s->m->title));
     const struct cr_histogram h = {.title = title,
                                    .x_name = unit_of(s),
                                    .bins = CR_MC_BINS,
@@ -75,7 +75,7 @@ static struct cr_canvas *tornado(const struct subject *s) {
                                          shown(s, s->st.nominal + s->st.effect[d])};
     }
     qsort(bar, (size_t)s->st.effects, sizeof *bar, by_width);
-    snprintf(title, sizeof title, "%s %s, %s", s->mc->id[s->body], s->m->name,
+    snprintf(title, sizeof title, "%s: %s, %s", s->mc->id[s->body], say(s, s->m->title),
              say(s, "effect of each tolerance"));
     const struct cr_tornado t = {.title = title,
                                  .x_name = unit_of(s),
