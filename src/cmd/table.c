@@ -158,6 +158,7 @@ static const struct cr_arg set_args[] = {
     KEY_OF("road", "road_friction", 0),
     KEY_OF("elastic", "elastic_ms", 0),
     KEY_OF("end", "end", 0),
+    KEY_OF("injury", "injury", 0),
     KEY_OF("slope", "slope_percent", 0),
     KEY_OF("downhill", "downhill_deg", 0),
     KEY_OF("rolling", "rolling_resistance", 0),
