@@ -107,8 +107,6 @@ CR_MUST_CHECK enum cr_err cr_import_end(struct cr_import *im, const struct cr_er
  * for an id of a scene (letters, digits, _ and -) is replaced. Errors: DUPLICATE, RANGE, MEMORY. */
 CR_MUST_CHECK enum cr_err cr_import_add(struct cr_import *im, const char *id, enum cr_kind kind,
                                         struct cr_participant **out, struct cr_error *err);
-/* For a vehicle of whose size and mass the file says nothing: "type": "auto", with a note. */
-void cr_import_sizeless(struct cr_import *im, struct cr_participant *p);
 /* The one that was added under that id of the source, NULL if there is none. */
 struct cr_participant *cr_import_find(const struct cr_import *im, const char *id);
 
