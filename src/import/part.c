@@ -61,8 +61,8 @@ bool cr_import_lay_over(cJSON *to, const cJSON *from) {
     return true;
 }
 
-/* A vehicle of which neither file nor map tells what its type goes by has the one that "auto" takes,
- * and a note says so. */
+/* A vehicle of which neither file nor map tells what its type goes by has the one that "auto"
+ * takes, and a note says so. */
 static void need_type(struct cr_import *im, const struct cr_import_part *part, cJSON *json) {
     static const char *const tell[] = {"type",     "car",         "mass_kg", "kerb_mass_kg",
                                        "length_m", "wheelbase_m", "height_m"};

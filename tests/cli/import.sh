@@ -32,4 +32,5 @@ refused() {
 . "$SRC/tests/cli/import_tests.sh"
 . "$SRC/tests/cli/import_pcm.sh"
 . "$SRC/tests/cli/import_edr.sh"
+. "$SRC/tests/cli/import_zip.sh"
 finish
