@@ -50,7 +50,8 @@ struct cr_unpacked {
 };
 bool cr_import_is_zip(const struct cr_import_head *head);
 /* Unpack im->path; to be given back in any case, which takes the files away. Errors: SYNTAX for
- * what is no whole archive, is encrypted or leads out of it, RANGE (too much in it), IO, MEMORY, INTERRUPTED. */
+ * what is no whole archive, is encrypted or leads out of it, RANGE for too much in it, IO, MEMORY,
+ * INTERRUPTED. */
 CR_MUST_CHECK enum cr_err cr_import_unpack(struct cr_import *im, struct cr_unpacked *to,
                                            struct cr_error *err);
 void cr_import_unpacked_fini(struct cr_unpacked *unpacked);
