@@ -55,6 +55,14 @@ static inline struct cr_vec2 cr_vec2_unrotate(struct cr_vec2 a, double c, double
     return (struct cr_vec2){c * a.x + s * a.y, c * a.y - s * a.x};
 }
 
+/* The lesser and the greater of two numbers, neither of them NaN: fmin and fmax of the library ask
+ * for that and are calls. */
+static inline double cr_min(double a, double b) {
+    return a < b ? a : b;
+}
+static inline double cr_max(double a, double b) {
+    return a > b ? a : b;
+}
 static inline double cr_clamp(double x, double lo, double hi) {
     return x < lo ? lo : x > hi ? hi : x;
 }

@@ -1,26 +1,13 @@
 /* Step 1: the surfaces recede, voxels lose material and give up their energy. */
 #include "solver/crush.h"
+
+#include "base/grow.h"
 #include "solver/tuning.h"
-
-#include <stdlib.h>
-
-static bool room_for_loss(struct cr_side *k) {
-    if (k->losses == k->losses_size) {
-        int size = k->losses_size < 64 ? 256 : 2 * k->losses_size;
-        void *p = realloc(k->loss, (size_t)size * sizeof *k->loss);
-        if (p == NULL) {
-            return false;
-        }
-        k->loss = p;
-        k->losses_size = size;
-    }
-    return true;
-}
 
 bool cr_crush_voxel(struct cr_side *k, int voxel, int at, double phi, struct cr_vec2 n,
                     struct cr_vec2 push) {
     struct cr_surface *f = &k->m->surface;
-    double h = f->grid->h, moved = fmin(phi, f->band) - f->phi[at], amount = 0, unit = 0;
+    double h = f->grid->h, moved = cr_min(phi, f->band) - f->phi[at], amount = 0, unit = 0;
     if (!(moved > 0)) {
         return true;
     }
@@ -28,9 +15,9 @@ bool cr_crush_voxel(struct cr_side *k, int voxel, int at, double phi, struct cr_
         unit = cr_unit_energy(k, voxel, push);
     }
     if (unit > 0) { /* layers that do not meet the opponent stay */
-        amount = fmax(f->left[voxel] - cr_surface_left(phi, n, h, f->dense[voxel]), 0);
+        amount = cr_max(f->left[voxel] - cr_surface_left(phi, n, h, f->dense[voxel]), 0);
     }
-    if (!room_for_loss(k)) {
+    if (!cr_grow(&k->loss, &k->losses_size, k->losses, sizeof *k->loss)) {
         return false;
     }
     f->phi[at] += moved;
@@ -52,7 +39,7 @@ static double share_to_pass(const struct cr_duo *d) {
         thick += k->share * k->thick;
         closing += k->share * k->closing;
     }
-    return thick > 0 ? fmin(cr_pass_most * closing * d->s->dt / thick, 1) : 0;
+    return thick > 0 ? cr_min(cr_pass_most * closing * d->s->dt / thick, 1) : 0;
 }
 
 /* A voxel further from the surface is as far from it as its neighbours on the way there say, m. */

@@ -8,10 +8,10 @@
 /* overlap.c: the voxels of both bodies about their contact, into s->crush. Nothing changes. False
  * when memory is out; `met` says whether anything overlaps and comes closer. */
 bool cr_overlap_find(struct cr_duo *d, bool *met);
-/* signed distance of the opponent of a side at a place in the side's frame, m, and its normal
- * there */
-double cr_overlap_distance(const struct cr_duo *d, int side, struct cr_vec2 p,
-                           struct cr_vec2 *normal);
+/* signed distance of the opponent of a side at a place in the side's frame, m, and the opponent's
+ * outward normal there, not quite of length 1 */
+double cr_overlap_distance(const struct cr_side *k, struct cr_vec2 p);
+struct cr_vec2 cr_overlap_normal(const struct cr_side *k, struct cr_vec2 p);
 /* plan area that the two share at their present places, m2; negative when memory is out */
 double cr_overlap_area(struct cr_duo *d);
 

@@ -28,7 +28,7 @@ static double slope_at(const struct face *f, int i, double depth) {
     double k = g->drag_slope[f->face], block = g->block[f->face];
     double out = fabs(2.0 * (i + 1) / f->lines.n - 1);
     if (cr_face_is_end(f->face) && out > cr_rails_share) {
-        return fmax(k, cr_beyond_rails);
+        return cr_max(k, cr_beyond_rails);
     }
     return block > 0 ? k * (1 - cr_clamp((depth - block) / cr_block_rise, 0, 1)) : k;
 }
@@ -37,10 +37,10 @@ static double slope_at(const struct face *f, int i, double depth) {
 static double rest_depth(const struct cr_surface *s, struct cr_vec2 place) {
     double least = INFINITY;
     for (int face = 0; face < CR_FACES; face++) {
-        struct cr_lines l = cr_surface_lines(s->grid, face);
-        struct cr_vec2 r = cr_vec2_sub(place, l.corner);
-        int line = (int)cr_clamp(floor(cr_vec2_dot(r, l.along) / s->grid->h), 0, l.n - 1);
-        least = fmin(least, cr_vec2_dot(r, l.in) - s->outline[face][line]);
+        const struct cr_lines *l = &s->lines[face];
+        struct cr_vec2 r = cr_vec2_sub(place, l->corner);
+        int line = (int)cr_clamp(cr_vec2_dot(r, l->along) / s->grid->h, 0, l->n - 1);
+        least = cr_min(least, cr_vec2_dot(r, l->in) - s->outline[face][line]);
     }
     return least;
 }
@@ -51,28 +51,27 @@ static void deepen(struct cr_hold *l, double depth, double in) {
     }
 }
 
-/* What holds the lines about a place of the contact's surface with the normal n there. A place
- * of the surface belongs to the face that it looks at, unless it is much closer to another: the
- * side of a dent in an end is no dent of the flank. One behind material that still stands in its
- * line holds nothing. */
-static void hold(struct face *f, struct cr_vec2 place) {
+/* What holds the lines of a face about a place of the contact's surface, `rest` below the
+ * undeformed outline. A place of the surface belongs to the face that it looks at, unless it is
+ * much closer to another: the side of a dent in an end is no dent of the flank. One behind
+ * material that still stands in its line holds nothing. */
+static void hold(struct face *f, struct cr_vec2 place, double rest) {
     const struct cr_surface *s = &f->k->m->surface;
-    double h = s->grid->h, faces = f->faces;
-    double deepness = cr_vec2_dot(cr_vec2_sub(place, f->lines.corner), f->lines.in);
-    faces *= cr_clamp(2 - deepness / (4 * fmax(rest_depth(s, place), h)), 0, 1);
+    struct cr_vec2 r = cr_vec2_sub(place, f->lines.corner);
+    double h = s->grid->h, deep = cr_vec2_dot(r, f->lines.in);
+    double faces = f->faces * cr_clamp(2 - deep / (4 * cr_max(rest, h)), 0, 1);
     if (!(faces > 0)) {
         return;
     }
-    struct cr_vec2 r = cr_vec2_sub(place, f->lines.corner);
-    double at = cr_vec2_dot(r, f->lines.along) / h - 0.5, deep = cr_vec2_dot(r, f->lines.in);
-    int near = (int)cr_clamp(floor(at + 0.5), 0, f->lines.n - 1);
+    double at = cr_vec2_dot(r, f->lines.along) / h - 0.5;
+    int near = (int)cr_clamp(at + 0.5, 0, f->lines.n - 1);
     int from = near > 0 ? near - 1 : 0, to = near + 1 < f->lines.n ? near + 1 : near;
     /* a line that the opponent covers in part is never emptied, but one beside it is */
     int open = 0;
     for (int i = from; i <= to; i++) {
         open = s->first[f->face][i] > open ? s->first[f->face][i] : open;
     }
-    double hidden = fmax(deep - (open + 2.5) * h, 0);
+    double hidden = cr_max(deep - (open + 2.5) * h, 0);
     for (int i = from; i <= to; i++) {
         bool up = i > at;
         double slope = f->lean[up] + slope_at(f, up ? i - 1 : i, deep) / faces;
@@ -83,37 +82,61 @@ static void hold(struct face *f, struct cr_vec2 place) {
     f->held = true;
 }
 
+static void hold_faces(struct face face[CR_FACES], struct cr_vec2 place) {
+    double rest = rest_depth(&face[0].k->m->surface, place);
+    for (int f = 0; f < CR_FACES; f++) {
+        if (face[f].faces > 0) {
+            hold(&face[f], place, rest);
+        }
+    }
+}
+
 /* The edge of the opponent's surface if one lies within a voxel of a place on it: a voxel's depth
  * inside the opponent it is that close to another of its sides. */
-static struct cr_vec2 edge_near(const struct cr_duo *d, int side, struct cr_vec2 place,
-                                struct cr_vec2 n) {
-    double h = d->s->side[side].m->surface.grid->h;
-    struct cr_vec2 out, inside = cr_vec2_axpy(place, -h, n);
-    double room = -cr_overlap_distance(d, side, inside, &out);
+static bool edge_near(const struct cr_side *k, struct cr_vec2 place, struct cr_vec2 n,
+                      struct cr_vec2 *edge) {
+    double h = k->m->surface.grid->h;
+    struct cr_vec2 inside = cr_vec2_axpy(place, -h, n);
+    double room = -cr_overlap_distance(k, inside);
+    if (!(room > 0 && room < h)) {
+        return false;
+    }
+    struct cr_vec2 out = cr_overlap_normal(k, inside);
     struct cr_vec2 aside = cr_vec2_axpy(out, -cr_vec2_dot(out, n), n);
     double off = cr_vec2_len(aside);
     /* the other side is one only as far as its normal turns away from n */
-    return room > 0 && room < h ? cr_vec2_axpy(place, room * fmin(off, 1) / fmax(off, 1e-9), aside)
-                                : place;
+    *edge = cr_vec2_axpy(place, room * cr_min(off, 1) / cr_max(off, 1e-9), aside);
+    return true;
+}
+
+/* how much of the width of its line a voxel presses on */
+static void press_on(struct face *f, const struct cr_cell *c, double h) {
+    double at = cr_vec2_dot(cr_vec2_sub(c->place, f->lines.corner), f->lines.along);
+    int line = (int)cr_clamp(at / h, 0, f->lines.n - 1);
+    f->line[line].pressed += c->met * cr_surface_weight(c->other, h);
 }
 
 /* the places on the surface of the contact, and its edges */
-static void hold_all(const struct cr_duo *d, int side, struct face *f) {
-    const struct cr_side *k = f->k;
+static void hold_all(const struct cr_side *k, struct face face[CR_FACES]) {
     const struct cr_surface *s = &k->m->surface;
+    double h = s->grid->h;
     for (int i = 0; i < k->cells; i++) {
         const struct cr_cell *c = &k->cell[i];
-        double phi = s->phi[c->at], h = s->grid->h;
+        double phi = s->phi[c->at];
         if (!(c->met > 0)) {
             continue;
         }
-        double at = cr_vec2_dot(cr_vec2_sub(c->place, f->lines.corner), f->lines.along);
-        int line = (int)cr_clamp(floor(at / h), 0, f->lines.n - 1);
-        f->line[line].pressed += c->met * cr_surface_weight(c->other, h);
+        for (int f = 0; f < CR_FACES; f++) {
+            if (face[f].faces > 0) {
+                press_on(&face[f], c, h);
+            }
+        }
         if (fabs(phi) < h) {
-            struct cr_vec2 place = cr_vec2_axpy(c->place, phi, c->normal);
-            hold(f, place);
-            hold(f, edge_near(d, side, place, c->normal));
+            struct cr_vec2 place = cr_vec2_axpy(c->place, phi, c->normal), edge;
+            hold_faces(face, place);
+            if (edge_near(k, place, c->normal, &edge)) {
+                hold_faces(face, edge);
+            }
         }
     }
 }
@@ -129,7 +152,7 @@ static void limit_slopes(const struct face *f, bool up) {
         struct cr_hold from = line[i].own;
         deepen(&from, line[i].tow[up].depth, line[i].tow[up].in);
         double slope = f->lean[up] + slope_at(f, up ? i : next, from.depth) / from.in;
-        deepen(&line[next].tow[up], from.depth - fmax(o[i] - o[next], 0) - slope * h, from.in);
+        deepen(&line[next].tow[up], from.depth - cr_max(o[i] - o[next], 0) - slope * h, from.in);
     }
 }
 
@@ -137,7 +160,8 @@ static void limit_slopes(const struct face *f, bool up) {
 static bool crush_line(struct face *f, int line, double depth, double k) {
     struct cr_surface *s = &f->k->m->surface;
     double h = s->grid->h, open = depth - s->outline[f->face][line];
-    double wide = fmin(1 + k, 1 + 2 * open / h), lean = wide - 1, steep = 1 / sqrt(1 + lean * lean);
+    double wide = cr_min(1 + k, 1 + 2 * open / h), lean = wide - 1,
+           steep = 1 / sqrt(1 + lean * lean);
     struct cr_vec2 n = cr_vec2_scale(cr_vec2_axpy(f->lines.in, lean, f->lines.along), steep);
     for (int i = s->first[f->face][line]; i < f->lines.length; i++) {
         double phi = (depth - (i + 0.5) * h) * steep;
@@ -171,34 +195,49 @@ static void pull_line(struct cr_duo *d, int side, struct face *f, int line, doub
                       double pressed) {
     const struct cr_surface *s = &f->k->m->surface;
     double slack = (s->limit[f->face][line] - tow) / s->grid->h;
-    double taut = cr_clamp(1 - slack, 0, 1) * fmax(1 - pressed, 0);
+    double taut = cr_clamp(1 - slack, 0, 1) * cr_max(1 - pressed, 0);
     d->touch->taut[side] += taut * strength_of(f, line, tow);
 }
 
-/* What the contact holds of a face, and what tows each of its lines; nothing is crushed yet. */
-static struct face find_tow(struct cr_duo *d, int side, enum cr_face face, struct cr_line *line) {
-    struct cr_side *k = &d->s->side[side];
+/* Is the force on a face that drags anything along? */
+static struct face face_of(struct cr_side *k, enum cr_face face, struct cr_line *line) {
     const struct cr_surface *s = &k->m->surface;
-    struct face f = {.k = k, .face = face, .lines = cr_surface_lines(s->grid, face), .line = line};
+    struct face f = {.k = k, .face = face, .lines = s->lines[face], .line = line};
     struct cr_vec2 n = cr_vec2_unit(k->pressure, cr_vec2(0, 0));
     double aside = cr_vec2_dot(n, f.lines.along);
     f.in = cr_vec2_dot(n, f.lines.in);
-    f.faces = cr_clamp((f.in - 0.5) / 0.25, 0, 1);
-    if (!(s->grid->drag_slope[face] > 0) || !(f.faces > 0) || f.lines.n < 2) {
-        return f;
-    }
-    f.lean[0] = fmax(-aside, 0) / f.in;
-    f.lean[1] = fmax(aside, 0) / f.in;
-    for (int i = 0; i < f.lines.n; i++) {
-        const struct cr_hold none = {-INFINITY, 1};
-        line[i] = (struct cr_line){.own = none, .tow = {none, none}};
-    }
-    hold_all(d, side, &f);
-    if (f.held) {
-        limit_slopes(&f, true);
-        limit_slopes(&f, false);
+    bool drags = s->grid->drag_slope[face] > 0 && f.lines.n > 1;
+    f.faces = drags ? cr_clamp((f.in - 0.5) / 0.25, 0, 1) : 0;
+    if (f.faces > 0) {
+        f.lean[0] = cr_max(-aside, 0) / f.in;
+        f.lean[1] = cr_max(aside, 0) / f.in;
     }
     return f;
+}
+
+/* What the contact holds of the faces of a body, and what tows each of their lines; nothing is
+ * crushed yet. */
+static void find_tow(struct cr_side *k, struct face face[CR_FACES], struct cr_line *line,
+                     int longest) {
+    bool any = false;
+    for (int f = 0; f < CR_FACES; f++, line += longest) {
+        face[f] = face_of(k, f, line);
+        any = any || face[f].faces > 0;
+        for (int i = 0; i < face[f].lines.n && face[f].faces > 0; i++) {
+            const struct cr_hold none = {-INFINITY, 1};
+            line[i] = (struct cr_line){.own = none, .tow = {none, none}};
+        }
+    }
+    if (!any) {
+        return;
+    }
+    hold_all(k, face);
+    for (int f = 0; f < CR_FACES; f++) {
+        if (face[f].held) {
+            limit_slopes(&face[f], true);
+            limit_slopes(&face[f], false);
+        }
+    }
 }
 
 static bool tow_face(struct cr_duo *d, int side, struct face *f) {
@@ -212,9 +251,9 @@ static bool tow_face(struct cr_duo *d, int side, struct face *f) {
             continue;
         }
         if (tow > l->own.depth) { /* it comes along with the contact, and hardly faster */
-            double stands = fmax(*limit, s->first[f->face][i] * s->grid->h);
-            tow = fmin(tow, stands + cr_pass_most * k->advance / f->in);
-            *limit = fmax(*limit, tow);
+            double stands = cr_max(*limit, s->first[f->face][i] * s->grid->h);
+            tow = cr_min(tow, stands + cr_pass_most * k->advance / f->in);
+            *limit = cr_max(*limit, tow);
             if (!crush_line(f, i, tow, slope_at(f, up ? i - 1 : i, tow))) {
                 return false;
             }
@@ -225,14 +264,13 @@ static bool tow_face(struct cr_duo *d, int side, struct face *f) {
 }
 
 bool cr_drag_along(struct cr_duo *d) {
-    struct face face[2][CR_FACES];
+    struct face face[2][CR_FACES] = {0};
     /* all are looked at before any is crushed: the order of bodies and faces does not matter */
-    for (int n = 0; n < 2 * CR_FACES; n++) {
-        int side = n / CR_FACES, f = n % CR_FACES;
-        const struct cr_side *k = &d->s->side[side];
-        face[side][f] = k->m->soft && k->cells > 0
-                            ? find_tow(d, side, f, d->s->line + n * d->s->longest)
-                            : (struct face){.held = false};
+    for (int side = 0; side < 2; side++) {
+        struct cr_side *k = &d->s->side[side];
+        if (k->m->soft && k->cells > 0) {
+            find_tow(k, face[side], d->s->line + side * CR_FACES * d->s->longest, d->s->longest);
+        }
     }
     for (int side = 0; side < 2; side++) {
         struct cr_side *k = &d->s->side[side];

@@ -22,7 +22,7 @@ static void begin_phase(const struct cr_solver *s, struct cr_touch *t, enum cr_p
     double time = s->cs->opts.elastic_s, dt = s->cs->opts.dt;
     if (!(time > 0)) {
         double shape = phase == CR_PHASE_COMPRESSION ? 2 / (1 + half_way) : 2 / half_way;
-        time = cr_clamp(shape * t->elastic_plan / fmax(t->force, 1), cr_elastic_least,
+        time = cr_clamp(shape * t->elastic_plan / cr_max(t->force, 1), cr_elastic_least,
                         cr_elastic_most);
         time = ceil(time / dt) * dt;
     }
@@ -63,7 +63,7 @@ void cr_elastic_begin(struct cr_duo *d) {
     }
     struct cr_vec2 normal, tangent = cr_vec2_unit(tangential(t, &normal), cr_vec2(0, 0));
     t->rubbed = 0;
-    t->slip = fmax(cr_vec2_dot(cr_relative_velocity(d, t->coe), tangent), 0);
+    t->slip = cr_max(cr_vec2_dot(cr_relative_velocity(d, t->coe), tangent), 0);
     c->phase = CR_PHASE_COMPRESSION;
     t->elastic_plan = v / give;
     begin_phase(s, t, c->phase);
@@ -73,10 +73,10 @@ void cr_elastic_begin(struct cr_duo *d) {
  * that is never given, even where a third body has changed the approach */
 static double last_impulse(const struct cr_contact *c, double v, double give, double along) {
     if (c->phase == CR_PHASE_COMPRESSION) {
-        return fmax(v / give, 0);
+        return cr_max(v / give, 0);
     }
     /* along j (v + v - give j)/2 = -stored */
-    return (v + sqrt(v * v + 2 * give * fmax(c->stored, 0) / along)) / give;
+    return (v + sqrt(v * v + 2 * give * cr_max(c->stored, 0) / along)) / give;
 }
 
 /* Direction of the force over an impulse j, not longer than 1. Sliding friction may turn the slip
@@ -113,7 +113,7 @@ static struct push push_of(const struct cr_duo *d, struct cr_vec2 f, double plan
     double v = cr_vec2_dot(rel, axis), give = cr_vec2_dot(p.yield, axis);
     double most =
         give > 0 ? last_impulse(&d->s->contact[t->record], v, give, p.along) : (double)INFINITY;
-    p.j = last && give > 0 ? most : fmin(planned, most);
+    p.j = last && give > 0 ? most : cr_min(planned, most);
     p.stored = p.along * p.j * (v - 0.5 * give * p.j);
     p.rubbed = p.j * (cr_vec2_dot(rel, f) - 0.5 * cr_vec2_dot(p.yield, f) * p.j) - p.stored;
     return p;

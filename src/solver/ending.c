@@ -99,7 +99,7 @@ static double touch_ahead(struct cr_solver *s) {
             for (int b = a + 1; b < s->cs->n; b++) {
                 struct cr_duo d = cr_duo(s, a, b);
                 bool in_time = since + k * cr_probe_step <= patience(&d);
-                ahead = in_time && strikes(&d) ? fmin(ahead, k * cr_probe_step) : ahead;
+                ahead = in_time && strikes(&d) ? cr_min(ahead, k * cr_probe_step) : ahead;
             }
         }
     }

@@ -13,7 +13,7 @@ static double friction_of(const struct cr_solver *s, int i) {
 }
 
 double cr_force_friction(const struct cr_duo *d) {
-    return fmin(friction_of(d->s, d->a), friction_of(d->s, d->b));
+    return cr_min(friction_of(d->s, d->a), friction_of(d->s, d->b));
 }
 
 double cr_force_approach(const struct cr_duo *d, const struct cr_force *force) {
@@ -102,7 +102,7 @@ static struct cr_vec2 plane_normal(const struct cr_duo *d, struct cr_vec2 from,
     for (int side = 0; side < 2; side++) {
         const struct cr_side *k = &d->s->side[side];
         add_deformed(k, from, &m);
-        h = k->m->soft ? fmax(h, k->m->body->grid.h) : h;
+        h = k->m->soft ? cr_max(h, k->m->body->grid.h) : h;
     }
     if (!(m.weight > 0)) {
         return pressure;

@@ -149,19 +149,19 @@ static double approach_speed(const struct cr_duo *d) {
         return bound;
     }
     double at_coe = cr_vec2_len(cr_relative_velocity(d, t->coe));
-    return fmin(bound, at_coe + cr_patch_reach * fabs(ma->yaw_rate - mb->yaw_rate));
+    return cr_min(bound, at_coe + cr_patch_reach * fabs(ma->yaw_rate - mb->yaw_rate));
 }
 
 /* Longest slice in which a pair that may touch approaches by no more than one voxel: a whole
  * part of `most`, so that the slices of a crash are of one length. */
 static double within_reach(const struct cr_duo *d, double most) {
     const struct cr_moving *ma = d->ma, *mb = d->mb;
-    double fast = approach_speed(d), h = fmax(ma->body->grid.h, mb->body->grid.h);
+    double fast = approach_speed(d), h = cr_max(ma->body->grid.h, mb->body->grid.h);
     if ((ma->inv_mass == 0 && mb->inv_mass == 0) || !(fast > 0) || !(h > 0) ||
         gap(ma, mb) > fast * most) {
         return most;
     }
-    return most / fmax(ceil(fast * most / (cr_approach_voxels * h) - 1e-9), 1);
+    return most / cr_max(ceil(fast * most / (cr_approach_voxels * h) - 1e-9), 1);
 }
 
 double cr_kinematics_slice_length(struct cr_solver *s) {
@@ -173,9 +173,9 @@ double cr_kinematics_slice_length(struct cr_solver *s) {
     for (int a = 0; a < s->cs->n; a++) {
         for (int b = a + 1; b < s->cs->n; b++) {
             struct cr_duo d = cr_duo(s, a, b);
-            dt = fmin(dt, within_reach(&d, most));
+            dt = cr_min(dt, within_reach(&d, most));
             if (d.touch->record >= 0) {
-                dt = fmin(dt, cr_elastic_within(s, d.touch));
+                dt = cr_min(dt, cr_elastic_within(s, d.touch));
             }
         }
     }

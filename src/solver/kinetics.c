@@ -12,7 +12,7 @@ static double impulse_to_end(const struct cr_duo *d, const struct cr_force *f,
     double left = cr_impulse_left(d, f->coe, f->normal, f->direction);
     double e = c->restitution;
     double plastic = c->plastic_impulse - d->touch->plastic_before;
-    return fmax((1 - e) * left - e * plastic / f->cosine, 0);
+    return cr_max((1 - e) * left - e * plastic / f->cosine, 0);
 }
 
 /* Work of the contact per energy of the crush. What sticks is crushed along its motion and
@@ -65,8 +65,8 @@ bool cr_kinetics_slice(struct cr_duo *d, const struct cr_force *f) {
     double mass = 1 / cr_vec2_dot(cr_impulse_compliance(d, f->coe, f->direction), f->direction);
     double work = f->energy * work_per_energy(d, f, vn, vf), most = 0.5 * mass * vf * vf;
     double whole = work < most ? mass * (vf - sqrt(vf * vf - 2 * work / mass)) : mass * vf;
-    double j = fmin(whole, impulse_to_end(d, f, c));
-    double lambda = fmin(j < whole || work > most ? j * (vf - 0.5 * j / mass) / work : 1, 1);
+    double j = cr_min(whole, impulse_to_end(d, f, c));
+    double lambda = cr_min(j < whole || work > most ? j * (vf - 0.5 * j / mass) / work : 1, 1);
     cr_crush_settle(d, lambda);
     cr_impulse_apply(d, f->coe, cr_vec2_scale(f->direction, j));
     /* the last slice of the phase, cut short, says nothing about the force */

@@ -1,64 +1,29 @@
 /* Step 1: the voxels about the contact of two bodies, each with the signed distances of both
  * surfaces. Where their sum is negative the bodies overlap, by that much. */
 #include "solver/crush.h"
+
+#include "base/grow.h"
 #include "solver/shape.h"
 #include "solver/tuning.h"
 
-#include <stdlib.h>
-
-/* The opponent as the voxels of a body see it. */
-struct opponent {
-    const struct cr_moving *m;
-    struct cr_vec2 origin; /* of the body's frame in the opponent's, m */
-    double c, s;           /* turn from the body's frame into the opponent's */
-    struct cr_vec2 still;  /* velocity of the opponent's material at the body's origin, less that of
-                              the body's, body frame, m/s */
-    double turn;           /* yaw rate of the opponent less the body's, rad/s */
-    double dt;             /* of the slice, s */
-};
-
-static struct opponent opponent_of(const struct cr_moving *me, const struct cr_moving *other,
-                                   double dt) {
-    struct opponent o = {.m = other,
-                         .origin = cr_to_body(other, me->pos),
-                         .c = me->c * other->c + me->s * other->s,
-                         .s = me->s * other->c - me->c * other->s,
-                         .turn = other->yaw_rate - me->yaw_rate,
-                         .dt = dt};
+static struct cr_opponent opponent_of(const struct cr_moving *me, const struct cr_moving *other,
+                                      double dt) {
+    struct cr_opponent o = {.m = other,
+                            .origin = cr_to_body(other, me->pos),
+                            .c = me->c * other->c + me->s * other->s,
+                            .s = me->s * other->c - me->c * other->s,
+                            .turn = other->yaw_rate - me->yaw_rate,
+                            .dt = dt};
     struct cr_vec2 v = cr_vec2_sub(cr_velocity_at(other, me->pos), me->vel);
     o.still = cr_vec2_unrotate(v, me->c, me->s);
     return o;
 }
 
 /* signed distance of the opponent's surface at p, body frame */
-static double distance_to(const struct opponent *o, struct cr_vec2 p) {
+static double distance_to(const struct cr_opponent *o, struct cr_vec2 p) {
     struct cr_vec2 q = cr_vec2_add(o->origin, cr_vec2_rotate(p, o->c, o->s)), n;
     return o->m->soft ? cr_surface_distance(&o->m->surface, q)
                       : cr_shape_distance(&o->m->body->shape, q, &n);
-}
-
-/* the opponent's outward normal at p, body frame, not quite of length 1 */
-static struct cr_vec2 normal_to(const struct opponent *o, struct cr_vec2 p) {
-    struct cr_vec2 q = cr_vec2_add(o->origin, cr_vec2_rotate(p, o->c, o->s)), n;
-    if (o->m->soft) {
-        n = cr_surface_gradient(&o->m->surface, q);
-    } else {
-        cr_shape_distance(&o->m->body->shape, q, &n);
-    }
-    return cr_vec2_unrotate(n, o->c, o->s);
-}
-
-static bool room_for_cell(struct cr_side *k) {
-    if (k->cells == k->cells_size) {
-        int size = k->cells_size < 64 ? 256 : 2 * k->cells_size;
-        void *p = realloc(k->cell, (size_t)size * sizeof *k->cell);
-        if (p == NULL) {
-            return false;
-        }
-        k->cell = p;
-        k->cells_size = size;
-    }
-    return true;
 }
 
 /* voxels of the margin whose distance is kept too: what lies just outside has them as neighbours */
@@ -69,14 +34,14 @@ struct window {
     int x0, x1, y0, y1; /* [x0, x1) */
 };
 
-static struct window window_of(const struct cr_moving *me, const struct opponent *o) {
+static struct window window_of(const struct cr_moving *me, const struct cr_opponent *o) {
     const struct cr_grid *g = &me->body->grid;
     struct cr_vec2 lo = {INFINITY, INFINITY}, hi = {-INFINITY, -INFINITY};
     for (int i = 0; i < 4; i++) {
         struct cr_vec2 p = {i & 1 ? o->m->hi.x : o->m->lo.x, i & 2 ? o->m->hi.y : o->m->lo.y};
         p = cr_vec2_unrotate(cr_vec2_sub(p, o->origin), o->c, o->s);
-        lo = cr_vec2(fmin(lo.x, p.x), fmin(lo.y, p.y));
-        hi = cr_vec2(fmax(hi.x, p.x), fmax(hi.y, p.y));
+        lo = cr_vec2(cr_min(lo.x, p.x), cr_min(lo.y, p.y));
+        hi = cr_vec2(cr_max(hi.x, p.x), cr_max(hi.y, p.y));
     }
     double per = 1 / g->h, band = cr_band_voxels;
     return (struct window){
@@ -96,7 +61,7 @@ struct walk {
     double h;
 };
 
-static struct walk walk_of(const struct opponent *o, struct cr_vec2 row, double h) {
+static struct walk walk_of(const struct cr_opponent *o, struct cr_vec2 row, double h) {
     struct walk w = {.f = o->m->soft ? &o->m->surface : NULL};
     if (w.f == NULL) {
         return w;
@@ -111,6 +76,19 @@ static struct walk walk_of(const struct opponent *o, struct cr_vec2 row, double 
     w.high = g->ny + 2 * CR_MARGIN - 2;
     w.h = g->h;
     return w;
+}
+
+/* the opponent's outward normal at voxel ix of the row, at p, body frame, not quite of length 1 */
+static inline struct cr_vec2 walk_normal(const struct walk *w, const struct cr_opponent *o, int ix,
+                                         struct cr_vec2 p) {
+    struct cr_vec2 n;
+    if (w->f != NULL) {
+        n = cr_surface_gradient(w->f, w->u + ix * w->du, w->v + ix * w->dv);
+    } else {
+        cr_shape_distance(&o->m->body->shape, cr_vec2_add(o->origin, cr_vec2_rotate(p, o->c, o->s)),
+                          &n);
+    }
+    return cr_vec2_unrotate(n, o->c, o->s);
 }
 
 /* distance at voxel ix of the row; beyond the grid that to what can be interpolated */
@@ -129,36 +107,46 @@ static inline double walk_at(const struct walk *w, int ix) {
     return low + v * (high - low);
 }
 
-/* a voxel that lies near both surfaces, into the list */
-static void note_cell(struct cr_side *k, const struct opponent *o, int ix, int iy,
+/* Share of a voxel with which it presses in this slice: what the two come closer by, as far as the
+ * opponent does not pass it by. */
+static double met_of(const struct cr_cell *c, struct cr_vec2 v, double dt) {
+    if (!c->core || !(c->approach > 0)) {
+        return 0;
+    }
+    double whole = cr_passed_by * cr_vec2_len(v);
+    return cr_min(c->overlap / (c->approach * dt), 1) * cr_min(c->approach / whole, 1);
+}
+
+/* A voxel that lies near both surfaces, into the list. */
+static void note_cell(struct cr_side *k, const struct walk *walk, int ix, int iy,
                       struct cr_cell c) {
+    const struct cr_opponent *o = &k->opponent;
     const struct cr_surface *f = &k->m->surface;
     const struct cr_grid *g = f->grid;
     double h = g->h;
-    bool inside = ix >= 0 && iy >= 0 && ix < g->nx && iy < g->ny;
-    c.voxel = inside ? iy * g->nx + ix : -1;
-    c.at = cr_surface_at(f, ix, iy);
     c.place = cr_vec2(g->x0 + (ix + 0.5) * h, g->y0 + (iy + 0.5) * h);
-    c.normal = normal_to(o, c.place);
+    c.normal = walk_normal(walk, o, ix, c.place);
     double steep = cr_vec2_len(c.normal);
     if (!(steep > 1e-3)) {
         return;
     }
+    bool inside = ix >= 0 && iy >= 0 && ix < g->nx && iy < g->ny;
+    c.voxel = inside ? iy * g->nx + ix : -1;
+    c.at = cr_surface_at(f, ix, iy);
     c.normal = cr_vec2_scale(c.normal, 1 / steep);
     struct cr_vec2 v = cr_vec2_axpy(o->still, o->turn, cr_vec2_perp(c.place));
     c.approach = cr_vec2_dot(v, c.normal);
-    double whole = cr_passed_by * cr_vec2_len(v);
-    c.leaves = c.approach < -whole;
-    c.met = c.core && c.approach > 0
-                ? fmin(c.overlap / (c.approach * o->dt), 1) * fmin(c.approach / whole, 1)
-                : 0;
-    c.strength = inside ? cr_unit_energy(k, c.voxel, k->push) * f->dense[c.voxel] / h : 0;
+    c.leaves =
+        c.approach < 0 && c.approach * c.approach > cr_passed_by * cr_passed_by * cr_vec2_dot(v, v);
+    c.met = met_of(&c, v, o->dt);
+    c.strength =
+        c.met > 0 && inside ? cr_unit_energy(k, c.voxel, k->push) * f->dense[c.voxel] / h : 0;
     k->cell[k->cells++] = c;
 }
 
 /* The voxels [from, to) of a row; false when memory is out. Voxels that a distance says are far
  * from one of the surfaces are passed over: it changes by no more than the way. */
-static bool find_in_row(struct cr_side *k, const struct opponent *o, int iy, int from, int to) {
+static bool find_in_row(struct cr_side *k, const struct cr_opponent *o, int iy, int from, int to) {
     const struct cr_surface *f = &k->m->surface;
     const struct cr_grid *g = f->grid;
     double h = g->h, kept = cr_kept_voxels * h, per = 1 / h;
@@ -180,11 +168,11 @@ static bool find_in_row(struct cr_side *k, const struct opponent *o, int iy, int
             /* a gap closes by at most twice the way */
             far = c.overlap < -h ? 0.5 * (-c.overlap - h) : 0;
             bool meets = far <= 0 && middle < 2 * kept && (!c.core || c.overlap > 0);
-            if (meets && !room_for_cell(k)) {
+            if (meets && !cr_grow(&k->cell, &k->cells_size, k->cells, sizeof *k->cell)) {
                 return false;
             }
             if (meets) {
-                note_cell(k, o, ix, iy, c);
+                note_cell(k, &walk, ix, iy, c);
             }
         }
         ix += far > h ? (int)(far * per) : 1;
@@ -193,7 +181,7 @@ static bool find_in_row(struct cr_side *k, const struct opponent *o, int iy, int
 }
 
 /* false when memory is out */
-static bool find_cells(struct cr_side *k, const struct opponent *o) {
+static bool find_cells(struct cr_side *k, const struct cr_opponent *o) {
     const struct cr_grid *g = &k->m->body->grid;
     struct window w = window_of(k->m, o);
     const int *front = k->m->surface.first[CR_FACE_FRONT],
@@ -216,6 +204,9 @@ static void sum_cells(struct cr_side *k) {
     double h = g->h, all[2] = {0}, solid[2] = {0};
     for (int i = 0; i < k->cells; i++) {
         const struct cr_cell *c = &k->cell[i];
+        if (!(c->met > 0)) {
+            continue;
+        }
         double met = c->met * c->strength;
         double end = met * cr_surface_weight(c->other, h);
         bool inside = c->voxel >= 0 && g->fill[c->voxel] > 0;
@@ -236,11 +227,13 @@ static void sum_cells(struct cr_side *k) {
     k->closing *= solid[1] > 0 ? all[1] / solid[1] : 1;
 }
 
-double cr_overlap_distance(const struct cr_duo *d, int side, struct cr_vec2 p,
-                           struct cr_vec2 *normal) {
-    struct opponent o = opponent_of(side == 0 ? d->ma : d->mb, side == 0 ? d->mb : d->ma, d->s->dt);
-    *normal = normal_to(&o, p);
-    return distance_to(&o, p);
+double cr_overlap_distance(const struct cr_side *k, struct cr_vec2 p) {
+    return distance_to(&k->opponent, p);
+}
+
+struct cr_vec2 cr_overlap_normal(const struct cr_side *k, struct cr_vec2 p) {
+    struct walk w = walk_of(&k->opponent, p, k->m->body->grid.h);
+    return walk_normal(&w, &k->opponent, 0, p);
 }
 
 /* Direction in which a body is pushed, its frame: that of the force in the last slice, before
@@ -266,8 +259,8 @@ static bool find_side(struct cr_duo *d, int side) {
     }
     k->unit = me->unit[side == 0 ? d->b : d->a];
     k->push = push_on(d, side);
-    struct opponent o = opponent_of(me, other, d->s->dt);
-    return find_cells(k, &o);
+    k->opponent = opponent_of(me, other, d->s->dt);
+    return find_cells(k, &k->opponent);
 }
 
 bool cr_overlap_find(struct cr_duo *d, bool *met) {
@@ -295,9 +288,10 @@ double cr_overlap_area(struct cr_duo *d) {
             const struct cr_cell *c = &k->cell[i];
             double there = cr_clamp(0.5 - c->other / h, 0, 1);
             double both = c->voxel >= 0 ? k->m->surface.left[c->voxel] + there - 1 : 0;
-            area += c->strength > 0 ? fmax(both, 0) * h * h : 0;
+            bool solid = both > 0 && cr_unit_energy(k, c->voxel, k->push) > 0;
+            area += solid ? both * h * h : 0;
         }
-        most = fmax(most, area);
+        most = cr_max(most, area);
     }
     return most;
 }

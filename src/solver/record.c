@@ -1,36 +1,17 @@
 /* What a solve leaves behind: contacts, trace, slices, and the ledger of energy and momentum. */
 #include "solver/record.h"
 
-#include <stdlib.h>
+#include "base/grow.h"
+
 #include <string.h>
 
-static void *grown(void *list, int *size, size_t item) {
-    int more = *size < 64 ? 256 : 2 * *size;
-    void *p = realloc(list, (size_t)more * item);
-    if (p != NULL) {
-        *size = more;
-    }
-    return p;
-}
-
 bool cr_record_room(struct cr_solver *s) {
-    if (s->contacts == s->contacts_size) {
-        void *p = grown(s->contact, &s->contacts_size, sizeof *s->contact);
-        if (p == NULL) {
-            return false;
-        }
-        s->contact = p;
-    }
-    return true;
+    return cr_grow(&s->contact, &s->contacts_size, s->contacts, sizeof *s->contact);
 }
 
 bool cr_record_slice(struct cr_solver *s, const struct cr_slice *slice) {
-    if (s->slices == s->slices_size) {
-        void *p = grown(s->slice, &s->slices_size, sizeof *s->slice);
-        if (p == NULL) {
-            return false;
-        }
-        s->slice = p;
+    if (!cr_grow(&s->slice, &s->slices_size, s->slices, sizeof *s->slice)) {
+        return false;
     }
     s->slice[s->slices++] = *slice;
     return true;
@@ -51,20 +32,10 @@ struct cr_sample cr_solver_state(const struct cr_solver *s, int body) {
 }
 
 bool cr_record_sample(struct cr_solver *s) {
-    if (s->samples == s->samples_size) {
-        int size = s->samples_size;
-        void *p = grown(s->trace, &size, (size_t)s->cs->n * sizeof *s->trace);
-        if (p == NULL) {
-            return false;
-        }
-        s->trace = p;
-        size = s->samples_size;
-        p = grown(s->times, &size, sizeof *s->times);
-        if (p == NULL) {
-            return false;
-        }
-        s->times = p;
-        s->samples_size = size;
+    int size = s->samples_size; /* both grow, or neither */
+    if (!cr_grow(&s->trace, &size, s->samples, (size_t)s->cs->n * sizeof *s->trace) ||
+        !cr_grow(&s->times, &s->samples_size, s->samples, sizeof *s->times)) {
+        return false;
     }
     s->times[s->samples] = s->t;
     for (int i = 0; i < s->cs->n; i++) {
@@ -134,11 +105,11 @@ static struct cr_balance balance_of(const struct cr_solver *s) {
     double l, size, lsize;
     struct cr_vec2 p = momentum(s, &l, &size, &lsize);
     struct cr_vec2 missing = cr_vec2_sub(cr_vec2_sub(s->p_before, p), s->p_ground);
-    b.momentum_residual = cr_vec2_len(missing) / fmax(s->scale_p, 1e-9);
-    b.angular_residual = fabs(s->l_before - l - s->l_ground) / fmax(s->scale_l, 1e-9);
+    b.momentum_residual = cr_vec2_len(missing) / cr_max(s->scale_p, 1e-9);
+    b.angular_residual = fabs(s->l_before - l - s->l_ground) / cr_max(s->scale_l, 1e-9);
     b.energy_residual =
         fabs(b.kinetic_before - b.kinetic_after - b.plastic - b.friction - b.tyre - stored) /
-        fmax(b.kinetic_before, 1e-9);
+        cr_max(b.kinetic_before, 1e-9);
     return b;
 }
 

@@ -15,13 +15,13 @@ static double end_share(const struct cr_side *k, enum cr_face face) {
     const struct cr_surface *s = &k->m->surface;
     double h = s->grid->h, deepest = 0, reached = 0, wide = 0;
     int n = cr_face_lines(s->grid, face);
-    struct cr_lines lines = cr_surface_lines(s->grid, face);
+    struct cr_lines lines = s->lines[face];
     for (int i = 0; i < k->cells; i++) {
         const struct cr_cell *c = &k->cell[i];
         double met = c->met * cr_surface_weight(c->other, h);
         wide += met * h * fabs(cr_vec2_dot(c->normal, lines.in));
         double deep = cr_vec2_dot(cr_vec2_sub(c->place, lines.corner), lines.in);
-        deepest = met > 0 ? fmax(deepest, deep) : deepest;
+        deepest = met > 0 ? cr_max(deepest, deep) : deepest;
     }
     for (int i = 0; i < n; i++) {
         reached += s->outline[face][i] < deepest ? h : 0;
@@ -57,7 +57,7 @@ void cr_restitution_update(struct cr_duo *d, const struct cr_force *f) {
     struct cr_touch *t = d->touch;
     struct cr_contact *c = &d->s->contact[t->record];
     struct cr_vec2 n = cr_vec2_unit(cr_vec2_axpy(t->normal_sum, f->energy, f->normal), f->normal);
-    c->closing = fmax(cr_vec2_dot(t->met_at, n), 0);
+    c->closing = cr_max(cr_vec2_dot(t->met_at, n), 0);
     if (d->s->cs->opts.restitution_auto) {
         bool rigid = !d->ma->soft || !d->mb->soft;
         c->restitution = cr_restitution_auto(c->closing, rigid) * share_of_ends(d, f);

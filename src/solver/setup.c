@@ -74,14 +74,14 @@ static bool new_body(struct cr_solver *s, int i) {
     cr_kinematics_place(m, b->pos, b->heading);
     if (m->driven) {
         cr_kinematics_place(m, b->waypoint[0].pos, b->waypoint[0].heading);
-        s->t = fmin(s->t, b->waypoint[0].t);
+        s->t = cr_min(s->t, b->waypoint[0].t);
     }
     cr_shape_box(&b->shape, &m->lo, &m->hi);
     place_wheels(m);
     if (b->grid.nx > 0 && !new_grid(s, m)) {
         return false;
     }
-    double x = fmax(fabs(m->lo.x), fabs(m->hi.x)), y = fmax(fabs(m->lo.y), fabs(m->hi.y));
+    double x = cr_max(fabs(m->lo.x), fabs(m->hi.x)), y = cr_max(fabs(m->lo.y), fabs(m->hi.y));
     m->reach = b->shape.kind == CR_SHAPE_WALL ? (double)INFINITY : sqrt(x * x + y * y);
     float *when =
         b->grid.nx == 0

@@ -72,10 +72,10 @@ void cr_shape_box(const struct cr_shape *shape, struct cr_vec2 *lo, struct cr_ve
         *hi = cr_vec2(-INFINITY, -INFINITY);
         for (int i = 0; i < shape->n; i++) {
             struct cr_vec2 v = shape->vertex[i];
-            *lo = cr_vec2(fmin(lo->x, v.x - shape->edge_radius),
-                          fmin(lo->y, v.y - shape->edge_radius));
-            *hi = cr_vec2(fmax(hi->x, v.x + shape->edge_radius),
-                          fmax(hi->y, v.y + shape->edge_radius));
+            *lo = cr_vec2(cr_min(lo->x, v.x - shape->edge_radius),
+                          cr_min(lo->y, v.y - shape->edge_radius));
+            *hi = cr_vec2(cr_max(hi->x, v.x + shape->edge_radius),
+                          cr_max(hi->y, v.y + shape->edge_radius));
         }
     }
 }

@@ -40,6 +40,17 @@ struct cr_moving {
     double t_first, t_last, t_rest;
 };
 
+/* The opponent as the voxels of a body see it in a slice. */
+struct cr_opponent {
+    const struct cr_moving *m;
+    struct cr_vec2 origin; /* of the body's frame in the opponent's, m */
+    double c, s;           /* turn from the body's frame into the opponent's */
+    struct cr_vec2 still;  /* velocity of the opponent's material at the body's origin, less that of
+                              the body's, body frame, m/s */
+    double turn;           /* yaw rate of the opponent less the body's, rad/s */
+    double dt;             /* of the slice, s */
+};
+
 /* A voxel near the contact, as the overlap finds it. */
 struct cr_cell {
     int voxel, at;         /* index into the grid, and into surface.phi */
@@ -66,6 +77,7 @@ struct cr_loss {
 /* Step 1 for one body of a pair in one slice. */
 struct cr_side {
     struct cr_moving *m;
+    struct cr_opponent opponent;
     const double *const *unit; /* of m against the opponent, [CR_PUSHES] */
     struct cr_vec2 push;       /* unit vector along which the opponent pushes, body frame */
     int cells, cells_size;

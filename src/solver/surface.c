@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-struct cr_lines cr_surface_lines(const struct cr_grid *g, enum cr_face face) {
+static struct cr_lines lines_of(const struct cr_grid *g, enum cr_face face) {
     double x1 = g->x0 + g->nx * g->h, y1 = g->y0 + g->ny * g->h, low_y = g->y0, low_x = g->x0;
     switch (face) {
     case CR_FACE_FRONT:
@@ -79,7 +79,7 @@ static void spread_piece(struct cr_surface *s, double *near, int ix, int iy, str
             double along = cr_vec2_dot(d, p.n);
             if (d2 < near[k] * (1 - 1e-9) ||
                 (d2 < near[k] * (1 + 1e-9) && fabs(along) > fabs(s->phi[k]))) {
-                near[k] = fmin(d2, near[k]);
+                near[k] = cr_min(d2, near[k]);
                 s->phi[k] = cr_clamp(along, -s->band, s->band);
             }
         }
@@ -99,16 +99,16 @@ static void spread_outward(struct cr_surface *s, const double *near) {
             if (isfinite(near[k]) || s->phi[k] < 0) {
                 continue;
             }
-            double d = fmin(s->phi[k - way], s->phi[k - way * w]) + straight;
-            d = fmin(d, fmin(s->phi[k - way * (w - 1)], s->phi[k - way * (w + 1)]) + slant);
-            s->phi[k] = pass == 0 ? fmax(d, s->band) : fmax(fmin(s->phi[k], d), s->band);
+            double d = cr_min(s->phi[k - way], s->phi[k - way * w]) + straight;
+            d = cr_min(d, cr_min(s->phi[k - way * (w - 1)], s->phi[k - way * (w + 1)]) + slant);
+            s->phi[k] = pass == 0 ? cr_max(d, s->band) : cr_max(cr_min(s->phi[k], d), s->band);
         }
     }
 }
 
 static void measure_outline(struct cr_surface *s, enum cr_face face) {
     const struct cr_grid *g = s->grid;
-    struct cr_lines lines = cr_surface_lines(g, face);
+    struct cr_lines lines = s->lines[face];
     for (int i = 0; i < lines.n; i++) {
         int k = lines.first + i * lines.next, n = 0;
         while (n < lines.length && !(g->fill[k + n * lines.inward] > 0)) {
@@ -126,9 +126,9 @@ static void measure_density(struct cr_surface *s) {
     const struct cr_grid *g = s->grid;
     for (int iy = 0; iy < g->ny; iy++) {
         for (int ix = 0; ix < g->nx; ix++) {
-            double most = 1e-9;
-            for (int k = 0; k < 9; k++) {
-                most = fmax(most, fill_at(g, ix + k % 3 - 1, iy + k / 3 - 1));
+            double most = cr_max(g->fill[iy * g->nx + ix], 1e-9);
+            for (int k = 0; k < 9 && most < 1; k++) { /* nothing is fuller than full */
+                most = cr_max(most, fill_at(g, ix + k % 3 - 1, iy + k / 3 - 1));
             }
             s->dense[iy * g->nx + ix] = most;
         }
@@ -165,6 +165,9 @@ bool cr_surface_new(struct cr_surface *s, const struct cr_grid *grid, struct cr_
         return false;
     }
     memcpy(s->left, grid->fill, (size_t)grid->nx * (size_t)grid->ny * sizeof *s->left);
+    for (int f = 0; f < CR_FACES; f++) {
+        s->lines[f] = lines_of(grid, f);
+    }
     measure_density(s);
     int padded = s->stride * (grid->ny + 2 * CR_MARGIN);
     for (int k = 0; k < padded; k++) {
@@ -215,8 +218,8 @@ static bool place_in(const struct cr_surface *s, struct cr_vec2 p, double *u, do
     if (x >= -edge && y >= -edge && x < g->nx - 1 + edge && y < g->ny - 1 + edge) {
         return true;
     }
-    double dx = fmax(fmax(-x, x - (g->nx - 1)), 0), dy = fmax(fmax(-y, y - (g->ny - 1)), 0);
-    *beyond = fmax(s->band, g->h * (fmax(dx, dy) - 1));
+    double dx = cr_max(cr_max(-x, x - (g->nx - 1)), 0), dy = cr_max(cr_max(-y, y - (g->ny - 1)), 0);
+    *beyond = cr_max(s->band, g->h * (cr_max(dx, dy) - 1));
     return false;
 }
 
@@ -233,13 +236,13 @@ double cr_surface_distance(const struct cr_surface *s, struct cr_vec2 p) {
     return low + v * (high - low);
 }
 
-struct cr_vec2 cr_surface_gradient(const struct cr_surface *s, struct cr_vec2 p) {
-    double u, v, beyond;
-    if (!place_in(s, p, &u, &v, &beyond)) {
+struct cr_vec2 cr_surface_gradient(const struct cr_surface *s, double u, double v) {
+    const struct cr_grid *g = s->grid;
+    if (!(u >= 1 && v >= 1 && u < g->nx + 2 * CR_MARGIN - 2 && v < g->ny + 2 * CR_MARGIN - 2)) {
         return cr_vec2(0, 0);
     }
     int i = (int)(u + 0.5), j = (int)(v + 0.5); /* the nearest voxel */
-    double wx[3], wy[3], dx[3], dy[3], x = 0, y = 0, per = 1 / s->grid->h;
+    double wx[3], wy[3], dx[3], dy[3], x = 0, y = 0, per = 1 / g->h;
     parabola(u - i, wx, dx);
     parabola(v - j, wy, dy);
     const double *q = s->phi + (j - 1) * s->stride + i - 1;
@@ -251,7 +254,7 @@ struct cr_vec2 cr_surface_gradient(const struct cr_surface *s, struct cr_vec2 p)
 }
 
 void cr_surface_renew(struct cr_surface *s, enum cr_face face, int line) {
-    struct cr_lines lines = cr_surface_lines(s->grid, face);
+    struct cr_lines lines = s->lines[face];
     int n = s->first[face][line], k = lines.first + line * lines.next + n * lines.inward;
     while (n < lines.length && s->left[k] <= cr_crumb * s->dense[k]) {
         n++;

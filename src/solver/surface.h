@@ -17,6 +17,16 @@
 /* voxels of nothing about the grid, so that a place just outside has four neighbours */
 enum { CR_MARGIN = 4 };
 
+/* One of the four faces as lines that run inward: line i, voxel n of it from outside. */
+struct cr_lines {
+    int n, length;            /* lines, voxels in a line */
+    int first;                /* voxel 0 of line 0 */
+    int next;                 /* from a voxel to its neighbour in the next line */
+    int inward;               /* to the next voxel of the line */
+    struct cr_vec2 along, in; /* unit vectors, body frame: to the next line, and inward */
+    struct cr_vec2 corner;    /* where line 0 begins, less half a voxel along, body frame, m */
+};
+
 struct cr_surface {
     const struct cr_grid *grid; /* borrowed */
     int stride;                 /* voxels in a row of phi */
@@ -28,19 +38,9 @@ struct cr_surface {
     uint8_t *how;               /* enum cr_crush flags */
     double *outline[CR_FACES];  /* undeformed surface of each line behind the edge of the grid, m */
     double *limit[CR_FACES];    /* depth down to which each line was dragged along, likewise, m */
-    int *first[CR_FACES];       /* of each line the first voxel from outside that holds material */
+    struct cr_lines lines[CR_FACES];
+    int *first[CR_FACES]; /* of each line the first voxel from outside that holds material */
 };
-
-/* One of the four faces as lines that run inward: line i, voxel n of it from outside. */
-struct cr_lines {
-    int n, length;            /* lines, voxels in a line */
-    int first;                /* voxel 0 of line 0 */
-    int next;                 /* from a voxel to its neighbour in the next line */
-    int inward;               /* to the next voxel of the line */
-    struct cr_vec2 along, in; /* unit vectors, body frame: to the next line, and inward */
-    struct cr_vec2 corner;    /* where line 0 begins, less half a voxel along, body frame, m */
-};
-struct cr_lines cr_surface_lines(const struct cr_grid *g, enum cr_face face);
 
 /* index into phi of the voxel (ix, iy) */
 static inline int cr_surface_at(const struct cr_surface *s, int ix, int iy) {
@@ -52,8 +52,8 @@ bool cr_surface_new(struct cr_surface *s, const struct cr_grid *grid, struct cr_
 
 /* Signed distance at a place of the body's frame, m; beyond the band a lower bound. */
 double cr_surface_distance(const struct cr_surface *s, struct cr_vec2 p);
-/* Its gradient there, of about length 1 near the surface. */
-struct cr_vec2 cr_surface_gradient(const struct cr_surface *s, struct cr_vec2 p);
+/* Its gradient at a place in voxels of the padded grid, of about length 1 near the surface. */
+struct cr_vec2 cr_surface_gradient(const struct cr_surface *s, double u, double v);
 
 /* What is left of a voxel whose surface lies at phi and has the normal n, body frame. */
 static inline double cr_surface_left(double phi, struct cr_vec2 n, double h, double dense) {
@@ -63,7 +63,7 @@ static inline double cr_surface_left(double phi, struct cr_vec2 n, double h, dou
 
 /* Weight of a voxel for a surface at the distance phi: over a line of voxels it adds up to one. */
 static inline double cr_surface_weight(double phi, double h) {
-    return fmax(1 - fabs(phi) / h, 0);
+    return cr_max(1 - fabs(phi) / h, 0);
 }
 
 /* The voxels that were emptied are passed over from now on in `first`. */

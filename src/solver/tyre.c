@@ -6,12 +6,12 @@
 /* Share of the lateral force, with the sign of v.y: Fiala's cubic, full with a level tangent at the
  * full slip angle. */
 static double side_share(struct cr_vec2 v) {
-    double rolling_speed = fmax(fabs(v.x), cr_slip_speed);
+    double rolling_speed = cr_max(fabs(v.x), cr_slip_speed);
     if (fabs(v.y) > cr_slope_full * rolling_speed) {
         return copysign(1, v.y);
     }
     double slip = atan2(v.y, rolling_speed) / cr_rad(cr_slip_full_deg);
-    double a = fmin(fabs(slip), 1);
+    double a = cr_min(fabs(slip), 1);
     return copysign(3 * a - 3 * a * a + a * a * a, v.y);
 }
 
@@ -27,11 +27,11 @@ static struct cr_vec2 tyre_force(const struct grip *g, struct cr_vec2 v) {
     double speed = cr_vec2_len(v);
     /* a wheel with all its friction in braking slides: the force turns against its velocity */
     if (g->slides || g->pull >= 1) {
-        return cr_vec2_scale(v, -g->limit / fmax(speed, cr_speed_soft));
+        return cr_vec2_scale(v, -g->limit / cr_max(speed, cr_speed_soft));
     }
-    double fade = fmin(fabs(v.x) / cr_speed_soft, 1);
+    double fade = cr_min(fabs(v.x) / cr_speed_soft, 1);
     double fx = -copysign(g->limit * g->pull * fade, v.x);
-    double side = sqrt(fmax(1 - g->pull * g->pull, 0));
+    double side = sqrt(cr_max(1 - g->pull * g->pull, 0));
     return cr_vec2(fx, -g->limit * side * side_share(v));
 }
 
@@ -61,10 +61,10 @@ static struct grip grip_of(const struct cr_solver *s, const struct cr_moving *m,
     double rolling = after >= cr_coast_after ? o->rolling_after : o->rolling;
     struct grip g = {.mu = is_within(&s->cs->patch, at) ? s->cs->patch.friction : o->road_friction};
     if (after >= m->body->reaction && m->body->brake_after > 0) {
-        brake = fmax(brake, m->body->brake_after / (CR_G * fmax(g.mu, 1e-9)));
+        brake = cr_max(brake, m->body->brake_after / (CR_G * cr_max(g.mu, 1e-9)));
     }
     g.limit = g.mu * w->load * level(s->cs);
-    g.pull = fmin(fmax(brake, fmin(rolling, g.mu) / fmax(g.mu, 1e-9)), 1);
+    g.pull = cr_min(cr_max(brake, cr_min(rolling, g.mu) / cr_max(g.mu, 1e-9)), 1);
     g.slides = w->locked || m->drag[wheel];
     return g;
 }

@@ -12,7 +12,7 @@
 /* force of a structure that gives way by a share of the overlap, N; one that gets weaker within the
  * slice counts with its mean, or rounding would choose between two shares */
 static double force_of(const struct cr_side *k, double share) {
-    double rise = fmax(k->end - k->begin, 0);
+    double rise = cr_max(k->end - k->begin, 0);
     return 0.5 * (k->begin + k->end) + (share - 0.5) * rise;
 }
 
@@ -22,7 +22,7 @@ static double imbalance(const struct cr_duo *d, double t) {
     double share = 1 / (1 + exp(-t));
     double fa = d->touch->taut[0] + force_of(a, share),
            fb = d->touch->taut[1] + force_of(b, 1 - share);
-    return cr_rate_exponent * t + log(fmax(fa, 1e-9) / fmax(fb, 1e-9));
+    return cr_rate_exponent * t + log(cr_max(fa, 1e-9) / cr_max(fb, 1e-9));
 }
 
 /* root of imbalance by bisection of the odds: it rises with t */
