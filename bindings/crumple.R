@@ -8,15 +8,43 @@
 # Needs the package jsonlite, and crumple on the path (or options(crumple = "/path/to/crumple")).
 
 .crumple <- function(arguments, input = NULL) {
-  program <- getOption("crumple", "crumple")
   errors <- tempfile()
   on.exit(unlink(errors))
-  out <- suppressWarnings(system2(program, shQuote(arguments), stdout = TRUE, stderr = errors,
-                                  input = input))
+  out <- suppressWarnings(system2(getOption("crumple", "crumple"), shQuote(arguments),
+                                  stdout = TRUE, stderr = errors, input = input))
   status <- attr(out, "status")
   # 1: a scene of a stack has failed, which its record says
   if (!is.null(status) && status > 1) stop(paste(readLines(errors), collapse = "\n"), call. = FALSE)
   out
+}
+
+# Programs that run beside R, with series and without: a scene a line in, a result a line out. They end
+# with R, for then their input does.
+.crumple_running <- new.env()
+
+.crumple_ask <- function(line, trace) {
+  key <- paste("trace", trace)
+  if (is.null(.crumple_running[[key]])) {
+    pipes <- paste0(tempfile("crumple"), c(".in", ".out"))
+    system2("mkfifo", c("-m", "600", shQuote(pipes)))
+    on.exit(unlink(pipes))
+    program <- c(getOption("crumple", "crumple"), "stack", "--jobs=1", if (trace) "--trace", "-")
+    system(paste(c(shQuote(program), "<", pipes[1], ">", pipes[2]), collapse = " "), wait = FALSE)
+    .crumple_running[[key]] <- list(ask = fifo(pipes[1], "w", blocking = TRUE),
+                                    answer = fifo(pipes[2], "r", blocking = TRUE))
+  }
+  pipe <- .crumple_running[[key]]
+  answer <- tryCatch({
+    writeLines(line, pipe$ask)
+    flush(pipe$ask)
+    readLines(pipe$answer, 1)
+  }, error = function(e) character())
+  if (length(answer) == 0) {
+    .crumple_running[[key]] <- NULL
+    lapply(pipe, function(p) try(close(p), silent = TRUE))
+    stop("crumple does not run, or has ended", call. = FALSE)
+  }
+  answer
 }
 
 .crumple_text <- function(scene) {
@@ -24,12 +52,19 @@
   as.character(jsonlite::toJSON(scene, auto_unbox = TRUE, digits = NA, null = "null"))
 }
 
-# Solve a scene: the path of a file, or a nested list. set: "KEY=VALUE" to override.
+# Solve a scene: the path of a file, or a nested list. set: "KEY=VALUE" to override. A list without
+# overrides goes to a program that is kept running.
 crumple_solve <- function(scene, set = character(), trace = TRUE) {
-  arguments <- c("run", if (trace) "--trace", if (length(set)) paste0("--set=", set))
-  text <- if (is.character(scene)) .crumple(c(arguments, scene))
-          else .crumple(c(arguments, "-"), .crumple_text(scene))
-  jsonlite::fromJSON(paste(text, collapse = "\n"), simplifyDataFrame = FALSE)
+  if (is.list(scene) && length(set) == 0) {
+    text <- .crumple_ask(.crumple_text(scene), trace)
+  } else {
+    arguments <- c("run", if (trace) "--trace", if (length(set)) paste0("--set=", set))
+    text <- if (is.character(scene)) .crumple(c(arguments, scene))
+            else .crumple(c(arguments, "-"), .crumple_text(scene))
+  }
+  result <- jsonlite::fromJSON(paste(text, collapse = "\n"), simplifyDataFrame = FALSE)
+  if (!is.null(result$error)) stop(paste(result$error$where, result$error$message), call. = FALSE)
+  result
 }
 
 # A value by its name in the result JSON, participants by their ids: "A.ees_kmh",

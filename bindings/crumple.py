@@ -28,7 +28,8 @@ try:
 except ImportError:
     numpy = None
 
-__all__ = ["Crumple", "Error", "Result", "Table", "damage", "solve", "solve_many", "version"]
+__all__ = ["Crumple", "Error", "Result", "Table", "damage", "import_file", "solve"]
+__all__ += ["solve_many", "version"]
 
 Scene = Union[str, bytes, Mapping, os.PathLike]
 
@@ -80,6 +81,9 @@ _Next = ctypes.CFUNCTYPE(
 _Done = ctypes.CFUNCTYPE(
     ctypes.c_int, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p, ctypes.POINTER(_Error)
 )
+_Case = ctypes.CFUNCTYPE(
+    ctypes.c_int, ctypes.c_void_p, ctypes.c_char_p, ctypes.c_size_t, ctypes.POINTER(_Error)
+)
 
 
 class _Options(ctypes.Structure):
@@ -100,24 +104,18 @@ def _load() -> ctypes.CDLL:
     lib = ctypes.CDLL(path)
     pointer, size, text = ctypes.c_void_p, ctypes.c_size_t, ctypes.c_char_p
     error = ctypes.POINTER(_Error)
+    options = ctypes.POINTER(_Options)
+    of_text = [pointer, text, size, options, ctypes.POINTER(pointer), error]
     signatures = {
         "version": (text, []),
         "error_word": (text, [ctypes.c_int]),
         "open": (ctypes.c_int, [text, ctypes.POINTER(pointer), error]),
         "close": (None, [pointer]),
         "data_hash": (text, [pointer]),
-        "solve": (
-            ctypes.c_int,
-            [pointer, text, size, ctypes.POINTER(_Options), ctypes.POINTER(pointer), error],
-        ),
-        "stack": (
-            ctypes.c_int,
-            [pointer, ctypes.c_int, ctypes.POINTER(_Options), _Next, _Done, pointer, error],
-        ),
-        "damage": (
-            ctypes.c_int,
-            [pointer, text, size, ctypes.POINTER(_Options), ctypes.POINTER(pointer), error],
-        ),
+        "solve": (ctypes.c_int, of_text),
+        "stack": (ctypes.c_int, [pointer, ctypes.c_int, options, _Next, _Done, pointer, error]),
+        "damage": (ctypes.c_int, of_text),
+        "import": (ctypes.c_int, [pointer, text, options, _Case, pointer, error]),
         "result_free": (None, [pointer]),
         "json": (pointer, [pointer, ctypes.c_uint, ctypes.POINTER(size)]),
         "free": (None, [pointer]),
@@ -172,7 +170,8 @@ def _text(scene: Scene) -> tuple[bytes, str, str]:
 
 
 class _Call:
-    """Options of one call, and whether ^C was pressed in it; keeps alive what they point to.
+    """Options of one call, and what ended it: ^C, or an exception in a callback, which would be
+    lost in the C between; keeps alive what the options point to.
 
     Python runs handlers of signals only while it runs itself, which is in the poll. An exception
     from there would be lost in the C around it, so for the time of the call ^C sets a mark."""
@@ -180,6 +179,7 @@ class _Call:
     def __init__(self, name: str, folder: str, values: Mapping[str, Any]) -> None:
         texts = [f"{key}={value}".encode() for key, value in values.items()]
         self.cancelled = False
+        self.raised: BaseException | None = None  # in a callback
         self.options = _Options(
             ctypes.sizeof(_Options),
             name.encode(),
@@ -203,6 +203,8 @@ class _Call:
             signal.signal(signal.SIGINT, self.handler)
         if self.cancelled:
             raise KeyboardInterrupt
+        if self.raised is not None:
+            raise self.raised
 
     def _interrupt(self, _signal: int, _frame: Any) -> None:
         self.cancelled = True
@@ -225,35 +227,35 @@ class Crumple:
 
     def solve(self, scene: Scene, set: Mapping[str, Any] = {}) -> Result:
         """Solve a scene: a dict, JSON text, or the path of a file; set overrides values."""
-        text, name, folder = _text(scene)
-        call, error, pointer = _Call(name, folder, set), _Error(), ctypes.c_void_p()
-        with call:
-            code = _lib.crumple_solve(
-                self._pointer,
-                text,
-                len(text),
-                ctypes.byref(call.options),
-                ctypes.byref(pointer),
-                ctypes.byref(error),
-            )
-        _check(code, error)
-        return Result(pointer)
+        return Result(self._work(_lib.crumple_solve, scene, set))
 
     def damage(self, measured: Scene) -> dict[str, Any]:
         """EES and delta-v, with intervals, out of a measured deformation: a dict, JSON text or the
         path of a file as crumple damage reads it."""
-        text, name, folder = _text(measured)
-        call, error, pointer = _Call(name, folder, {}), _Error(), ctypes.c_void_p()
-        code = _lib.crumple_damage(
-            self._pointer,
-            text,
-            len(text),
-            ctypes.byref(call.options),
-            ctypes.byref(pointer),
-            ctypes.byref(error),
-        )
+        return json.loads(Result._take(self._work(_lib.crumple_damage, measured, {}).value))
+
+    def _work(self, function: Any, scene: Scene, set: Mapping[str, Any]) -> ctypes.c_void_p:
+        text, name, folder = _text(scene)
+        call, pointer = _Call(name, folder, set), ctypes.c_void_p()
+        of, to = ctypes.byref(call.options), ctypes.byref(pointer)
+        self._run(call, function, text, len(text), of, to)
+        return pointer
+
+    def _run(self, call: _Call, function: Any, *arguments: Any) -> None:
+        error = _Error()
+        with call:
+            code = function(self._pointer, *arguments, ctypes.byref(error))
         _check(code, error)
-        return json.loads(Result._take(pointer.value))
+
+    def import_file(
+        self, path: str | os.PathLike, **options: Any
+    ) -> tuple[list[dict[str, Any]], list[Error]]:
+        """Scenes out of another program's file or folder, and the errors of those cases that could
+        not be converted. Options are those of crumple import: case="3,17", reference="cg"."""
+        call = _Call("scene", ".", options)
+        cases, of = _Cases(call), ctypes.byref(call.options)
+        self._run(call, _lib.crumple_import, os.fsencode(path), of, _Case(cases.take), None)
+        return cases.scenes, cases.errors
 
     def solve_many(
         self,
@@ -267,58 +269,77 @@ class Crumple:
         Gives a table with a row per scene: the values named, or all that the first result has,
         and "error" with what was wrong with a scene, else None. Numbers and None; texts as str.
         """
-        stack = _Stack(iter(scenes), values)
-        call, error = _Call("scene", ".", set), _Error()
-        with call:
-            code = _lib.crumple_stack(
-                self._pointer,
-                jobs,
-                ctypes.byref(call.options),
-                _Next(stack.next),
-                _Done(stack.done),
-                None,
-                ctypes.byref(error),
-            )
-        if stack.raised is not None:
-            raise stack.raised
-        _check(code, error)
+        call = _Call("scene", ".", set)
+        stack, of = _Stack(call, iter(scenes), values), ctypes.byref(call.options)
+        self._run(call, _lib.crumple_stack, jobs, of, _Next(stack.next), _Done(stack.done), None)
         return stack.table()
 
 
-class _Stack:
-    """The two callbacks of a stack. An exception in one must not be lost in the C between."""
+def _told(error: Any) -> Error:
+    """An error that a callback is given."""
+    return Error(error[0], _lib.crumple_error_word(error[0].code).decode())
 
-    def __init__(self, scenes: Iterator[Scene], values: Sequence[str] | None) -> None:
-        self.scenes, self.values = scenes, values
+
+def _callback(stop: int) -> Any:
+    """A method as a callback: an exception in it is kept for the end of the call and stops it."""
+
+    def wrap(method: Any) -> Any:
+        def guarded(self: Any, *arguments: Any) -> int:
+            try:
+                return method(self, *arguments)
+            except BaseException as raised:
+                self.call.raised = raised
+                return stop
+
+        return guarded
+
+    return wrap
+
+
+class _Cases:
+    """What an import gives."""
+
+    def __init__(self, call: _Call) -> None:
+        self.call = call
+        self.scenes: list[dict[str, Any]] = []
+        self.errors: list[Error] = []
+
+    @_callback(stop=1)
+    def take(self, _user: Any, scene: bytes | None, _length: int, error: Any) -> int:
+        if scene is None:
+            self.errors.append(_told(error))
+        else:
+            self.scenes.append(json.loads(scene))
+        return 0
+
+
+class _Stack:
+    """What a stack takes and gives."""
+
+    def __init__(self, call: _Call, scenes: Iterator[Scene], values: Sequence[str] | None) -> None:
+        self.call, self.scenes, self.values = call, scenes, values
         self.rows: list[tuple[dict, str | None]] = []
-        self.raised: BaseException | None = None
         self.text = b""
 
+    @_callback(stop=0)
     def next(self, _user: Any, scene: Any, length: Any) -> int:
         try:
             self.text = _text(next(self.scenes))[0]
         except StopIteration:
             return 0
-        except BaseException as raised:
-            self.raised = raised
-            return 0
         scene[0], length[0] = self.text, len(self.text)
         return 1
 
+    @_callback(stop=1)
     def done(self, _user: Any, _index: int, pointer: int | None, error: Any) -> int:
-        try:
-            if pointer is None:
-                word = _lib.crumple_error_word(error[0].code).decode()
-                self.rows.append(({}, str(Error(error[0], word))))
-                return 0
-            result = Result(ctypes.c_void_p(pointer))
-            if self.values is None:
-                self.values = result.names()
-            self.rows.append(({name: result.get(name) for name in self.values}, None))
+        if pointer is None:
+            self.rows.append(({}, str(_told(error))))
             return 0
-        except BaseException as raised:
-            self.raised = raised
-            return 1
+        result = Result(ctypes.c_void_p(pointer))
+        if self.values is None:
+            self.values = result.names()
+        self.rows.append(({name: result.get(name) for name in self.values}, None))
+        return 0
 
     def table(self) -> Table:
         names = self.values or []
@@ -474,6 +495,13 @@ def solve(scene: Scene, set: Mapping[str, Any] = {}) -> Result:
 def damage(measured: Scene) -> dict[str, Any]:
     """Crumple.damage with the models of the installation."""
     return _handle().damage(measured)
+
+
+def import_file(
+    path: str | os.PathLike, **options: Any
+) -> tuple[list[dict[str, Any]], list[Error]]:
+    """Crumple.import_file with the models of the installation."""
+    return _handle().import_file(path, **options)
 
 
 def solve_many(

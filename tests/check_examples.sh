@@ -1,11 +1,13 @@
 #!/bin/sh
-# Every example of README.md and crumple.1 runs, and shows what the program prints.
+# Every example of README.md and crumple.1 runs, and shows what the program prints; its programs in
+# C, Python and R print what is shown below them.
 # "check_examples.sh update" puts the present output into README.md: review the difference.
 . "$SRC/tests/tap.sh"
 tmp=$(mktemp -d) || exit 99
 trap 'rm -rf "$tmp"' EXIT
 ln -s "$SRC/share" "$SRC/models" "$tmp"
 ln -s "$BUILD" "$tmp/build"
+ln -s "$SRC/bindings/crumple.R" "$tmp"
 PATH=$BUILD:$PATH
 COLUMNS=80
 export PATH COLUMNS
@@ -108,10 +110,47 @@ update() {
         { print }' "$SRC/README.md" >"$tmp/new" && cat "$tmp/new" >"$SRC/README.md"
 }
 
+# runs COMMAND PROGRAM: what it prints is what is shown, up to a tenth of its numbers
+runs() {
+    (cd "$tmp" && CRUMPLE_DATA=$SRC CRUMPLE_LIBRARY=$BUILD/libcrumple.so.0 LD_LIBRARY_PATH=$BUILD \
+        PYTHONPATH=$SRC/bindings PYTHONDONTWRITEBYTECODE=1 sh -c "$1") >"$tmp/got" 2>&1 </dev/null
+    report $? "README.md: the program in $2 runs"
+    alike "$tmp/program.$2.out" "$tmp/got"
+    good=$?
+    report $good "and prints what is shown"
+    [ $good -eq 0 ] || diff "$tmp/program.$2.out" "$tmp/got" | explain
+}
+
+# the fences of C, Python and R, each with the fence "text" below it
+programs() {
+    awk -v f="$tmp/program." '/^```(c|python|r)$/ { kind = substr($0, 4); file = f kind; next }
+        /^```text$/ && kind != "" { file = f kind ".out"; kind = ""; next }
+        /^```/ { file = "" }
+        file != "" { print >file }' "$SRC/README.md"
+    if [ ! -f "$BUILD/libcrumple.so" ] || "$CRUMPLE" --version | grep -q '^sanitizers: [^n]'; then
+        skip "programs in C and Python" "no shared library, or one with sanitizers"
+    else
+        flags=$(PKG_CONFIG_PATH=$BUILD pkg-config --define-variable=libdir="$BUILD" \
+            --define-variable=includedir="$SRC/src/lib" --cflags --libs crumple)
+        runs "cc -x c program.c -x none $flags -o program && ./program" c
+        if python3 -c 'import sys; sys.exit(sys.version_info < (3, 8))' 2>/dev/null; then
+            runs "python3 program.python" python
+        else
+            skip "the program in Python" "no python3 here"
+        fi
+    fi
+    if Rscript -e 'library(jsonlite)' >/dev/null 2>&1; then
+        runs "Rscript program.r" r
+    else
+        skip "the program in R" "no R with jsonlite here"
+    fi
+}
+
 if [ "${1:-}" = update ]; then
     update
     exit
 fi
 examples readme
 examples man
+programs
 finish

@@ -9,6 +9,7 @@ libbase_a_SOURCES = \
 	src/base/json.c src/base/json.h src/base/print.c \
 	src/base/number.c src/base/number.h \
 	src/base/pool.c src/base/pool.h \
+	src/base/random.c src/base/random.h \
 	src/base/records.c src/base/records.h \
 	src/base/quantity.c \
 	src/base/show.c src/base/show.h \

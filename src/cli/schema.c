@@ -9,11 +9,12 @@
 #include <string.h>
 
 /* X(name): share/schema/NAME.schema.json */
-#define SCHEMAS "scene|result|voxel-model|recipe"
+#define SCHEMAS "scene|result|damage|voxel-model|recipe"
 
-static const char about[] = "Prints the JSON Schema (2020-12) of scenes, results, voxel models or "
-                            "recipes; without a name,\n"
-                            "the names. Exit status: 0 done; 2 usage or file system.\n";
+static const char about[] =
+    "Prints the JSON Schema (2020-12) of scenes, results, damage files, voxel "
+    "models or recipes;\nwithout a name, the names. Exit status: 0 done; 2 usage or file "
+    "system.\n";
 
 static enum cr_err list(struct cr_error *err) {
     struct cr_str out = {0};

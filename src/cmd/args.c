@@ -3,6 +3,7 @@
 
 #include "base/show.h"
 #include "base/units.h"
+#include "scene/keys.h"
 
 #include <assert.h>
 #include <limits.h>
@@ -93,7 +94,14 @@ static enum cr_err parse_number(const struct cr_arg *arg, struct cr_value *v,
             return CR_ERR_OK;
         }
     }
-    enum cr_err code = cr_unit_parse(v->text, arg->dim, unit, &v->number, NULL, err);
+    enum cr_err code;
+    struct cr_tolerance how = {.half = NAN};
+    if (arg->spreads && cr_tolerance_is(v->text)) {
+        code = cr_tolerance_read(v->text, arg->dim, unit, &v->number, &how, err);
+    } else {
+        code = cr_unit_parse(v->text, arg->dim, unit, &v->number, NULL, err);
+    }
+    v->second = how.half;
     if (code != CR_ERR_OK && arg->words != NULL && err != NULL) {
         char was[sizeof err->hint];
         snprintf(was, sizeof was, "%s", err->hint);

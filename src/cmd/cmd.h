@@ -108,6 +108,7 @@ struct cr_arg {
     const char *words; /* see cr_arg_type; of a number: words that may stand instead */
     const char *def;   /* what is taken when it is not given, for help; NULL: nothing */
     const char *help;
+    bool spreads;    /* a number that may have a tolerance: 1.4+-0.05m */
     const char *key; /* of CR_VALUE_KEY */
     unsigned mask;   /* kinds the key is for, 0: a setting */
 };
@@ -147,6 +148,7 @@ void cr_command_roff(const struct cr_command *cmd, struct cr_str *out);
 /* ---- the session ---- */
 
 struct cr_session;
+struct cr_measure;
 
 struct cr_session_opts {
     const char *data_dir;  /* folder of models/ and share/; "" if there is none */
@@ -232,6 +234,7 @@ struct cr_view {
     struct cr_vec2 centre;      /* m; NaN: automatic */
     char selected[CR_NAME_MAX]; /* participant, "" for none */
     enum cr_quantity quantity;  /* of the pulse pane; CR_QUANTITIES: |a| */
+    int sweep_picture;          /* of the pane of the sweep, from 1; 0: the table */
     char pulse_of[CR_NAME_MAX]; /* participant of the pulse pane, "" for all */
     char versus[CR_PATH_MAX];   /* measured curve beside it, "" for none */
     char colormap[16], theme[16];
@@ -247,29 +250,49 @@ struct cr_scene_view cr_session_scene_view(const struct cr_session *s);
 CR_MUST_CHECK enum cr_err cr_session_draw_pulse(struct cr_session *s, struct cr_cells *cells,
                                                 struct cr_rect at, struct cr_error *err);
 
-/* The last sweep: runs in order of its table. */
+/* The last sweep: runs in order of its table. Values are SI; those of words are their index. */
+enum { CR_SWEEP_AXES = 12, CR_SWEEP_GRID = 4 }; /* that are drawn; all combinations */
 struct cr_sweep_axis {
     char key[CR_NAME_MAX + 32];
     const struct cr_unit *unit; /* in which its values are shown */
     int n;
-    double *value; /* [n], SI */
+    double *value; /* [n] */
+    char **word;   /* [n], NULL: its values are numbers */
+    bool between;  /* draws lie anywhere between the two values */
 };
 struct cr_sweep_run {
     bool running, done, failed;
-    double at[2]; /* SI */
+    double at[CR_SWEEP_AXES];
     char message[160];
     struct cr_severity *of; /* [participants], without outlines */
     enum cr_stop stop;
 };
 struct cr_sweep {
     int axes;
-    struct cr_sweep_axis axis[2];
+    struct cr_sweep_axis axis[CR_SWEEP_AXES];
+    bool drawn; /* a Latin hypercube; else all combinations, the first axis varies slowest */
     int n, participants;
     char id[CR_BODY_MAX][CR_NAME_MAX];
-    struct cr_sweep_run *run;     /* [n], first axis varies slowest */
-    struct cr_severity *severity; /* owner of all run[].of */
+    const struct cr_measure *measure; /* what its pictures show */
+    int part;                         /* of whom, -1: all that are deformed */
+    struct cr_sweep_run *run;         /* [n] */
+    struct cr_severity *severity;     /* owner of all run[].of */
 };
 const struct cr_sweep *cr_session_sweep(const struct cr_session *s); /* NULL: none */
+/* A value of an axis: in those units, its unit there, and both as text ("34.8", "suv"). */
+double cr_sweep_shown(const struct cr_sweep_axis *axis, double at, enum cr_units units);
+const char *cr_sweep_unit(const struct cr_sweep_axis *axis, enum cr_units units);
+const char *cr_sweep_text(const struct cr_sweep_axis *axis, double at, enum cr_units units,
+                          char *buf, size_t size);
+/* Has the run a result? Is the participant deformed in any that has? */
+bool cr_sweep_known(const struct cr_sweep_run *run);
+bool cr_sweep_deforms(const struct cr_sweep *sweep, int participant);
+/* Pictures of the last sweep that one run is in, and the one that the view asks for, with that run
+ * marked. Errors: MEMORY. */
+int cr_session_sweep_pictures(const struct cr_session *s);
+CR_MUST_CHECK enum cr_err cr_session_draw_sweep(struct cr_session *s, int run,
+                                                struct cr_cells *cells, struct cr_rect at,
+                                                const struct cr_look *look, struct cr_error *err);
 
 struct cr_log_line {
     enum cr_tone tone;

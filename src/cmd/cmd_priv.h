@@ -38,7 +38,7 @@ struct cr_value {
     const struct cr_token *token; /* NULL: not given */
     const char *text;
     double number; /* SI, or the count */
-    double second; /* y of a point */
+    double second; /* y of a point; tolerance of a number that may have one, NaN: none */
     int word;      /* index in the words of the argument, -1: none of them */
     int sign;      /* +1, -1: typed with a sign, so relative where that is allowed; 0 */
 };
@@ -176,13 +176,13 @@ void cr_session_take_sweep(struct cr_session *s, struct cr_sweep *sweep);
 void cr_session_drop_result(struct cr_session *s);
 void cr_session_take_result(struct cr_session *s, struct cr_result *result);
 
-/* What a sweep can vary besides: a participant's number, its placement, or a setting. */
+/* What a sweep can vary under a short name of its own; besides it knows all keys of the scene. */
 struct cr_sweep_key {
     const char *name;
-    const char *key; /* of the scene; NULL: of the placement */
+    const char *key; /* of the scene, or one that vary.c knows (position.x, model) */
     unsigned kinds;  /* participants it is for, 0: all */
     bool setting;
-    enum cr_dim dim;  /* of its value */
+    enum cr_dim dim;  /* of its value; CR_DIMS: words */
     const char *unit; /* likewise, its usual unit */
     const char *help;
 };
@@ -194,9 +194,14 @@ enum cr_err cr_cmd_set_key(struct cr_call *call, struct cr_scene *scene, const c
 enum cr_err cr_cmd_set_keys(struct cr_call *call, struct cr_scene *scene, const char *id,
                             struct cr_error *err);
 int cr_cmd_keys_given(const struct cr_call *call);
+/* Is a word of the rest an argument of its own, "jobs=2"? */
+bool cr_cmd_is_arg(const struct cr_call *call, const struct cr_token *tok);
 /* Sets ID.key of the scene to a text. */
 enum cr_err cr_cmd_set_text(struct cr_scene *scene, const char *id, const char *key,
                             const char *value, struct cr_error *err);
+/* The model of a vehicle: "suv/12", "suv" or a file of voxels. */
+enum cr_err cr_model_take(struct cr_scene *scene, const char *id, const char *text,
+                          struct cr_error *err);
 /* Sets ID.key to a number, or to two where y is not NaN; and the pose: m, rad. */
 enum cr_err cr_cmd_set_numbers(struct cr_scene *scene, const char *id, const char *key, double x,
                                double y, struct cr_error *err);

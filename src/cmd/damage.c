@@ -30,52 +30,39 @@ const struct cr_measured *cr_damage_known(const struct cr_session *s, const char
     return note_of(s->damage, id);
 }
 
-/* "12,14,20,22,18,10cm": depths, a unit behind the last counts for all */
-static enum cr_err read_stations(const char *text, struct cr_measured *m, struct cr_error *err) {
-    const struct cr_unit *unit = cr_unit_find("m", CR_DIM_LENGTH);
-    const char *last = strrchr(text, ','), *end;
-    if (last != NULL) {
-        cr_number_scan(last + 1, &end);
-        unit = *end != '\0' && cr_unit_find(end, CR_DIM_LENGTH) != NULL
-                   ? cr_unit_find(end, CR_DIM_LENGTH)
-                   : unit;
-    }
-    m->stations = 0;
-    for (bool more = true; more;) {
-        char word[64];
-        size_t len = strcspn(text, ",");
-        if (m->stations == CR_STATIONS_MAX || len >= sizeof word) {
-            return cr_err_set(err, CR_ERR_RANGE, "more than %d stations", CR_STATIONS_MAX);
-        }
-        snprintf(word, sizeof word, "%.*s", (int)len, text);
-        enum cr_err code =
-            cr_unit_parse(word, CR_DIM_LENGTH, unit, &m->depth[m->stations++], NULL, err);
-        if (code != CR_ERR_OK) {
-            return code;
-        }
-        more = text[len] == ',';
-        text += len + more;
-    }
-    return CR_ERR_OK;
+static void take_number(struct cr_call *call, const char *name, double *value, double *tolerance) {
+    const struct cr_value *v = cr_cmd_arg(call, name);
+    *value = v->token != NULL ? v->number : *value;
+    *tolerance = v->token != NULL && !isnan(v->second) ? v->second : *tolerance;
 }
 
 /* the keys that were given, over what was known before */
 static enum cr_err read_keys(struct cr_call *call, struct cr_measured *m, struct cr_error *err) {
-    const char *stations = cr_cmd_text(call, "c", NULL);
+    const char *stations = cr_cmd_text(call, "c", NULL), *ride = cr_cmd_text(call, "ride", NULL);
+    const char *outline = cr_cmd_text(call, "outline", NULL);
     m->face = (enum cr_face)cr_cmd_word(call, "face", (int)m->face);
-    m->length = cr_cmd_number(call, "length", m->length);
-    m->offset = cr_cmd_number(call, "offset", m->offset);
+    take_number(call, "length", &m->length, &m->length_tol);
+    take_number(call, "offset", &m->offset, &m->offset_tol);
+    take_number(call, "pdof", &m->pdof, &m->pdof_tol);
     m->direct = cr_cmd_number(call, "direct", m->direct);
     m->direct_offset = cr_cmd_number(call, "at", m->direct_offset);
-    m->pdof = cr_cmd_number(call, "pdof", m->pdof);
+    if (ride != NULL) {
+        cr_crush_ride(cr_cmd_word(call, "ride", 0) == 0 ? "under" : "over", m);
+    }
     m->z_lo = cr_cmd_number(call, "low", m->z_lo);
     m->z_hi = cr_cmd_number(call, "high", m->z_hi);
     m->depth_tol = cr_cmd_number(call, "tape", m->depth_tol);
-    if (stations == NULL) {
-        return CR_ERR_OK;
+    if (stations != NULL) {
+        enum cr_err code = cr_crush_stations_read(stations, m, err);
+        if (code != CR_ERR_OK) {
+            return cr_cmd_blame(call, "c", code);
+        }
     }
-    enum cr_err code = read_stations(stations, m, err);
-    return code == CR_ERR_OK ? code : cr_cmd_blame(call, "c", code);
+    if (outline != NULL) {
+        enum cr_err code = cr_crush_outline_read(outline, m, err);
+        return code == CR_ERR_OK ? code : cr_cmd_blame(call, "outline", code);
+    }
+    return CR_ERR_OK;
 }
 
 static enum cr_err take_note(struct cr_call *call, const char *id, struct cr_error *err) {
@@ -90,7 +77,7 @@ static enum cr_err take_note(struct cr_call *call, const char *id, struct cr_err
     if (code != CR_ERR_OK) {
         return code;
     }
-    if (m.stations == 0) {
+    if (m.stations == 0 && !m.guessed) {
         cr_err_set(err, CR_ERR_MISSING, "nothing was measured of %s yet", id);
         cr_err_hint(err, "damage %s face=front length=1.4m c=12,14,20,22,18,10cm", id);
         return cr_cmd_blame(call, "NAME", CR_ERR_MISSING);
@@ -109,51 +96,83 @@ static enum cr_err take_note(struct cr_call *call, const char *id, struct cr_err
     return CR_ERR_OK;
 }
 
-/* a copy of the scene with all its values, which the caller frees */
-static enum cr_err resolve(struct cr_session *s, struct cr_scene *out, struct cr_error *err) {
-    struct cr_assumed assumed = {0};
-    enum cr_err code = cr_scene_copy(cr_session_scene(s), out, err);
+/* What is worked with: a copy of the scene with all its values, and what follows. */
+struct back {
+    struct cr_scene scene;
+    struct cr_assumed assumed;
+    struct cr_arena arena;
+    struct cr_crush_rules rules;
+    struct cr_crush_case what;
+    struct cr_crush_impact impact;
+};
+
+static enum cr_err resolve(struct cr_session *s, struct back *out, struct cr_error *err) {
+    enum cr_err code = cr_scene_copy(cr_session_scene(s), &out->scene, err);
     if (code == CR_ERR_OK) {
-        code = cr_cmd_resolve(out, s->models, &assumed, err);
+        code = cr_cmd_resolve(&out->scene, s->models, &out->assumed, err);
         if (code != CR_ERR_OK) {
             cr_cmd_name_place(cr_session_scene(s), err);
-            cr_scene_fini(out);
         }
     }
-    cr_assumed_fini(&assumed);
     return code;
 }
 
-/* the vehicle, and its partner: against=, or the other one whose damage is known */
-static enum cr_err open_case(struct cr_call *call, const char *id, struct cr_scene *scene,
-                             struct cr_arena *arena, struct cr_crush_case *out,
+/* The vehicle, and its partner: against=, or the other one whose damage is known. Names it, or an
+ * object, or nobody (NULL). */
+static const char *partner_of(struct cr_call *call, const char *id, struct back *b) {
+    const struct cr_damage_notes *notes = call->s->damage;
+    const char *other = cr_cmd_text(call, "against", NULL);
+    for (int i = 0; i < notes->n && other == NULL; i++) {
+        bool there = cr_scene_find(&b->scene, notes->id[i]) != NULL;
+        other = there && strcmp(notes->id[i], id) != 0 ? notes->id[i] : NULL;
+    }
+    return other;
+}
+
+static enum cr_err open_car(struct cr_session *s, struct back *b, int i, const char *id,
+                            const struct cr_measured *partner, struct cr_error *err) {
+    struct cr_participant *p = cr_scene_find(&b->scene, id);
+    struct cr_measured m = *note_of(s->damage, id);
+    double reference, spread = b->assumed.mass_spread[p - b->scene.part];
+    cr_model_dims(s->models, p->type, &reference);
+    /* what the command vehicle took for want of a mass is no better known than any of the type */
+    spread = p->mass == reference ? cr_mass_spread_by_type : spread;
+    cr_crush_mass(p, spread, &m);
+    if (m.guessed && (partner == NULL || partner->guessed)) {
+        cr_err_set(err, CR_ERR_MISSING, "what is unknown of %s needs a partner that was measured",
+                   id);
+        cr_err_hint(err, "damage B face=rear length=1.2m c=10,20,20,10cm against=%s", id);
+        return CR_ERR_MISSING;
+    }
+    if (m.guessed) {
+        cr_crush_guess(partner, p, &m);
+    }
+    return cr_crush_open(s->models, p, &m, &b->arena, &b->what.car[i], err);
+}
+
+static enum cr_err open_case(struct cr_call *call, const char *id, struct back *b,
                              struct cr_error *err) {
     struct cr_session *s = call->s;
-    const char *other = cr_cmd_text(call, "against", NULL);
-    *out = (struct cr_crush_case){.n = 1, .object_mass = NAN, .restitution = NAN};
-    enum cr_err code = cr_crush_open(s->models, cr_scene_find(scene, id), note_of(s->damage, id),
-                                     arena, &out->car[0], err);
-    for (int i = 0; i < s->damage->n && other == NULL; i++) {
-        bool there = cr_scene_find(scene, s->damage->id[i]) != NULL;
-        other = there && strcmp(s->damage->id[i], id) != 0 ? s->damage->id[i] : NULL;
-    }
-    struct cr_participant *p = other != NULL ? cr_scene_find(scene, other) : NULL;
-    if (code != CR_ERR_OK || p == NULL) {
-        return code;
-    }
-    if (p->kind == CR_KIND_OBJECT) {
-        out->object = true;
-        out->object_mass = p->mass;
-        return CR_ERR_OK;
-    }
-    struct cr_measured *m = note_of(s->damage, other);
-    if (m == NULL || strcmp(other, id) == 0) {
+    const char *other = partner_of(call, id, b);
+    struct cr_participant *p = other != NULL ? cr_scene_find(&b->scene, other) : NULL;
+    struct cr_measured *m = other != NULL ? note_of(s->damage, other) : NULL;
+    b->what = (struct cr_crush_case){
+        .n = 1, .object_mass = NAN, .restitution = NAN, .restitution_tol = NAN};
+    if (p != NULL && p->kind == CR_KIND_OBJECT) {
+        b->what.object = true;
+        b->what.object_mass = p->mass;
+    } else if (p != NULL && (m == NULL || strcmp(other, id) == 0)) {
         cr_err_set(err, CR_ERR_MISSING, "nothing was measured of %s yet", other);
-        cr_err_hint(err, "damage %s face=front length=1.4m c=12,14,20,22,18,10cm", other);
+        cr_err_hint(err, "damage %s face=front length=1.4m c=12,14,20,22,18,10cm, or c=unknown",
+                    other);
         return cr_cmd_blame(call, "against", CR_ERR_MISSING);
+    } else if (p != NULL) {
+        b->what.n = 2;
     }
-    out->n = 2;
-    return cr_crush_open(s->models, p, m, arena, &out->car[1], err);
+    enum cr_err code = open_car(s, b, 0, id, b->what.n == 2 ? m : NULL, err);
+    return code == CR_ERR_OK && b->what.n == 2
+               ? open_car(s, b, 1, other, note_of(s->damage, id), err)
+               : code;
 }
 
 static enum cr_err read_rules(struct cr_session *s, struct cr_crush_rules *out,
@@ -202,36 +221,37 @@ static enum cr_err write_file(struct cr_call *call, const struct cr_crush_case *
 
 static enum cr_err work_back(struct cr_call *call, const char *id, struct cr_error *err) {
     struct cr_session *s = call->s;
-    struct cr_scene scene;
-    struct cr_arena arena = {0};
-    struct cr_crush_case what;
-    struct cr_crush_rules rules;
-    struct cr_crush_impact impact;
     struct cr_str text = {0};
-    enum cr_err code = resolve(s, &scene, err);
-    if (code != CR_ERR_OK) {
-        return code;
+    struct back *b = calloc(1, sizeof *b);
+    if (b == NULL) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for the damage");
     }
-    code = read_rules(s, &rules, err);
+    cr_scene_init(&b->scene);
+    enum cr_err code = resolve(s, b, err);
     if (code == CR_ERR_OK) {
-        code = open_case(call, id, &scene, &arena, &what, err);
-    }
-    if (code == CR_ERR_OK) {
-        code = cr_crush_solve(&what, &rules, &impact, err);
+        code = read_rules(s, &b->rules, err);
     }
     if (code == CR_ERR_OK) {
-        code = cr_crush_text(&what, &impact, &text, err);
+        code = open_case(call, id, b, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_crush_solve(&b->what, &b->rules, &b->impact, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_crush_text(&b->what, &b->impact, &text, err);
     }
     if (code == CR_ERR_OK) {
         cr_session_lines(s, &text);
-        code = cr_cmd_given(call, "picture") ? say_picture(s, &what, &rules, err) : code;
+        code = cr_cmd_given(call, "picture") ? say_picture(s, &b->what, &b->rules, err) : code;
     }
     if (code == CR_ERR_OK) {
-        code = write_file(call, &what, &impact, err);
+        code = write_file(call, &b->what, &b->impact, err);
     }
     cr_str_fini(&text);
-    cr_arena_free(&arena);
-    cr_scene_fini(&scene);
+    cr_arena_free(&b->arena);
+    cr_assumed_fini(&b->assumed);
+    cr_scene_fini(&b->scene);
+    free(b);
     return code;
 }
 

@@ -55,6 +55,15 @@ enum cr_err cr_cmd_set_keys(struct cr_call *call, struct cr_scene *scene, const 
     return code;
 }
 
+bool cr_cmd_is_arg(const struct cr_call *call, const struct cr_token *tok) {
+    for (int k = 0; call->cmd->arg[k].name != NULL; k++) {
+        if (call->value[k].token == tok) {
+            return true;
+        }
+    }
+    return false;
+}
+
 int cr_cmd_keys_given(const struct cr_call *call) {
     int n = 0;
     for (int i = 0; call->cmd->arg[i].name != NULL; i++) {

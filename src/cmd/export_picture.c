@@ -132,151 +132,40 @@ enum cr_err cr_export_mc(struct cr_export *x, struct cr_error *err) {
 
 /* ---- the sweep ---- */
 
-enum { WIDTH = 500, MARGIN = 10, HEIGHT = 300 };
-
-static double shown(const struct cr_sweep_axis *axis, double si) {
-    return si * axis->unit->div / axis->unit->mul;
-}
-
-static void axis_name(const struct cr_sweep_axis *axis, char *buf, size_t size) {
-    snprintf(buf, size, "%s%s%s", axis->key, axis->unit->name[0] != '\0' ? ", " : "",
-             axis->unit->name);
-}
-
-static bool usable(const struct cr_sweep_run *run) {
-    return run->done && !run->failed;
-}
-
-/* what is drawn: the measure and participant of plot=, else the EES of all */
-struct drawn {
-    const struct cr_measure *measure;
-    int part; /* -1: all */
-};
-
-static enum cr_err curves(const struct cr_sweep *sweep, const struct drawn *what,
-                          struct cr_canvas *canvas, struct cr_error *err) {
-    struct cr_arena arena = {0};
-    struct cr_curve_line line[CR_BODY_MAX];
-    char x_name[CR_NAME_MAX + 64];
-    int n = 0;
-    double *x = cr_arena_take(&arena, (size_t)sweep->n, sizeof *x);
-    double *y = cr_arena_take(&arena, (size_t)sweep->n * CR_BODY_MAX, sizeof *y);
-    if (x == NULL || y == NULL) {
-        cr_arena_free(&arena);
-        return cr_err_set(err, CR_ERR_MEMORY, "out of memory");
-    }
-    for (int p = 0; p < sweep->participants; p++) {
-        double *own = y + (size_t)p * (size_t)sweep->n;
-        bool any = false;
-        for (int i = 0; i < sweep->n; i++) {
-            const struct cr_sweep_run *run = &sweep->run[i];
-            x[i] = shown(&sweep->axis[0], run->at[0]);
-            own[i] = usable(run) ? cr_measure_shown(what->measure, &run->of[p]) : (double)NAN;
-            any = any || (usable(run) && (run->of[p].ees > 0 || what->part == p));
-        }
-        if (any && (what->part < 0 || what->part == p)) {
-            line[n++] = (struct cr_curve_line){.x = x,
-                                               .y = own,
-                                               .n = sweep->n,
-                                               .mark = sweep->id[p][0],
-                                               .name = sweep->id[p],
-                                               .role = cr_render_role_of(p)};
-        }
-    }
-    axis_name(&sweep->axis[0], x_name, sizeof x_name);
-    struct cr_plot plot = {.title = what->measure->name,
-                           .x_unit = x_name,
-                           .y_unit = what->measure->unit,
-                           .curves = n,
-                           .curve = line,
-                           .cursor = NAN};
-    cr_figure_plot(canvas, (struct cr_box){MARGIN, MARGIN, WIDTH - 2 * MARGIN, HEIGHT - 2 * MARGIN},
-                   &plot, NULL);
-    cr_arena_free(&arena);
-    return CR_ERR_OK;
-}
-
-static enum cr_err map(const struct cr_sweep *sweep, const struct drawn *what, int part, int row,
-                       struct cr_canvas *canvas, struct cr_error *err) {
-    const struct cr_sweep_axis *down = &sweep->axis[0], *across = &sweep->axis[1];
-    struct cr_arena arena = {0};
-    char names[3][CR_NAME_MAX + 96];
-    double *x = cr_arena_take(&arena, (size_t)across->n, sizeof *x);
-    double *y = cr_arena_take(&arena, (size_t)down->n, sizeof *y);
-    double *value = cr_arena_take(&arena, (size_t)sweep->n, sizeof *value);
-    if (x == NULL || y == NULL || value == NULL) {
-        cr_arena_free(&arena);
-        return cr_err_set(err, CR_ERR_MEMORY, "out of memory");
-    }
-    for (int i = 0; i < sweep->n; i++) {
-        const struct cr_sweep_run *run = &sweep->run[i];
-        x[i % across->n] = shown(across, across->value[i % across->n]);
-        y[i / across->n] = shown(down, down->value[i / across->n]);
-        value[i] = usable(run) ? cr_measure_shown(what->measure, &run->of[part]) : (double)NAN;
-    }
-    snprintf(names[0], sizeof names[0], "%s.%s, %s", sweep->id[part], what->measure->name,
-             what->measure->unit);
-    axis_name(across, names[1], sizeof names[1]);
-    axis_name(down, names[2], sizeof names[2]);
-    struct cr_heat_map m = {.title = names[0],
-                            .x_name = names[1],
-                            .y_name = names[2],
-                            .nx = across->n,
-                            .ny = down->n,
-                            .x = x,
-                            .y = y,
-                            .value = value,
-                            .decimals = what->measure->decimals};
-    cr_figure_map(
-        canvas,
-        (struct cr_box){MARGIN, MARGIN + row * HEIGHT, WIDTH - 2 * MARGIN, HEIGHT - 2 * MARGIN}, &m,
-        NULL);
-    cr_arena_free(&arena);
-    return CR_ERR_OK;
-}
-
-/* one map below the other, for each participant that is deformed somewhere */
-static enum cr_err maps(const struct cr_sweep *sweep, const struct drawn *what,
-                        struct cr_canvas **canvas, struct cr_error *err) {
-    int part[CR_BODY_MAX], n = 0;
-    for (int p = 0; p < sweep->participants; p++) {
-        bool any = what->part == p;
-        for (int i = 0; i < sweep->n && what->part < 0; i++) {
-            any = any || (usable(&sweep->run[i]) && sweep->run[i].of[p].ees > 0);
-        }
-        if (any) {
-            part[n++] = p;
-        }
-    }
-    *canvas = cr_canvas_new(WIDTH, HEIGHT * (n > 0 ? n : 1));
-    enum cr_err code =
-        *canvas != NULL ? CR_ERR_OK : cr_err_set(err, CR_ERR_MEMORY, "out of memory");
-    for (int i = 0; i < n && code == CR_ERR_OK; i++) {
-        code = map(sweep, what, part[i], i, *canvas, err);
-    }
-    return code;
-}
-
+/* all pictures one below the other, as many as fit on a sheet that can be shown */
 enum cr_err cr_export_sweep(struct cr_export *x, struct cr_error *err) {
-    const struct cr_sweep *sweep = x->s->sweep;
-    struct drawn what = {.measure = NULL};
-    struct cr_canvas *canvas = NULL;
+    enum { WIDTH = 500, MARGIN = 10, HEIGHT = 300, MOST = 48 };
+    struct cr_sweep *sweep = x->s->sweep;
     if (sweep == NULL) {
         return cr_sweep_say(x->s, err);
     }
-    enum cr_err code = cr_sweep_what(x->call, sweep, &what.part, &what.measure, err);
+    enum cr_err code =
+        cr_cmd_given(x->call, "plot") ? cr_sweep_plots(x->call, sweep, err) : CR_ERR_OK;
+    int all = cr_sweep_pictures(sweep), n = all < MOST ? all : MOST;
     if (code != CR_ERR_OK) {
         return code;
     }
-    if (sweep->axes == 2) {
-        code = maps(sweep, &what, &canvas, err);
-    } else {
-        canvas = cr_canvas_new(WIDTH, HEIGHT);
-        code = canvas != NULL ? curves(sweep, &what, canvas, err)
-                              : cr_err_set(err, CR_ERR_MEMORY, "out of memory");
+    struct cr_canvas *canvas = cr_canvas_new(WIDTH, HEIGHT * (n > 0 ? n : 1));
+    code = canvas != NULL ? CR_ERR_OK : cr_err_set(err, CR_ERR_MEMORY, "out of memory");
+    for (int k = 0; k < n && code == CR_ERR_OK; k++) {
+        const struct cr_box box = {MARGIN, MARGIN + k * HEIGHT, WIDTH - 2 * MARGIN,
+                                   HEIGHT - 2 * MARGIN};
+        struct cr_sweep_picture picture;
+        code = cr_sweep_make(sweep, k, x->s->units, -1, &picture, err);
+        if (code == CR_ERR_OK) {
+            if (picture.is_map) {
+                cr_figure_map(canvas, box, &picture.map, NULL);
+            } else {
+                cr_figure_plot(canvas, box, &picture.plot, NULL);
+            }
+            cr_arena_free(&picture.arena);
+        }
     }
     if (code == CR_ERR_OK) {
         code = to_text(x, canvas, err);
+    }
+    if (code == CR_ERR_OK && all > n) {
+        cr_warn(x->s, "%d of %d pictures; the CSV has all runs", n, all);
     }
     cr_canvas_free(canvas);
     return code;

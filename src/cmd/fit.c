@@ -51,24 +51,15 @@ static enum cr_err add_input(struct cr_call *call, const struct cr_token *tok,
     if (code != CR_ERR_OK) {
         return code;
     }
-    *in = (struct cr_study_input){.unit = cr_unit_find(var->key->unit, var->key->dim)};
+    *in = (struct cr_study_input){.unit = cr_unit_find(var->key.unit, var->key.dim)};
     snprintf(in->key, sizeof in->key, "%s", pair ? tok->key : tok->text);
     in->value = cr_vary_now(call->s, var);
     cr_fit_bounds(in->key, isnan(in->value) ? 0 : in->value, &in->lo, &in->hi);
     if (pair) {
-        code = cr_fit_range(tok->text, var->key->dim, in->unit, &in->lo, &in->hi, err);
+        code = cr_fit_range(tok->text, var->key.dim, in->unit, &in->lo, &in->hi, err);
     }
     study->n += code == CR_ERR_OK;
     return code;
-}
-
-static bool is_own(const struct cr_call *call, const struct cr_token *tok) {
-    for (int k = 0; call->cmd->arg[k].name != NULL; k++) {
-        if (call->value[k].token == tok) {
-            return true;
-        }
-    }
-    return false;
 }
 
 static enum cr_err read_words(struct cr_call *call, struct cr_study *study, struct searched *d,
@@ -78,7 +69,7 @@ static enum cr_err read_words(struct cr_call *call, struct cr_study *study, stru
     for (int i = call->rest; i < t->n; i++) {
         const struct cr_token *tok = &t->tok[i];
         enum cr_err code = CR_ERR_OK;
-        if (is_own(call, tok) || tok->kind == CR_TOKEN_FLAG) {
+        if (cr_cmd_is_arg(call, tok) || tok->kind == CR_TOKEN_FLAG) {
             continue;
         }
         call->blame = tok;

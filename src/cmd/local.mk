@@ -36,6 +36,8 @@ libcmd_a_SOURCES = \
 	src/cmd/solve.c \
 	src/cmd/state.c \
 	src/cmd/sweep.c src/cmd/sweep.h \
+	src/cmd/sweep_axis.c \
+	src/cmd/sweep_picture.c \
 	src/cmd/sweep_table.c \
 	src/cmd/table.c \
 	src/cmd/token.c \

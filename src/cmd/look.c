@@ -211,8 +211,10 @@ static enum cr_err show_pane(struct cr_session *s, enum cr_pane pane, struct cr_
         return show_scene(s, err);
     case CR_PANE_TABLE:
         return show_table(s, NAN, err);
-    case CR_PANE_SWEEP:
-        return cr_sweep_say(s, err);
+    case CR_PANE_SWEEP: {
+        enum cr_err code = cr_sweep_say(s, err);
+        return code == CR_ERR_OK ? cr_sweep_draw(s, err) : code;
+    }
     case CR_PANE_PULSE:
     case CR_PANE_ENERGY: {
         enum cr_err code = cr_session_need_result(s, err);
@@ -235,6 +237,9 @@ enum cr_err cr_cmd_view(struct cr_call *call, struct cr_error *err) {
     struct cr_session *s = call->s;
     s->view.pane = (enum cr_pane)cr_cmd_word(call, "PANE", (int)s->view.pane);
     s->view.zoom = cr_cmd_word(call, "zoom", s->view.zoom ? 0 : 1) == 0;
+    if (cr_cmd_given(call, "picture")) {
+        s->view.sweep_picture = (int)cr_cmd_number(call, "picture", 0);
+    }
     if (cr_cmd_given(call, "theme")) {
         const struct cr_arg *arg = &call->cmd->arg[cr_cmd_arg(call, "theme") - call->value];
         cr_cmd_word_at(arg->words, cr_cmd_word(call, "theme", 0), s->view.theme,

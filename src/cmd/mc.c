@@ -13,7 +13,8 @@
 struct draws {
     const struct cr_state *base;
     const struct cr_model_lib *models;
-    struct cr_vary var[CR_STUDY_INPUTS]; /* of inputs named on the line; key NULL: the scene's */
+    struct cr_vary
+        var[CR_STUDY_INPUTS]; /* of inputs named on the line; without a key: the scene's */
     struct cr_session *session;
 };
 
@@ -23,7 +24,7 @@ static enum cr_err make(const struct cr_study *study, const double *value, struc
     struct cr_state *state = NULL;
     enum cr_err code = cr_state_dup(d->base, &state, err);
     for (int i = 0; i < study->n && code == CR_ERR_OK; i++) {
-        if (d->var[i].key != NULL) {
+        if (d->var[i].key.name != NULL) {
             code = cr_vary_apply(state, &d->var[i], value[i], err);
         } else {
             cr_study_put(study, i, value[i], &state->scene);
@@ -55,11 +56,11 @@ static void limit_input(struct cr_session *s, const struct cr_vary *var,
                         struct cr_study_input *in) {
     in->lo = -INFINITY;
     in->hi = INFINITY;
-    bool setting = var->key->setting;
+    bool setting = var->key.setting;
     unsigned mask =
         setting ? 0 : cr_scene_kind_mask(cr_scene_find(&cr_session_now(s)->scene, var->id));
     const struct cr_key *key =
-        cr_scene_key_find(setting ? CR_KEYS_SETTINGS : CR_KEYS_PARTICIPANT, var->key->key, mask);
+        cr_scene_key_find(setting ? CR_KEYS_SETTINGS : CR_KEYS_PARTICIPANT, var->key.key, mask);
     if (key != NULL) {
         in->lo = cr_unit_to_si(cr_scene_key_unit(key), key->lo);
         in->hi = cr_unit_to_si(cr_scene_key_unit(key), key->hi);
@@ -75,16 +76,16 @@ static enum cr_err add_input(struct cr_call *call, const struct cr_token *tok,
     if (code != CR_ERR_OK) {
         return code;
     }
-    in.unit = cr_unit_find(var.key->unit, var.key->dim);
-    code = cr_tolerance_read(tok->text, var.key->dim, in.unit, &in.value, &how, err);
+    in.unit = cr_unit_find(var.key.unit, var.key.dim);
+    code = cr_tolerance_read(tok->text, var.key.dim, in.unit, &in.value, &how, err);
     if (code != CR_ERR_OK) {
         return code;
     }
     in.half = how.half;
     in.spread = how.spread;
     snprintf(in.group, sizeof in.group, "%s", how.group);
-    snprintf(in.key, sizeof in.key, "%s%s%s", var.id, var.key->setting ? "" : ".",
-             cr_vary_is_place(&var) ? var.key->name : var.key->key);
+    snprintf(in.key, sizeof in.key, "%s%s%s", var.id, var.key.setting ? "" : ".",
+             cr_vary_is_place(&var) ? var.key.name : var.key.key);
     limit_input(call->s, &var, &in);
     for (int i = study->n - 1; i >= 0; i--) { /* the line says it better than the scene */
         if (strcmp(study->in[i].key, in.key) == 0) {
@@ -104,11 +105,7 @@ static enum cr_err read_inputs(struct cr_call *call, struct cr_study *study, str
     const struct cr_tokens *t = call->tokens;
     for (int i = call->rest; i < t->n; i++) {
         const struct cr_token *tok = &t->tok[i];
-        bool own = false;
-        for (int k = 0; call->cmd->arg[k].name != NULL; k++) {
-            own = own || call->value[k].token == tok;
-        }
-        if (own) {
+        if (cr_cmd_is_arg(call, tok)) {
             continue;
         }
         call->blame = tok;

@@ -18,11 +18,8 @@ static enum cr_err say_type(struct cr_session *s, enum cr_type type, struct cr_e
 }
 
 /* "suv", "suv/12", "ees/suv/12" */
-static enum cr_err read_model(struct cr_call *call, const char *text, struct cr_model_name *out,
-                              struct cr_error *err) {
-    text += strncmp(text, "ees/", 4) == 0 ? 4 : 0;
-    enum cr_err code = cr_model_name_read(text, out, err);
-    return code == CR_ERR_OK ? code : cr_cmd_blame(call, "MODEL", code);
+static enum cr_err read_model(const char *text, struct cr_model_name *out, struct cr_error *err) {
+    return cr_model_name_read(text + (strncmp(text, "ees/", 4) == 0 ? 4 : 0), out, err);
 }
 
 static enum cr_err model_info(struct cr_call *call, struct cr_error *err) {
@@ -44,8 +41,9 @@ static enum cr_err model_info(struct cr_call *call, struct cr_error *err) {
         cr_err_hint(err, "for example: model info suv/12");
         return CR_ERR_MISSING;
     }
-    code = read_model(call, text, &model, err);
-    code = code == CR_ERR_OK ? say_type(call->s, model.type, err) : code;
+    code = read_model(text, &model, err);
+    code =
+        code == CR_ERR_OK ? say_type(call->s, model.type, err) : cr_cmd_blame(call, "MODEL", code);
     if (code != CR_ERR_OK) {
         return code;
     }
@@ -62,18 +60,14 @@ static bool is_file(const char *text) {
            (strcmp(text + n - 4, ".csv") == 0 || (n > 5 && strcmp(text + n - 5, ".json") == 0));
 }
 
-static enum cr_err choose_model(struct cr_call *call, struct cr_scene *scene, const char *id,
-                                struct cr_error *err) {
-    const char *text = cr_cmd_text(call, "MODEL", NULL);
+enum cr_err cr_model_take(struct cr_scene *scene, const char *id, const char *text,
+                          struct cr_error *err) {
     struct cr_model_name model;
     char value[16];
-    if (text == NULL) {
-        return CR_ERR_OK;
-    }
     if (is_file(text)) {
-        return cr_cmd_blame(call, "MODEL", cr_cmd_set_text(scene, id, "model.file", text, err));
+        return cr_cmd_set_text(scene, id, "model.file", text, err);
     }
-    enum cr_err code = read_model(call, text, &model, err);
+    enum cr_err code = read_model(text, &model, err);
     if (code != CR_ERR_OK) {
         return code;
     }
@@ -88,6 +82,13 @@ static enum cr_err choose_model(struct cr_call *call, struct cr_scene *scene, co
                ? cr_cmd_set_text(scene, id, model.clock > 0 ? "model.pdof_clock" : "model.pdof",
                                  model.clock > 0 ? value : "auto", err)
                : code;
+}
+
+static enum cr_err choose_model(struct cr_call *call, struct cr_scene *scene, const char *id,
+                                struct cr_error *err) {
+    const char *text = cr_cmd_text(call, "MODEL", NULL);
+    enum cr_err code = text != NULL ? cr_model_take(scene, id, text, err) : CR_ERR_OK;
+    return code == CR_ERR_OK ? code : cr_cmd_blame(call, "MODEL", code);
 }
 
 static enum cr_err choose_stiffness(struct cr_call *call, struct cr_scene *scene, const char *id,

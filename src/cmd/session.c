@@ -62,8 +62,13 @@ enum cr_err cr_session_make(const struct cr_session_opts *opts, struct cr_sessio
 
 void cr_sweep_free(struct cr_sweep *sweep) {
     if (sweep != NULL) {
-        free(sweep->axis[0].value);
-        free(sweep->axis[1].value);
+        for (int a = 0; a < CR_SWEEP_AXES; a++) {
+            free(sweep->axis[a].value);
+            for (int i = 0; sweep->axis[a].word != NULL && i < sweep->axis[a].n; i++) {
+                free(sweep->axis[a].word[i]);
+            }
+            free(sweep->axis[a].word);
+        }
         free(sweep->run);
         free(sweep->severity);
         free(sweep);

@@ -1,11 +1,12 @@
-/* sweep: the scene solved for a range of values of one or two inputs, several runs at a time. */
+/* sweep: the scene solved for values of some inputs, all combinations or draws, several runs at a
+ * time. */
 #include "cmd/sweep.h"
 
 #include "cmd/measure.h"
-#include "cmd/vary.h"
 
 #include "base/file.h"
 #include "base/pool.h"
+#include "base/random.h"
 
 #include <math.h>
 #include <stdatomic.h>
@@ -14,83 +15,7 @@
 #include <string.h>
 #include <time.h>
 
-enum { AXIS_MAX = 1000, RUNS_MAX = 10000 };
-
-/* ---- ranges: from:to:step, or a,b,c ---- */
-
-static enum cr_err bad_range(const char *text, struct cr_error *err) {
-    cr_err_set(err, CR_ERR_SYNTAX, "'%.60s' is no range", text);
-    cr_err_hint(err, "FROM:TO:STEP or A,B,C, for example 30:80:10km/h");
-    return CR_ERR_SYNTAX;
-}
-
-struct numbers {
-    int n, max; /* of a range from:to:step at most 3 */
-    double x[AXIS_MAX];
-};
-
-/* numbers separated by `sep`; one without a unit takes that of another */
-static enum cr_err read_numbers(const char *text, char sep, const struct cr_unit *usual,
-                                struct numbers *out, struct cr_error *err) {
-    enum cr_dim dim = usual->dim;
-    char part[64];
-    const char *end;
-    const struct cr_unit *unit = usual;
-    for (const char *p = text; *p != '\0'; p += strcspn(p, ":,"), p += *p != '\0') {
-        snprintf(part, sizeof part, "%.*s", (int)strcspn(p, ":,"), p);
-        cr_number_scan(part, &end);
-        if (end != part && *end != '\0' && cr_unit_find(end, dim) != NULL) {
-            unit = cr_unit_find(end, dim);
-        }
-    }
-    out->n = 0;
-    for (;;) {
-        size_t len = strcspn(text, ":,");
-        if (out->n == out->max || (text[len] != '\0' && text[len] != sep)) {
-            return bad_range(text, err);
-        }
-        snprintf(part, sizeof part, "%.*s", (int)(len < sizeof part ? len : 0), text);
-        enum cr_err code = cr_unit_parse(part, dim, unit, &out->x[out->n++], NULL, err);
-        if (code != CR_ERR_OK) {
-            return code;
-        }
-        if (text[len] == '\0') {
-            return CR_ERR_OK;
-        }
-        text += len + 1;
-    }
-}
-
-static enum cr_err read_range(const char *text, const struct cr_sweep_key *key,
-                              struct cr_sweep_axis *axis, struct cr_error *err) {
-    bool colon = strchr(text, ':') != NULL;
-    struct numbers numbers = {.max = colon ? 3 : AXIS_MAX};
-    axis->unit = cr_unit_find(key->unit, key->dim);
-    enum cr_err code = read_numbers(text, colon ? ':' : ',', axis->unit, &numbers, err);
-    if (code != CR_ERR_OK) {
-        return code;
-    }
-    const double *number = numbers.x;
-    int n = numbers.n;
-    if (colon && n != 3) {
-        return bad_range(text, err);
-    }
-    double from = number[0], to = number[n > 1 ? 1 : 0], step = number[n > 2 ? 2 : 0];
-    if (colon && (step == 0 || (to - from) / step < 0 || (to - from) / step > AXIS_MAX - 1)) {
-        cr_err_set(err, CR_ERR_RANGE, "'%.60s' has no or more than %d steps", text, AXIS_MAX);
-        cr_err_hint(err, "the step leads from the first value to the second");
-        return CR_ERR_RANGE;
-    }
-    axis->n = colon ? (int)floor((to - from) / step + 1e-9) + 1 : n;
-    axis->value = calloc((size_t)axis->n, sizeof *axis->value);
-    if (axis->value == NULL) {
-        return cr_err_set(err, CR_ERR_MEMORY, "out of memory");
-    }
-    for (int i = 0; i < axis->n; i++) {
-        axis->value[i] = colon ? from + i * step : number[i];
-    }
-    return CR_ERR_OK;
-}
+enum { RUNS_MAX = 10000 };
 
 /* shared by the threads of a sweep; the session itself is not touched by them */
 struct job {
@@ -126,6 +51,19 @@ static int stopped_or_late(void *user) {
     return stopped(turn->job) != 0 ? (int)CR_CANCEL_USER : late ? CR_CANCEL_TIME : CR_CANCEL_NO;
 }
 
+/* the values of a run, in a state of its own */
+static enum cr_err apply(struct cr_state *state, const struct cr_sweep *sweep,
+                         const struct cr_vary *var, const struct cr_sweep_run *run,
+                         const struct cr_model_lib *models, struct cr_error *err) {
+    enum cr_err code = CR_ERR_OK;
+    for (int a = 0; a < sweep->axes && code == CR_ERR_OK; a++) {
+        const struct cr_sweep_axis *axis = &sweep->axis[a];
+        code = axis->word != NULL ? cr_vary_word(state, &var[a], axis->word[(int)run->at[a]], err)
+                                  : cr_vary_apply(state, &var[a], run->at[a], err);
+    }
+    return code == CR_ERR_OK ? cr_vary_settle(state, models, err) : code;
+}
+
 static void keep(struct cr_sweep_run *run, const struct cr_result *r) {
     for (int i = 0; i < r->resolved.n; i++) { /* the outlines stay with the result */
         run->of[i] = r->of[i];
@@ -149,11 +87,8 @@ static void solve_run(struct job *job, struct cr_sweep_run *run) {
     struct cr_result *result = NULL;
     struct cr_error err = {0};
     enum cr_err code = cr_state_dup(job->base, &state, &err);
-    for (int a = 0; a < job->sweep->axes && code == CR_ERR_OK; a++) {
-        code = cr_vary_apply(state, &job->var[a], run->at[a], &err);
-    }
     if (code == CR_ERR_OK) {
-        code = cr_vary_settle(state, job->models, &err);
+        code = apply(state, job->sweep, job->var, run, job->models, &err);
     }
     if (code == CR_ERR_OK) {
         code = cr_result_run(&state->scene, &ctx, &result, &err);
@@ -255,62 +190,47 @@ out:
 
 /* ---- the command ---- */
 
-/* words of the rest, "KEY RANGE" or "KEY=RANGE", that are no arguments of their own */
-static enum cr_err read_axes(struct cr_call *call, struct cr_sweep *sweep, struct cr_vary *var,
-                             struct cr_error *err) {
-    const struct cr_tokens *t = call->tokens;
-    const char *name = NULL;
-    for (int i = call->rest; i < t->n; i++) {
-        const struct cr_token *tok = &t->tok[i];
-        bool own = false;
-        for (int k = 0; call->cmd->arg[k].name != NULL; k++) {
-            own = own || call->value[k].token == tok;
+/* all combinations, the first axis slowest */
+static void combine(struct cr_sweep *sweep) {
+    for (int i = 0; i < sweep->n; i++) {
+        int rest = i;
+        for (int a = sweep->axes - 1; a >= 0; a--) {
+            const struct cr_sweep_axis *axis = &sweep->axis[a];
+            sweep->run[i].at[a] = axis->word != NULL ? rest % axis->n : axis->value[rest % axis->n];
+            rest /= axis->n;
         }
-        if (own) {
-            continue;
-        }
-        call->blame = tok;
-        if (sweep->axes == 2) {
-            cr_err_set(err, CR_ERR_SYNTAX, "a sweep varies one or two inputs");
-            return CR_ERR_SYNTAX;
-        }
-        if (name == NULL && tok->kind == CR_TOKEN_WORD) {
-            name = tok->text;
-            enum cr_err code = cr_vary_find(call->s, name, &var[sweep->axes], err);
-            if (code != CR_ERR_OK) {
-                return code;
-            }
-            continue;
-        }
-        name = tok->kind == CR_TOKEN_PAIR ? tok->key : name;
-        struct cr_sweep_axis *axis = &sweep->axis[sweep->axes];
-        enum cr_err code = cr_vary_find(call->s, name, &var[sweep->axes], err);
-        if (code == CR_ERR_OK) {
-            code = read_range(tok->text, var[sweep->axes].key, axis, err);
-        }
-        if (code != CR_ERR_OK) {
-            return code;
-        }
-        snprintf(axis->key, sizeof axis->key, "%s", name);
-        sweep->axes++;
-        name = NULL;
     }
-    if (name != NULL || sweep->axes == 0) {
-        cr_err_set(err, CR_ERR_MISSING, "%s%s", name != NULL ? name : "sweep",
-                   name != NULL ? " needs a range" : " needs KEY RANGE");
-        cr_err_hint(err, "for example: %s", call->cmd->example[0]);
-        return CR_ERR_MISSING;
-    }
-    call->blame = NULL;
-    return CR_ERR_OK;
 }
 
-static enum cr_err make_runs(struct cr_sweep *sweep, const struct cr_scene *scene,
-                             struct cr_error *err) {
-    long n = sweep->axis[0].n;
-    n *= sweep->axes > 1 ? sweep->axis[1].n : 1;
+static enum cr_err draw_runs(struct cr_sweep *sweep, uint64_t seed, struct cr_error *err) {
+    double *u = calloc((size_t)sweep->n * (size_t)sweep->axes, sizeof *u);
+    enum cr_err code = u != NULL ? cr_random_latin(seed, sweep->n, sweep->axes, u, err)
+                                 : cr_err_set(err, CR_ERR_MEMORY, "out of memory");
+    for (int i = 0; code == CR_ERR_OK && i < sweep->n; i++) {
+        for (int a = 0; a < sweep->axes; a++) {
+            const struct cr_sweep_axis *axis = &sweep->axis[a];
+            double share = u[i * sweep->axes + a];
+            int k = (int)(share * axis->n);
+            sweep->run[i].at[a] = axis->between
+                                      ? axis->value[0] + share * (axis->value[1] - axis->value[0])
+                                  : axis->word != NULL ? k
+                                                       : axis->value[k];
+        }
+    }
+    free(u);
+    return code;
+}
+
+static enum cr_err make_runs(struct cr_call *call, struct cr_sweep *sweep, struct cr_error *err) {
+    const struct cr_scene *scene = cr_session_scene(call->s);
+    double n = sweep->drawn ? cr_cmd_number(call, "draws", 0) : 1;
+    for (int a = 0; a < sweep->axes && !sweep->drawn; a++) {
+        n *= sweep->axis[a].n;
+    }
     if (n > RUNS_MAX) {
-        return cr_err_set(err, CR_ERR_RANGE, "%ld runs are more than %d", n, RUNS_MAX);
+        cr_err_set(err, CR_ERR_RANGE, "%.0f runs are more than %d", n, RUNS_MAX);
+        cr_err_hint(err, "draws=200 takes a Latin hypercube of them");
+        return CR_ERR_RANGE;
     }
     sweep->n = (int)n;
     sweep->run = calloc((size_t)n, sizeof *sweep->run);
@@ -318,16 +238,17 @@ static enum cr_err make_runs(struct cr_sweep *sweep, const struct cr_scene *scen
     if (sweep->run == NULL || sweep->severity == NULL) {
         return cr_err_set(err, CR_ERR_MEMORY, "out of memory");
     }
-    int inner = sweep->axes > 1 ? sweep->axis[1].n : 1;
     for (int i = 0; i < sweep->n; i++) {
         sweep->run[i].of = sweep->severity + (long)i * scene->n;
-        sweep->run[i].at[0] = sweep->axis[0].value[i / inner];
-        sweep->run[i].at[1] = sweep->axes > 1 ? sweep->axis[1].value[i % inner] : 0;
     }
     sweep->participants = scene->n;
     for (int i = 0; i < scene->n; i++) {
         snprintf(sweep->id[i], sizeof sweep->id[i], "%s", scene->part[i].id);
     }
+    if (sweep->drawn) {
+        return draw_runs(sweep, (uint64_t)cr_cmd_number(call, "seed", 1), err);
+    }
+    combine(sweep);
     return CR_ERR_OK;
 }
 
@@ -336,29 +257,28 @@ static enum cr_err take_row(struct cr_call *call, struct cr_error *err) {
     struct cr_session *s = call->s;
     const struct cr_sweep *sweep = s->sweep;
     int row = (int)cr_cmd_number(call, "row", 1);
-    struct cr_vary var;
+    struct cr_vary var[CR_SWEEP_AXES];
     struct cr_state *draft;
+    char text[CR_PATH_MAX];
     if (sweep == NULL || row > sweep->n) {
         cr_err_set(err, CR_ERR_RANGE, "the last sweep has %d runs", sweep != NULL ? sweep->n : 0);
         return cr_cmd_blame(call, "row", CR_ERR_RANGE);
     }
+    const struct cr_sweep_run *run = &sweep->run[row - 1];
     enum cr_err code = cr_session_need_models(s, err);
     if (code == CR_ERR_OK) {
         code = cr_cmd_edit(call, &draft, err);
     }
     for (int a = 0; a < sweep->axes && code == CR_ERR_OK; a++) {
-        code = cr_vary_find(s, sweep->axis[a].key, &var, err);
-        if (code == CR_ERR_OK) {
-            code = cr_vary_apply(draft, &var, sweep->run[row - 1].at[a], err);
-        }
-        if (code == CR_ERR_OK) {
-            cr_say(s, "%s = %.6g %s", sweep->axis[a].key,
-                   cr_unit_from_si(sweep->axis[a].unit, sweep->run[row - 1].at[a]),
-                   sweep->axis[a].unit->name);
-        }
+        code = cr_vary_any(s, sweep->axis[a].key, &var[a], err);
     }
     if (code == CR_ERR_OK) {
-        code = cr_vary_settle(draft, s->models, err);
+        code = apply(draft, sweep, var, run, s->models, err);
+    }
+    for (int a = 0; a < sweep->axes && code == CR_ERR_OK; a++) {
+        const struct cr_sweep_axis *axis = &sweep->axis[a];
+        cr_say(s, "%s = %s %s", axis->key,
+               cr_sweep_text(axis, run->at[a], CR_UNITS_SI, text, sizeof text), axis->unit->name);
     }
     return code == CR_ERR_OK ? code : cr_cmd_blame(call, "row", code);
 }
@@ -382,7 +302,7 @@ static enum cr_err write_csv(struct cr_call *call, struct cr_error *err) {
 
 enum cr_err cr_cmd_sweep(struct cr_call *call, struct cr_error *err) {
     struct cr_session *s = call->s;
-    struct cr_vary var[2];
+    struct cr_vary var[CR_SWEEP_AXES];
     if (cr_cmd_given(call, "row")) {
         return take_row(call, err);
     }
@@ -392,10 +312,10 @@ enum cr_err cr_cmd_sweep(struct cr_call *call, struct cr_error *err) {
     }
     enum cr_err code = cr_session_need_models(s, err);
     if (code == CR_ERR_OK) {
-        code = read_axes(call, sweep, var, err);
+        code = cr_sweep_axes(call, sweep, var, err);
     }
     if (code == CR_ERR_OK) {
-        code = make_runs(sweep, cr_session_scene(s), err);
+        code = make_runs(call, sweep, err);
     }
     if (code == CR_ERR_OK) {
         code = cr_sweep_plots(call, sweep, err);
@@ -417,7 +337,7 @@ enum cr_err cr_cmd_sweep(struct cr_call *call, struct cr_error *err) {
         code = cr_sweep_say(s, err);
     }
     if (code == CR_ERR_OK) {
-        code = cr_sweep_draw(call, err);
+        code = cr_sweep_draw(s, err);
     }
     if (code == CR_ERR_OK) {
         code = write_csv(call, err);

@@ -1,24 +1,40 @@
-/* What came out of a sweep: table, curve or heat map, CSV. */
+/* What came out of a sweep: table, CSV. */
 #include "cmd/sweep.h"
 
 #include "cmd/measure.h"
+
+#include "base/stats.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static double shown(const struct cr_sweep_axis *axis, double si) {
-    return si * axis->unit->div / axis->unit->mul;
+/* what the table tells of each participant that is deformed */
+static const char *const told[] = {"ees", "delta_v", "deformation_max"};
+static const char *const told_as[] = {"EES", "delta-v", "depth"};
+enum { TOLD = sizeof told / sizeof *told };
+
+/* columns of an axis: numbers have a usual width, words theirs */
+static int axis_width(const struct cr_sweep_axis *axis) {
+    int w = 12;
+    for (int i = 0; axis->word != NULL && i < axis->n; i++) {
+        int n = cr_cmd_chars(axis->word[i], (int)strlen(axis->word[i]));
+        w = n > w ? n : w;
+    }
+    return w < 24 ? w : 24;
 }
 
-static bool deforms(const struct cr_sweep *sweep, int part) {
-    for (int i = 0; i < sweep->n; i++) {
-        if (sweep->run[i].done && !sweep->run[i].failed && sweep->run[i].of[part].ees > 0) {
-            return true;
-        }
+/* a text to the right end of w columns, cut where it is longer */
+static void add_cell(struct cr_str *line, int w, const char *text) {
+    int chars = cr_cmd_chars(text, (int)strlen(text)), n = 0;
+    const char *end = text;
+    while (*end != '\0' && n < w) {
+        end++;
+        n += ((unsigned char)*end & 0xC0) != 0x80;
     }
-    return false;
+    cr_str_fill(line, ' ', chars < w ? w - chars : 0);
+    cr_str_addn(line, text, (size_t)(end - text));
 }
 
 static void head(struct cr_session *s, const struct cr_sweep *sweep) {
@@ -26,13 +42,17 @@ static void head(struct cr_session *s, const struct cr_sweep *sweep) {
     cr_str_add(&line, " run");
     cr_str_add(&units, "    ");
     for (int a = 0; a < sweep->axes; a++) {
-        cr_str_addf(&line, " %12.12s", sweep->axis[a].key);
-        cr_str_addf(&units, " %12s", sweep->axis[a].unit->name);
+        int w = axis_width(&sweep->axis[a]) + 1;
+        cr_str_add(&line, " ");
+        add_cell(&line, w - 1, sweep->axis[a].key);
+        add_cell(&units, w, cr_sweep_unit(&sweep->axis[a], s->units));
     }
     for (int p = 0; p < sweep->participants; p++) {
-        if (deforms(sweep, p)) {
-            cr_str_addf(&line, "  %7.4s %-3s %7s %7s", sweep->id[p], "EES", "delta-v", "depth");
-            cr_str_addf(&units, "  %11s %7s %7s", "km/h", "km/h", "m");
+        for (int m = 0; m < TOLD && cr_sweep_deforms(sweep, p); m++) {
+            const char *unit = cr_measure_in(cr_measure_find(told[m]), s->units, NULL, NULL);
+            add_cell(&line, m == 0 ? 9 : 0, m == 0 ? sweep->id[p] : "");
+            cr_str_addf(&line, m == 0 ? " %-3s" : " %7s", told_as[m]);
+            cr_str_addf(&units, m == 0 ? "  %11s" : " %7s", unit);
         }
     }
     cr_str_add(&line, "  stop");
@@ -40,6 +60,85 @@ static void head(struct cr_session *s, const struct cr_sweep *sweep) {
     cr_say_str(s, &units);
     cr_str_fini(&line);
     cr_str_fini(&units);
+}
+
+static void say_run(struct cr_session *s, const struct cr_sweep *sweep, int i) {
+    const struct cr_sweep_run *run = &sweep->run[i];
+    struct cr_str line = {0};
+    char text[CR_PATH_MAX];
+    cr_str_addf(&line, "%4d", i + 1);
+    for (int a = 0; a < sweep->axes; a++) {
+        const struct cr_sweep_axis *axis = &sweep->axis[a];
+        cr_sweep_text(axis, run->at[a], s->units, text, sizeof text);
+        add_cell(&line, axis_width(axis) + 1, text);
+    }
+    for (int p = 0; p < sweep->participants && cr_sweep_known(run); p++) {
+        for (int m = 0; m < TOLD && cr_sweep_deforms(sweep, p); m++) {
+            const struct cr_measure *measure = cr_measure_find(told[m]);
+            double x = cr_measure_shown(measure, &run->of[p]);
+            int decimals;
+            cr_measure_in(measure, s->units, &x, &decimals);
+            cr_str_addf(&line, m == 0 ? "  %11.*f" : " %7.*f", decimals, x);
+        }
+    }
+    cr_str_addf(&line, "  %s",
+                !run->done    ? "not run"
+                : run->failed ? run->message
+                              : cr_stop_word(run->stop));
+    cr_say_str(s, &line);
+    cr_str_fini(&line);
+}
+
+/* ranks of values, those that are equal share theirs */
+static void ranks(const double *x, int n, double *rank) {
+    for (int i = 0; i < n; i++) {
+        int less = 0, same = 0;
+        for (int k = 0; k < n; k++) {
+            less += x[k] < x[i];
+            same += x[k] == x[i];
+        }
+        rank[i] = less + 0.5 * (same + 1);
+    }
+}
+
+/* rank correlation of an axis with the EES of a participant over the runs that are known */
+static double goes_with(const struct cr_sweep *sweep, int a, int p, double *room) {
+    double *x = room, *y = x + sweep->n, *rx = y + sweep->n, *ry = rx + sweep->n;
+    int n = 0;
+    for (int i = 0; i < sweep->n; i++) {
+        if (cr_sweep_known(&sweep->run[i])) {
+            x[n] = sweep->run[i].at[a];
+            y[n++] = sweep->run[i].of[p].ees;
+        }
+    }
+    ranks(x, n, rx);
+    ranks(y, n, ry);
+    return cr_stats_correlation(rx, ry, n);
+}
+
+/* below draws: which input the EES goes with */
+static enum cr_err say_ranks(struct cr_session *s, struct cr_error *err) {
+    const struct cr_sweep *sweep = s->sweep;
+    double *room = calloc((size_t)sweep->n * 4, sizeof *room);
+    if (room == NULL) {
+        return cr_err_set(err, CR_ERR_MEMORY, "out of memory");
+    }
+    cr_say(s, "rank correlation with the EES, -1 to +1; 0: it does not matter");
+    for (int a = 0; a < sweep->axes; a++) {
+        struct cr_str line = {0};
+        add_cell(&line, 16, sweep->axis[a].key);
+        for (int p = 0; p < sweep->participants; p++) {
+            double r = sweep->axis[a].word != NULL ? (double)NAN : goes_with(sweep, a, p, room);
+            if (isfinite(r) && cr_sweep_deforms(sweep, p)) {
+                cr_str_addf(&line, "   %s %+5.2f", sweep->id[p], r);
+            }
+        }
+        cr_str_add(&line, sweep->axis[a].word != NULL ? "   (words have no ranks)" : "");
+        cr_say_str(s, &line);
+        cr_str_fini(&line);
+    }
+    free(room);
+    return CR_ERR_OK;
 }
 
 enum cr_err cr_sweep_say(struct cr_session *s, struct cr_error *err) {
@@ -51,26 +150,9 @@ enum cr_err cr_sweep_say(struct cr_session *s, struct cr_error *err) {
     }
     head(s, sweep);
     for (int i = 0; i < sweep->n; i++) {
-        const struct cr_sweep_run *run = &sweep->run[i];
-        struct cr_str line = {0};
-        cr_str_addf(&line, "%4d", i + 1);
-        for (int a = 0; a < sweep->axes; a++) {
-            cr_str_addf(&line, " %12.6g", shown(&sweep->axis[a], run->at[a]));
-        }
-        for (int p = 0; p < sweep->participants && run->done && !run->failed; p++) {
-            if (deforms(sweep, p)) {
-                cr_str_addf(&line, "  %11.1f %7.1f %7.2f", cr_kmh(run->of[p].ees),
-                            cr_kmh(run->of[p].delta_v), run->of[p].deformation_max);
-            }
-        }
-        cr_str_addf(&line, "  %s",
-                    !run->done    ? "not run"
-                    : run->failed ? run->message
-                                  : cr_stop_word(run->stop));
-        cr_say_str(s, &line);
-        cr_str_fini(&line);
+        say_run(s, sweep, i);
     }
-    return CR_ERR_OK;
+    return sweep->drawn ? say_ranks(s, err) : CR_ERR_OK;
 }
 
 enum cr_err cr_sweep_csv(struct cr_session *s, struct cr_str *out, struct cr_error *err) {
@@ -102,13 +184,19 @@ enum cr_err cr_sweep_csv(struct cr_session *s, struct cr_str *out, struct cr_err
         const struct cr_sweep_run *run = &sweep->run[i];
         cr_str_addf(out, "%d", i + 1);
         for (int a = 0; a < sweep->axes; a++) {
-            cr_str_addf(out, ",%.9g", shown(&sweep->axis[a], run->at[a]));
+            const struct cr_sweep_axis *axis = &sweep->axis[a];
+            cr_str_add(out, ",");
+            if (axis->word != NULL) {
+                cr_str_csv(out, axis->word[(int)run->at[a]]);
+            } else {
+                cr_str_addf(out, "%.9g", cr_sweep_shown(axis, run->at[a], CR_UNITS_SI));
+            }
         }
         for (int p = 0; p < sweep->participants; p++) {
             for (int m = 0; m < n; m++) {
                 double x = cr_measure_shown(&table[m], &run->of[p]);
                 cr_str_add(out, ",");
-                if (run->done && !run->failed && isfinite(x)) {
+                if (cr_sweep_known(run) && isfinite(x)) {
                     cr_str_addf(out, "%.9g", x);
                 }
             }
@@ -121,124 +209,13 @@ enum cr_err cr_sweep_csv(struct cr_session *s, struct cr_str *out, struct cr_err
     return CR_ERR_OK;
 }
 
-/* ---- pictures ---- */
-
-enum cr_err cr_sweep_what(struct cr_call *call, const struct cr_sweep *sweep, int *part,
-                          const struct cr_measure **m, struct cr_error *err) {
-    return cr_measure_plot(call, sweep->id, sweep->participants, part, m, err);
-}
-
-enum cr_err cr_sweep_plots(struct cr_call *call, const struct cr_sweep *sweep,
-                           struct cr_error *err) {
+enum cr_err cr_sweep_plots(struct cr_call *call, struct cr_sweep *sweep, struct cr_error *err) {
+    const struct cr_measure *measure;
     int part;
-    const struct cr_measure *m;
-    return cr_sweep_what(call, sweep, &part, &m, err);
-}
-
-static enum cr_err draw_curves(struct cr_session *s, int only, const struct cr_measure *m,
-                               struct cr_error *err) {
-    const struct cr_sweep *sweep = s->sweep;
-    struct cr_curve_line curve[CR_BODY_MAX];
-    struct cr_arena arena = {0};
-    int curves = 0;
-    double *x = cr_arena_take(&arena, (size_t)sweep->n * CR_BODY_MAX, sizeof *x);
-    double *y = cr_arena_take(&arena, (size_t)sweep->n * CR_BODY_MAX, sizeof *y);
-    if (x == NULL || y == NULL) {
-        cr_arena_free(&arena);
-        return cr_err_set(err, CR_ERR_MEMORY, "out of memory");
+    enum cr_err code = cr_measure_plot(call, sweep->id, sweep->participants, &part, &measure, err);
+    if (code == CR_ERR_OK) {
+        sweep->part = part;
+        sweep->measure = measure;
     }
-    for (int p = 0; p < sweep->participants; p++) {
-        int n = 0, at = p * sweep->n;
-        if (only >= 0 ? p != only : !deforms(sweep, p)) {
-            continue;
-        }
-        for (int i = 0; i < sweep->n; i++) {
-            double value = cr_measure_shown(m, &sweep->run[i].of[p]);
-            if (sweep->run[i].done && !sweep->run[i].failed && isfinite(value)) {
-                x[at + n] = shown(&sweep->axis[0], sweep->run[i].at[0]);
-                y[at + n++] = value;
-            }
-        }
-        if (n > 1) {
-            curve[curves++] = (struct cr_curve_line){.x = x + at,
-                                                     .y = y + at,
-                                                     .n = n,
-                                                     .mark = sweep->id[p][0],
-                                                     .name = sweep->id[p],
-                                                     .role = cr_render_role_of(p)};
-        }
-    }
-    struct cr_plot plot = {.title = m->name,
-                           .x_unit = sweep->axis[0].unit->name,
-                           .y_unit = m->unit,
-                           .curves = curves,
-                           .curve = curve,
-                           .cursor = NAN};
-    enum cr_err code = curves > 0 ? cr_cmd_plot(s, &plot, 4, err) : CR_ERR_OK;
-    cr_arena_free(&arena);
     return code;
-}
-
-/* numbers over the two swept inputs with a shade beside each, so that it reads without colour */
-static void say_map(struct cr_session *s, int part, const struct cr_measure *m) {
-    static const char *const shades[] = {" ", "░", "▒", "▓", "█"}, ascii[] = " .:*#";
-    const struct cr_sweep *sweep = s->sweep;
-    const struct cr_sweep_axis *down = &sweep->axis[0], *across = &sweep->axis[1];
-    double lo = INFINITY, hi = -INFINITY;
-    struct cr_str line = {0};
-    for (int i = 0; i < sweep->n; i++) {
-        double x = cr_measure_shown(m, &sweep->run[i].of[part]);
-        if (sweep->run[i].done && !sweep->run[i].failed && isfinite(x)) {
-            lo = fmin(lo, x);
-            hi = fmax(hi, x);
-        }
-    }
-    cr_say(s, "%s.%s in %s: %s down in %s, %s across in %s", sweep->id[part], m->name, m->unit,
-           down->key, down->unit->name, across->key, across->unit->name);
-    cr_str_fill(&line, ' ', 10);
-    for (int k = 0; k < across->n; k++) {
-        cr_str_addf(&line, " %8.6g ", shown(across, across->value[k]));
-    }
-    cr_say_str(s, &line);
-    for (int i = 0; i < down->n; i++) {
-        cr_str_clear(&line);
-        cr_str_addf(&line, "%10.6g", shown(down, down->value[i]));
-        for (int k = 0; k < across->n; k++) {
-            const struct cr_sweep_run *run = &sweep->run[i * across->n + k];
-            double x = cr_measure_shown(m, &run->of[part]);
-            char text[32] = "-";
-            int shade = 0;
-            if (run->done && !run->failed && isfinite(x)) {
-                cr_measure_text(m, x, text, sizeof text);
-                shade = hi > lo ? (int)(4.999 * (x - lo) / (hi - lo)) : 2;
-            }
-            cr_str_addf(&line, " %8s", text);
-            if (s->opts.look.ascii) {
-                cr_str_addn(&line, &ascii[shade], 1);
-            } else {
-                cr_str_add(&line, shades[shade]);
-            }
-        }
-        cr_say_str(s, &line);
-    }
-    cr_str_fini(&line);
-}
-
-enum cr_err cr_sweep_draw(struct cr_call *call, struct cr_error *err) {
-    int part;
-    const struct cr_measure *m;
-    const struct cr_sweep *sweep = call->s->sweep;
-    enum cr_err code = cr_sweep_what(call, sweep, &part, &m, err);
-    if (code != CR_ERR_OK || call->s->opts.out.cells == NULL) {
-        return code;
-    }
-    if (sweep->axes == 1) {
-        return draw_curves(call->s, part, m, err);
-    }
-    for (int p = 0; p < sweep->participants; p++) {
-        if (part >= 0 ? p == part : deforms(sweep, p)) {
-            say_map(call->s, p, m);
-        }
-    }
-    return CR_ERR_OK;
 }

@@ -5,19 +5,25 @@
 #include "cmd/cmd_priv.h"
 
 struct cr_vary {
-    const struct cr_sweep_key *key;
-    char id[CR_NAME_MAX]; /* "" for a setting */
+    struct cr_sweep_key key; /* name NULL: none */
+    char id[CR_NAME_MAX];    /* "" for a setting */
 };
 
-/* "A.speed", "B.overlap", "restitution". Errors: NAME, MISSING for a placement of what was not
- * placed. */
+/* "A.speed", "B.overlap", "restitution": an input that is a number. Errors: NAME, MISSING for a
+ * placement of what was not placed. */
 enum cr_err cr_vary_find(const struct cr_session *s, const char *text, struct cr_vary *out,
                          struct cr_error *err);
+/* Likewise, also one whose values are words: "A.type", "B.car", "B.model". */
+enum cr_err cr_vary_any(const struct cr_session *s, const char *text, struct cr_vary *out,
+                        struct cr_error *err);
 /* Is it of how a participant stands against another? */
 bool cr_vary_is_place(const struct cr_vary *var);
 /* Give it a value (SI) in a state of its own; any thread. */
 enum cr_err cr_vary_apply(struct cr_state *state, const struct cr_vary *var, double si,
                           struct cr_error *err);
+/* Likewise a word. */
+enum cr_err cr_vary_word(struct cr_state *state, const struct cr_vary *var, const char *word,
+                         struct cr_error *err);
 /* After all are applied: who was placed against another still is, though a mass may have changed
  * sizes. */
 enum cr_err cr_vary_settle(struct cr_state *state, const struct cr_model_lib *models,

@@ -43,7 +43,7 @@ void cr_crush_init(struct cr_measured *crush) {
                                   .pdof_tol = cr_rad(20)};
 }
 
-static enum cr_model_end end_of(enum cr_face face) {
+enum cr_model_end cr_crush_end(enum cr_face face) {
     return face == CR_FACE_FRONT  ? CR_MODEL_FRONT
            : face == CR_FACE_REAR ? CR_MODEL_REAR
                                   : CR_MODEL_SIDE;
@@ -55,7 +55,7 @@ static double face_span(const struct cr_participant *p, enum cr_face face) {
 
 static enum cr_err check_stations(const struct cr_measured *m, const struct cr_participant *p,
                                   struct cr_error *err) {
-    double reach = cr_face_is_end(m->face) ? p->length : p->width, most = 0;
+    double reach = cr_face_is_end(m->face) ? p->length : p->width;
     for (int i = 0; i < m->stations; i++) {
         if (!(m->depth[i] >= 0 && m->depth[i] < 0.9 * reach)) {
             cr_err_set(err, CR_ERR_RANGE, "%s: C%d of %.2f m does not fit the vehicle of %.2f m",
@@ -63,9 +63,7 @@ static enum cr_err check_stations(const struct cr_measured *m, const struct cr_p
             cr_err_hint(err, "depths are in m in a file, with their unit in commands");
             return CR_ERR_RANGE;
         }
-        most = fmax(most, m->depth[i]);
     }
-    (void)most;
     return CR_ERR_OK;
 }
 
@@ -121,7 +119,7 @@ enum cr_err cr_crush_open(const struct cr_model_lib *lib, const struct cr_partic
         out->m.pdof = cr_crush_square(out->m.face);
     }
     if (out->m.mass_tol <= 0) {
-        out->m.mass_tol = 0.03 * p->mass;
+        cr_crush_mass(p, 0, &out->m);
     }
     set.voxel = 0.025;
     scene.set = set;
@@ -152,7 +150,7 @@ double cr_crush_dynamic(const struct cr_measured *m, const struct cr_crush_rules
     if (!in_field && !*direct) {
         return 0;
     }
-    double c = residual_at(m, at), rise = rules->rise[end_of(m->face)];
+    double c = residual_at(m, at), rise = rules->rise[cr_crush_end(m->face)];
     /* what was struck was pressed in by the rise even where nothing of it is left; what was dragged
      * in beside it springs back from what it has */
     return c + (*direct ? rise : rise * fmin(1, c / rules->ramp));
@@ -218,8 +216,8 @@ void cr_crush_energy(const struct cr_crush_car *car, const struct cr_crush_rules
                      struct cr_crush_energy *out) {
     const struct cr_measured *m = &car->m;
     double along = 0, across = 0;
-    double factor =
-        rules->level[end_of(m->face)] * car->p->model.energy_factor * oblique_factor(m, rules);
+    double factor = rules->level[cr_crush_end(m->face)] * car->p->model.energy_factor *
+                    oblique_factor(m, rules);
     *out = (struct cr_crush_energy){.energy = 0};
     for (int line = 0; line < cr_face_lines(&car->grid, m->face); line++) {
         bool direct;

@@ -1,4 +1,4 @@
-/* Damage files and the rules of the calibration. */
+/* Damage files: one or two vehicles with what was measured of them, as JSON or a table. */
 #include "damage/crush.h"
 
 #include "base/file.h"
@@ -12,66 +12,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- rules ---- */
-
-static enum cr_err bad_rule(const char *path, const char *name, struct cr_error *err) {
-    cr_err_set(err, CR_ERR_MODEL, "\"%s\" is no number of a calibration", name);
-    cr_err_place(err, path, 0, 0);
-    return CR_ERR_MODEL;
-}
-
-static bool number_of(const cJSON *json, const char *name, double lo, double hi, double *out) {
-    const cJSON *x = cJSON_GetObjectItemCaseSensitive(json, name);
-    *out = cJSON_IsNumber(x) ? x->valuedouble : (double)NAN;
-    return *out >= lo && *out <= hi;
-}
-
-static enum cr_err read_rules(const cJSON *json, const char *path, struct cr_crush_rules *out,
-                              struct cr_error *err) {
-    static const char *const ends[CR_MODEL_ENDS] = {"front", "side", "rear"};
-    const cJSON *faces = cJSON_GetObjectItemCaseSensitive(json, "faces");
-    for (int i = 0; i < CR_MODEL_ENDS; i++) {
-        const cJSON *face = cJSON_GetObjectItemCaseSensitive(faces, ends[i]);
-        if (!number_of(face, "rise_m", 0, 1, &out->rise[i]) ||
-            !number_of(face, "level", 0.05, 20, &out->level[i]) ||
-            !number_of(face, "energy_log_sd", 0, 2, &out->log_sd[i])) {
-            return bad_rule(path, ends[i], err);
-        }
-    }
-    double drag;
-    if (!number_of(json, "ramp_m", 0.001, 1, &out->ramp) ||
-        !number_of(json, "oblique", 0, 5, &out->oblique) ||
-        !number_of(json, "recorder_drag_kmh", 0, 10, &drag) ||
-        !number_of(json, "recorder_noise", 0, 1, &out->noise)) {
-        return bad_rule(path, "ramp_m, oblique or recorder", err);
-    }
-    out->drag = cr_mps(drag);
-    return CR_ERR_OK;
-}
-
-enum cr_err cr_crush_rules_parse(const char *text, const char *path, struct cr_crush_rules *out,
-                                 struct cr_error *err) {
-    enum cr_err code = cr_json_check(text, strlen(text), path, err);
-    if (code == CR_ERR_OK) {
-        cJSON *json = cJSON_Parse(text);
-        code = read_rules(json, path, out, err);
-        cJSON_Delete(json);
-    }
-    return code;
-}
-
-enum cr_err cr_crush_rules_read(const char *path, struct cr_crush_rules *out,
-                                struct cr_error *err) {
-    char *text = NULL;
-    size_t len;
-    enum cr_err code = cr_file_read(path, &text, &len, err);
-    if (code == CR_ERR_OK) {
-        code = cr_crush_rules_parse(text, path, out, err);
-    }
-    free(text);
-    return code;
-}
-
 /* ---- damage files ---- */
 
 struct reader {
@@ -79,14 +19,19 @@ struct reader {
     char where[128];
 };
 
-static enum cr_err fail(const struct reader *r, enum cr_err code, const char *text,
-                        const char *hint) {
-    cr_err_set(r->err, code, "%s", text);
-    cr_err_hint(r->err, "%s", hint);
+/* an error that has its words already */
+static enum cr_err fail_here(const struct reader *r, enum cr_err code) {
     if (r->err != NULL) {
         snprintf(r->err->where, sizeof r->err->where, "%s", r->where);
     }
     return code;
+}
+
+static enum cr_err fail(const struct reader *r, enum cr_err code, const char *text,
+                        const char *hint) {
+    cr_err_set(r->err, code, "%s", text);
+    cr_err_hint(r->err, "%s", hint);
+    return fail_here(r, code);
 }
 
 /* 1.4, or {"value": 1.4, "tolerance": 0.05} */
@@ -107,9 +52,13 @@ static bool take_number(const cJSON *x, double *value, double *tolerance) {
 
 static enum cr_err take_stations(struct reader *r, const cJSON *m, struct cr_measured *out) {
     int n = cJSON_GetArraySize(m), i = 0;
+    if (cJSON_IsString(m) && strcmp(m->valuestring, "unknown") == 0) {
+        out->guessed = true;
+        return CR_ERR_OK;
+    }
     if (!cJSON_IsArray(m) || n < 2 || n > CR_STATIONS_MAX) {
         return fail(r, CR_ERR_TYPE, "crush_m: expected an array of 2 to 64 depths",
-                    "\"crush_m\": [0.12, 0.14, 0.20, 0.22, 0.18, 0.10]");
+                    "\"crush_m\": [0.12, 0.14, 0.20, 0.22, 0.18, 0.10], or \"unknown\"");
     }
     for (const cJSON *x = m->child; x != NULL; x = x->next, i++) {
         double tol = out->depth_tol;
@@ -123,37 +72,20 @@ static enum cr_err take_stations(struct reader *r, const cJSON *m, struct cr_mea
     return CR_ERR_OK;
 }
 
-/* A measured outline as points [along, depth] becomes stations: 24 of them, evenly. */
 static enum cr_err take_outline(struct reader *r, const cJSON *m, struct cr_measured *out) {
-    enum { EVEN = 24, POINTS = 256 };
-    double at[POINTS], depth[POINTS];
+    struct cr_crush_point point[CR_CRUSH_POINTS];
     int n = 0;
-    for (const cJSON *p = cJSON_IsArray(m) ? m->child : NULL; p != NULL; p = p->next) {
+    for (const cJSON *p = cJSON_IsArray(m) ? m->child : NULL; p != NULL; p = p->next, n++) {
         const cJSON *x = cJSON_GetArrayItem(p, 0), *y = cJSON_GetArrayItem(p, 1);
-        if (n == POINTS || cJSON_GetArraySize(p) != 2 || !cJSON_IsNumber(x) || !cJSON_IsNumber(y) ||
-            (n > 0 && x->valuedouble <= at[n - 1])) {
-            return fail(r, CR_ERR_TYPE, "outline_m: expected points [along, depth], along rising",
+        if (n == CR_CRUSH_POINTS || cJSON_GetArraySize(p) != 2 || !cJSON_IsNumber(x) ||
+            !cJSON_IsNumber(y)) {
+            return fail(r, CR_ERR_TYPE, "outline_m: expected points [along, depth]",
                         "\"outline_m\": [[-0.7, 0.1], [0, 0.3], [0.7, 0.2]]");
         }
-        at[n] = x->valuedouble;
-        depth[n++] = y->valuedouble;
+        point[n] = (struct cr_crush_point){x->valuedouble, y->valuedouble};
     }
-    if (n < 2) {
-        return fail(r, CR_ERR_MISSING, "outline_m has fewer than two points",
-                    "\"outline_m\": [[-0.7, 0.1], [0, 0.3], [0.7, 0.2]]");
-    }
-    out->length = at[n - 1] - at[0];
-    out->offset = (at[n - 1] + at[0]) / 2;
-    out->stations = EVEN;
-    for (int i = 0, k = 0; i < EVEN; i++) {
-        double x = at[0] + out->length * i / (EVEN - 1);
-        while (k + 2 < n && x > at[k + 1]) {
-            k++;
-        }
-        double u = cr_clamp((x - at[k]) / (at[k + 1] - at[k]), 0, 1);
-        out->depth[i] = depth[k] + u * (depth[k + 1] - depth[k]);
-    }
-    return CR_ERR_OK;
+    enum cr_err code = cr_crush_outline(point, n, out, r->err);
+    return code == CR_ERR_OK ? code : fail_here(r, code);
 }
 
 static enum cr_err take_face(struct reader *r, const cJSON *m, struct cr_measured *out) {
@@ -174,6 +106,13 @@ static enum cr_err take_heights(struct reader *r, const cJSON *m, struct cr_meas
     out->z_lo = lo->valuedouble;
     out->z_hi = hi->valuedouble;
     return CR_ERR_OK;
+}
+
+static enum cr_err take_ride(struct reader *r, const cJSON *m, struct cr_measured *out) {
+    return cJSON_IsString(m) && cr_crush_ride(m->valuestring, out)
+               ? CR_ERR_OK
+               : fail(r, CR_ERR_NAME, "ride: expected under or over",
+                      "under: this vehicle went under its partner; over: it rode up");
 }
 
 static enum cr_err take_key(struct reader *r, const cJSON *m, struct cr_measured *out) {
@@ -201,15 +140,15 @@ static enum cr_err take_key(struct reader *r, const cJSON *m, struct cr_measured
            : strcmp(m->string, "crush_m") == 0   ? take_stations(r, m, out)
            : strcmp(m->string, "outline_m") == 0 ? take_outline(r, m, out)
            : strcmp(m->string, "height_m") == 0  ? take_heights(r, m, out)
+           : strcmp(m->string, "ride") == 0      ? take_ride(r, m, out)
            : strncmp(m->string, "x_", 2) == 0
                ? CR_ERR_OK
                : fail(r, CR_ERR_KEY, "unknown key",
                       "face, field_length_m, field_offset_m, crush_m, outline_m, direct_width_m, "
-                      "direct_offset_m, pdof_deg, height_m, crush_tolerance_m");
+                      "direct_offset_m, pdof_deg, height_m, ride, crush_tolerance_m");
 }
 
 static enum cr_err take_damage(struct reader *r, const cJSON *json, struct cr_measured *out) {
-    double face = NAN;
     cr_crush_init(out);
     out->face = CR_FACES;
     size_t up = strlen(r->where);
@@ -225,7 +164,6 @@ static enum cr_err take_damage(struct reader *r, const cJSON *json, struct cr_me
         }
         r->where[up] = '\0';
     }
-    (void)face;
     const cJSON *pdof = cJSON_GetObjectItemCaseSensitive(json, "pdof_deg");
     if (pdof != NULL) {
         out->pdof = cr_rad(out->pdof);
@@ -288,11 +226,12 @@ static enum cr_err take_vehicles(struct reader *r, const cJSON *json, struct cr_
         }
         snprintf(r->where, sizeof r->where, "/vehicles/%d/damage", i);
         code = take_damage(r, cJSON_GetObjectItemCaseSensitive(v, "damage"), &out->crush[i]);
-        const struct cr_tolerances *t = &out->scene.part[i].tolerances;
-        for (int k = 0; k < t->n; k++) { /* the mass is the one that counts here */
-            if (t->of[k].half < out->scene.part[i].mass && t->of[k].half > 1) {
-                out->crush[i].mass_tol = t->of[k].half;
-            }
+    }
+    for (int i = 0; i < n && code == CR_ERR_OK; i++) {
+        if (out->crush[i].guessed && (n == 1 || out->crush[1 - i].guessed)) {
+            snprintf(r->where, sizeof r->where, "/vehicles/%d/damage/crush_m", i);
+            code = fail(r, CR_ERR_MISSING, "what is unknown of one vehicle needs the other's crush",
+                        "one of two vehicles may be \"unknown\"");
         }
     }
     return code;
@@ -301,7 +240,6 @@ static enum cr_err take_vehicles(struct reader *r, const cJSON *json, struct cr_
 static enum cr_err take_rest(struct reader *r, const cJSON *json, struct cr_crush_file *out) {
     for (const cJSON *m = json->child; m != NULL; m = m->next) {
         snprintf(r->where, sizeof r->where, "/%.60s", m->string);
-        double none = 0;
         if (strcmp(m->string, "object") == 0) {
             const cJSON *mass = cJSON_GetObjectItemCaseSensitive(m, "mass_kg");
             out->object = true;
@@ -311,7 +249,7 @@ static enum cr_err take_rest(struct reader *r, const cJSON *json, struct cr_crus
                             "a tree or a pole is {}");
             }
         } else if (strcmp(m->string, "restitution") == 0) {
-            if (!take_number(m, &out->restitution, &none) ||
+            if (!take_number(m, &out->restitution, &out->restitution_tol) ||
                 !(out->restitution >= 0 && out->restitution < 0.95)) {
                 return fail(r, CR_ERR_RANGE, "restitution must be 0 to 0.95",
                             "left out: by the closing speed");
@@ -343,12 +281,23 @@ static enum cr_err read_file(struct reader *r, const cJSON *json, struct cr_crus
 
 /* ---- tables ---- */
 
-/* a number of a table under its name, if there is one */
+/* a number of a table under its name, if there is one, with its tolerance: "mass_kg" has that of
+ * "mass_tolerance_kg" */
 static enum cr_err copy_number(const struct cr_records *t, int row, const char *column, cJSON *to,
                                struct cr_error *err) {
-    double x;
+    char name[64];
+    double x, half;
+    const char *unit = strrchr(column, '_');
+    snprintf(name, sizeof name, "%.*s_tolerance%s", (int)(unit - column), column, unit);
     enum cr_err code = cr_records_number(t, row, column, &x, err);
-    if (code == CR_ERR_OK && !isnan(x)) {
+    if (code == CR_ERR_OK) {
+        code = cr_records_number(t, row, name, &half, err);
+    }
+    if (code == CR_ERR_OK && !isnan(x) && !isnan(half)) {
+        cJSON *o = cr_tree_object(to, column);
+        cr_tree_number(o, "value", x);
+        cr_tree_number(o, "tolerance", half);
+    } else if (code == CR_ERR_OK && !isnan(x)) {
         cr_tree_number(to, column, x);
     }
     return code;
@@ -356,6 +305,10 @@ static enum cr_err copy_number(const struct cr_records *t, int row, const char *
 
 static enum cr_err copy_stations(const struct cr_records *t, int row, cJSON *damage,
                                  struct cr_error *err) {
+    if (strcmp(cr_records_text(t, row, "c1_m"), "unknown") == 0) {
+        cr_tree_text(damage, "crush_m", "unknown");
+        return CR_ERR_OK;
+    }
     cJSON *list = cr_tree_array(damage, "crush_m");
     for (int k = 1; k <= CR_STATIONS_MAX; k++) {
         char name[8];
@@ -370,19 +323,42 @@ static enum cr_err copy_stations(const struct cr_records *t, int row, cJSON *dam
     return CR_ERR_OK;
 }
 
+/* heights that were struck; height_m is that of the vehicle */
+static enum cr_err copy_heights(const struct cr_records *t, int row, cJSON *damage,
+                                struct cr_error *err) {
+    double lo, hi;
+    enum cr_err code = cr_records_number(t, row, "struck_low_m", &lo, err);
+    code = code == CR_ERR_OK ? cr_records_number(t, row, "struck_high_m", &hi, err) : code;
+    if (code == CR_ERR_OK && !(isnan(lo) && isnan(hi))) {
+        const double heights[] = {isnan(lo) ? 0 : lo, isnan(hi) ? CR_CRUSH_TOP : hi};
+        cr_tree_put(damage, "height_m", cJSON_CreateDoubleArray(heights, 2));
+    }
+    return code;
+}
+
+static void copy_text(const struct cr_records *t, int row, const char *column, cJSON *to) {
+    const char *text = cr_records_text(t, row, column);
+    if (text[0] != '\0') {
+        cr_tree_text(to, column, text);
+    }
+}
+
 /* a row is a vehicle: the same keys as in JSON, c1_m ... for the stations */
 static enum cr_err row_as_json(const struct cr_records *t, int row, cJSON *vehicles,
                                struct cr_error *err) {
-    static const char *const own[] = {"mass_kg", "length_m", "width_m", "height_m", "wheelbase_m"};
+    static const char *const own[] = {"mass_kg", "kerb_mass_kg", "length_m",
+                                      "width_m", "height_m",     "wheelbase_m"};
     static const char *const of_damage[] = {"field_length_m", "field_offset_m",
                                             "direct_width_m", "direct_offset_m",
                                             "pdof_deg",       "crush_tolerance_m"};
     cJSON *v = cJSON_CreateObject(), *damage = cr_tree_object(v, "damage");
     cr_tree_push(vehicles, v);
     cr_tree_text(v, "id", cr_records_text(t, row, "id"));
-    cr_tree_text(v, "type", cr_records_text(t, row, "type"));
+    copy_text(t, row, "type", v);
+    copy_text(t, row, "car", v);
     cr_tree_text(damage, "face", cr_records_text(t, row, "face"));
-    enum cr_err code = CR_ERR_OK;
+    copy_text(t, row, "ride", damage);
+    enum cr_err code = copy_heights(t, row, damage, err);
     for (size_t i = 0; i < sizeof own / sizeof own[0] && code == CR_ERR_OK; i++) {
         code = copy_number(t, row, own[i], v, err);
     }
@@ -426,7 +402,7 @@ enum cr_err cr_crush_parse(const char *text, size_t len, const char *src, struct
     struct cr_error own = {0};
     err = err != NULL ? err : &own;
     struct reader r = {.err = err};
-    *out = (struct cr_crush_file){.object_mass = NAN, .restitution = NAN};
+    *out = (struct cr_crush_file){.object_mass = NAN, .restitution = NAN, .restitution_tol = NAN};
     cr_scene_init(&out->scene);
     enum cr_err code = cr_json_check(text, len, src, err);
     if (code == CR_ERR_OK) {
@@ -449,7 +425,8 @@ enum cr_err cr_crush_read(const char *path, struct cr_crush_file *out, struct cr
     struct cr_error own = {0};
     err = err != NULL ? err : &own;
     if (is_table(path)) {
-        *out = (struct cr_crush_file){.object_mass = NAN, .restitution = NAN};
+        *out =
+            (struct cr_crush_file){.object_mass = NAN, .restitution = NAN, .restitution_tol = NAN};
         cr_scene_init(&out->scene);
         enum cr_err read = read_table(path, out, err);
         if (read != CR_ERR_OK) {
@@ -476,9 +453,14 @@ enum cr_err cr_crush_case_open(struct cr_crush_file *file, const struct cr_model
     *out = (struct cr_crush_case){.n = file->n,
                                   .object = file->object,
                                   .object_mass = file->object_mass,
-                                  .restitution = file->restitution};
+                                  .restitution = file->restitution,
+                                  .restitution_tol = file->restitution_tol};
     enum cr_err code = cr_scene_resolve(&file->scene, lib, &assumed, err);
     for (int i = 0; i < file->n && code == CR_ERR_OK; i++) {
+        cr_crush_mass(&file->scene.part[i], assumed.mass_spread[i], &file->crush[i]);
+        if (file->crush[i].guessed) {
+            cr_crush_guess(&file->crush[1 - i], &file->scene.part[i], &file->crush[i]);
+        }
         code = cr_crush_open(lib, &file->scene.part[i], &file->crush[i], arena, &out->car[i], err);
     }
     cr_assumed_fini(&assumed);

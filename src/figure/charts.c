@@ -11,20 +11,21 @@ static const double small_size = 8;
 
 /* ---- a value over two inputs ---- */
 
-static void map_cell(struct cr_canvas *c, const struct cr_heat_map *m, const double at[4],
-                     double value, const double range[2]) {
-    struct cr_type_face face = {.size = small_size, .anchor = CR_ANCHOR_MIDDLE};
+/* the map's darkest step only for the greatest value itself */
+static uint32_t map_ink(double value, const double range[2]) {
+    double u = range[1] > range[0] ? (value - range[0]) / (range[1] - range[0]) : 0.5;
+    return isfinite(value) ? cr_ink_ramp((int)cr_clamp(floor(u * CR_RAMP), 0, CR_RAMP - 1))
+                           : 0xffffff;
+}
+
+static void map_number(struct cr_canvas *c, const struct cr_heat_map *m, const double at[4],
+                       double value, const double range[2]) {
+    struct cr_type_face face = {.anchor = CR_ANCHOR_MIDDLE,
+                                .ink = cr_ink_on(map_ink(value, range))};
     char text[32] = "-";
-    uint32_t fill = 0xffffff;
     if (isfinite(value)) {
-        double u = range[1] > range[0] ? (value - range[0]) / (range[1] - range[0]) : 0.5;
-        /* the map's darkest step only for the greatest value itself */
-        fill = cr_ink_ramp((int)cr_clamp(floor(u * CR_RAMP), 0, CR_RAMP - 1));
         snprintf(text, sizeof text, "%.*f", m->decimals, value);
     }
-    cr_canvas_rect(c, at[0], at[1], at[2], at[3]);
-    cr_canvas_paint(c, &(struct cr_paint){.fill = fill, .line = 0xffffff, .width = 0.5});
-    face.ink = cr_ink_on(fill);
     face.size = fmin(small_size, at[3] - 2);
     if (cr_text_width(&face, text) < at[2] - 1 && face.size >= 4) {
         cr_canvas_text(c, at[0] + at[2] / 2, at[1] + at[3] / 2 + 0.36 * face.size, &face, text);
@@ -40,41 +41,81 @@ static int every(int n, double length, double need) {
     return step;
 }
 
+static const char *map_tick(const double *at, const char *const *word, int i, char *buf,
+                            size_t size) {
+    if (word != NULL) {
+        snprintf(buf, size, "%.30s", word[i]);
+    } else {
+        snprintf(buf, size, "%.6g", at[i]);
+    }
+    return buf;
+}
+
 static void map_names(struct cr_canvas *c, struct cr_box b, const struct cr_heat_map *m) {
     struct cr_type_face face = {.size = small_size, .ink = CR_INK_TEXT, .anchor = CR_ANCHOR_MIDDLE};
     char text[32];
     double w = b.w / m->nx, h = b.h / m->ny;
     for (int i = 0; i < m->nx; i += every(m->nx, b.w, 30)) {
-        snprintf(text, sizeof text, "%.6g", m->x[i]);
-        cr_canvas_text(c, b.x + (i + 0.5) * w, b.y + b.h + 11, &face, text);
+        cr_canvas_text(c, b.x + (i + 0.5) * w, b.y + b.h + 11, &face,
+                       map_tick(m->x, m->x_word, i, text, sizeof text));
     }
     face.anchor = CR_ANCHOR_END;
     for (int k = 0; k < m->ny; k += every(m->ny, b.h, 10)) {
-        snprintf(text, sizeof text, "%.6g", m->y[k]);
-        cr_canvas_text(c, b.x - 4, b.y + b.h - (k + 0.5) * h + 3, &face, text);
+        cr_canvas_text(c, b.x - 4, b.y + b.h - (k + 0.5) * h + 3, &face,
+                       map_tick(m->y, m->y_word, k, text, sizeof text));
     }
     cr_canvas_text(c, b.x + b.w, b.y + b.h + 23, &face, m->x_name);
     face.upward = true;
     cr_canvas_text(c, b.x - 36, b.y, &face, m->y_name);
 }
 
+struct map_line {
+    struct cr_canvas *canvas;
+    struct cr_box box;
+    int nx, ny;
+};
+
+/* through the middles of the fields, which are where the values were computed */
+static void map_piece(void *user, const double from[2], const double to[2]) {
+    const struct map_line *l = user;
+    double w = l->box.w / l->nx, h = l->box.h / l->ny, bottom = l->box.y + l->box.h;
+    cr_canvas_move(l->canvas, l->box.x + (from[0] + 0.5) * w, bottom - (from[1] + 0.5) * h);
+    cr_canvas_line(l->canvas, l->box.x + (to[0] + 0.5) * w, bottom - (to[1] + 0.5) * h);
+}
+
+/* dark beside light is seen on any colour */
+static void map_lines(struct cr_canvas *c, struct cr_box b, const struct cr_heat_map *m,
+                      const double range[2]) {
+    static const struct cr_paint strokes[] = {
+        {.fill = CR_NO_INK, .line = 0xffffff, .width = 1.8},
+        {.fill = CR_NO_INK, .line = CR_INK_TEXT, .width = 0.8}};
+    struct map_line line = {c, b, m->nx, m->ny};
+    double step = range[1] > range[0] ? cr_tick_step(range[1] - range[0], 6) : 0;
+    for (int pass = 0; step > 0 && pass < 2; pass++) {
+        for (double v = ceil(range[0] / step) * step; v <= range[1]; v += step) {
+            cr_heat_contour(m, v, map_piece, &line);
+        }
+        cr_canvas_paint(c, &strokes[pass]);
+    }
+}
+
 void cr_figure_map(struct cr_canvas *c, struct cr_box at, const struct cr_heat_map *m,
                    const struct cr_figure_words *words) {
     struct cr_box b = {at.x + 48, at.y + 20, at.w - 58, at.h - 66};
-    double range[2] = {INFINITY, -INFINITY}, w = b.w / m->nx, h = b.h / m->ny;
+    double range[2], w = b.w / m->nx, h = b.h / m->ny;
     char lo[32], hi[32];
-    for (int i = 0; i < m->nx * m->ny; i++) {
-        if (isfinite(m->value[i])) {
-            range[0] = fmin(range[0], m->value[i]);
-            range[1] = fmax(range[1], m->value[i]);
-        }
-    }
+    cr_heat_range(m, &range[0], &range[1]);
     cr_figure_title(c, at, cr_figure_say(words, m->title));
-    for (int k = 0; k < m->ny; k++) {
-        for (int i = 0; i < m->nx; i++) {
-            const double cell[4] = {b.x + i * w, b.y + b.h - (k + 1) * h, w, h};
-            map_cell(c, m, cell, m->value[k * m->nx + i], range);
-        }
+    for (int i = 0; i < m->nx * m->ny; i++) {
+        cr_canvas_rect(c, b.x + i % m->nx * w, b.y + b.h - (i / m->nx + 1) * h, w, h);
+        cr_canvas_paint(c, &(struct cr_paint){.fill = map_ink(m->value[i], range),
+                                              .line = 0xffffff,
+                                              .width = 0.5});
+    }
+    map_lines(c, b, m, range);
+    for (int i = 0; i < m->nx * m->ny; i++) {
+        const double cell[4] = {b.x + i % m->nx * w, b.y + b.h - (i / m->nx + 1) * h, w, h};
+        map_number(c, m, cell, m->value[i], range);
     }
     map_names(c, b, m);
     if (range[0] <= range[1]) {

@@ -45,15 +45,7 @@ CR_MUST_CHECK enum cr_err cr_figure_plan_height(const struct cr_figure_plan *pla
 void cr_figure_plot(struct cr_canvas *canvas, struct cr_box at, const struct cr_plot *plot,
                     const struct cr_figure_words *words);
 
-/* A value over two inputs. */
-struct cr_heat_map {
-    const char *title;           /* with the unit of the values */
-    const char *x_name, *y_name; /* with their units */
-    int nx, ny;
-    const double *x, *y; /* [nx], [ny] */
-    const double *value; /* [ny * nx], x fastest; NaN: none */
-    int decimals;        /* of the values as shown */
-};
+/* A value over two inputs, with lines of equal values where both are numbers. */
 void cr_figure_map(struct cr_canvas *canvas, struct cr_box at, const struct cr_heat_map *map,
                    const struct cr_figure_words *words);
 

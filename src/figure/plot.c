@@ -22,7 +22,7 @@ static void curve(const struct cr_axes *a, const struct cr_curve_line *c, enum c
             continue;
         }
         double x = cr_axes_x(a, c->x[i]), y = cr_axes_y(a, fmax(c->y[i], a->y_lo));
-        if (pen) {
+        if (pen && !c->points) {
             cr_canvas_line(a->canvas, x, y);
         } else {
             cr_canvas_move(a->canvas, x, y);
@@ -36,7 +36,7 @@ static void curve(const struct cr_axes *a, const struct cr_curve_line *c, enum c
 
 /* dots where a curve has few points: they are what was computed */
 static void dots(const struct cr_axes *a, const struct cr_curve_line *c) {
-    for (int i = 0; i < c->n && c->n <= 40; i++) {
+    for (int i = 0; i < c->n && (c->n <= 40 || c->points); i++) {
         if (isfinite(c->x[i]) && isfinite(c->y[i])) {
             cr_canvas_circle(a->canvas, cr_axes_x(a, c->x[i]), cr_axes_y(a, c->y[i]), 1.8);
         }
@@ -118,7 +118,8 @@ static void draw(struct cr_canvas *canvas, struct cr_box at, const struct cr_plo
         at.h -= 12;
     }
     cr_axes_fit(&a, at, true);
-    cr_axes_draw(&a, plot->x_unit != NULL ? cr_figure_say(words, plot->x_unit) : "",
+    const char *x_name = plot->x_name != NULL ? plot->x_name : plot->x_unit;
+    cr_axes_draw(&a, x_name != NULL ? cr_figure_say(words, x_name) : "",
                  plot->title == NULL && unit ? plot->y_unit : "");
     if (plot->cursor >= a.x_lo && plot->cursor <= a.x_hi) {
         double x = cr_axes_x(&a, plot->cursor);

@@ -141,17 +141,6 @@ enum cr_err cr_import_add(struct cr_import *im, const char *id, enum cr_kind kin
     return CR_ERR_OK;
 }
 
-void cr_import_sizeless(struct cr_import *im, struct cr_participant *p) {
-    static const char note[] = "no sizes in the file: of the usual type where no map tells them";
-    int n;
-    const struct cr_key *row = cr_scene_keys(CR_KEYS_PARTICIPANT, &n);
-    const struct cr_key *type = cr_scene_key_find(CR_KEYS_PARTICIPANT, "type", CR_FOR_VEHICLE);
-    p->given |= UINT64_C(1) << (type - row);
-    if (strstr(cr_str_get(&im->at->note), note) == NULL) {
-        cr_import_note(im, "%s", note);
-    }
-}
-
 /* ---- rows ---- */
 
 static void choose_origin(struct cr_import_case *c, struct cr_vec2 pos) {

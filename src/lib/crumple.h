@@ -134,6 +134,20 @@ CRUMPLE_API int crumple_stack(const crumple *lib, int threads, const crumple_opt
 CRUMPLE_API int crumple_damage(const crumple *lib, const char *text, size_t length,
                                const crumple_options *options, char **json, crumple_error *error);
 
+/* A case of an import: the text of a scene (one line, as crumple_solve takes it), valid during the
+ * call, or NULL with what kept it from being one in *error. Return non-zero to stop. */
+typedef int (*crumple_case)(void *user, const char *scene, size_t length,
+                            const crumple_error *error);
+
+/* Scenes out of a file or folder that another program, a database or a test house has written
+ * (crumple-import(1)), case by case in the order of the file. options->set has the options of
+ * crumple import, "case=3,17", "reference=cg", "map=FILE". A case that cannot be converted does not
+ * stop the others. Errors: CRUMPLE_USAGE; CRUMPLE_IO and CRUMPLE_SYNTAX for a file that cannot be
+ * read or has no known format; CRUMPLE_NAME for a case that is not there; CRUMPLE_MEMORY;
+ * CRUMPLE_INTERRUPTED where `take` or `cancel` has stopped it. */
+CRUMPLE_API int crumple_import(const crumple *lib, const char *path, const crumple_options *options,
+                               crumple_case take, void *user, crumple_error *error);
+
 /* Parts of the JSON of a result. */
 enum crumple_json_flag {
     CRUMPLE_TRACE = 1,    /* with the time series */

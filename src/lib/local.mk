@@ -5,6 +5,7 @@ liblib_a_SOURCES = \
 	src/lib/crumple.h \
 	src/lib/damage.c \
 	src/lib/error.c \
+	src/lib/import.c \
 	src/lib/lib_priv.h \
 	src/lib/open.c \
 	src/lib/picture.c \
@@ -12,7 +13,7 @@ liblib_a_SOURCES = \
 	src/lib/solve.c
 liblib_a_CPPFLAGS = $(AM_CPPFLAGS) -DPKGDATADIR='"$(pkgdatadir)"'
 liblib_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)
-CR_LIB_LIBS = liblib.a libdamage.a libfigure.a librender.a libresult.a libscene.a libsolver.a libmodel.a libbase.a
+CR_LIB_LIBS = liblib.a libimport.a libdamage.a libfigure.a librender.a libresult.a libscene.a libsolver.a libmodel.a libbase.a
 
 # The version of the interface, not of the program: raise the first number, here and in debian/,
 # when a program that was linked with the library no longer runs with it; else the second, when a
@@ -30,7 +31,7 @@ CLEANFILES += $(CR_LIB_FILE) $(CR_LIB_SONAME) libcrumple.so
 $(CR_LIB_FILE): $(CR_LIB_LIBS)
 	$(AM_V_CCLD)$(CC) $(AM_CFLAGS) $(CFLAGS) $(AM_LDFLAGS) $(LDFLAGS) -shared \
 	    -Wl,-soname,$(CR_LIB_SONAME) -o $@ -Wl,--whole-archive liblib.a -Wl,--no-whole-archive \
-	    $(CR_LIB_LIBS) $(CJSON_LIBS) $(NETTLE_LIBS) $(LIBS)
+	    $(CR_LIB_LIBS) $(CJSON_LIBS) $(NETTLE_LIBS) $(EXPAT_LIBS) $(SQLITE3_LIBS) $(LIBS)
 	$(AM_V_at)$(LN_S) -f $@ $(CR_LIB_SONAME) && $(LN_S) -f $@ libcrumple.so
 install-exec-hook:
 	$(MKDIR_P) '$(DESTDIR)$(libdir)'

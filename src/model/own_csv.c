@@ -166,7 +166,7 @@ static enum cr_err take_row(struct csv *c, const struct cr_voxels *v, const stru
     return CR_ERR_OK;
 }
 
-/* What is wrong is told in words of our own: those of the file may be of a file that is no model. */
+/* What is wrong is told in words of our own: those of the file may be of one that is no model. */
 static enum cr_err read_rows(struct csv *c, const struct cr_voxels *v) {
     static const char *const names[COLUMNS] = {"ix", "iy", "iz", "fill", "energy_J"};
     const struct cr_csv_opts opts = {

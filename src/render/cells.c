@@ -36,6 +36,14 @@ void cr_cells_clear(struct cr_cells *cells) {
     }
 }
 
+void cr_cells_wipe(struct cr_cells *cells, struct cr_rect at) {
+    for (int y = at.y; y < at.y + at.h; y++) {
+        for (int x = at.x; x < at.x + at.w; x++) {
+            cells->cell[y * cells->w + x] = (struct cr_cell){.ch = ' ', .role = CR_ROLE_TEXT};
+        }
+    }
+}
+
 struct cr_cell *cr_cells_at(const struct cr_cells *cells, int x, int y) {
     if (x < 0 || y < 0 || x >= cells->w || y >= cells->h) {
         return NULL;

@@ -9,8 +9,10 @@ librender_a_SOURCES = \
 	src/render/draw.c \
 	src/render/field.c \
 	src/render/glyph.c \
+	src/render/heat.c \
 	src/render/impacts.c \
 	src/render/layout.c src/render/layout.h \
+	src/render/map.c \
 	src/render/marks.c \
 	src/render/page.c \
 	src/render/panes.c src/render/panes.h \

@@ -39,19 +39,24 @@ struct cr_plot_range cr_plot_range(const struct cr_plot *plot) {
     }
     /* the axis includes zero unless the curve is a small change of a large number */
     double span = r.y_hi - r.y_lo;
-    if (r.y_lo > 0 && r.y_lo < 2 * span) {
+    if (!plot->close && r.y_lo > 0 && r.y_lo < 2 * span) {
         r.y_lo = 0;
     }
-    if (r.y_hi < 0 && -r.y_hi < 2 * span) {
+    if (!plot->close && r.y_hi < 0 && -r.y_hi < 2 * span) {
         r.y_hi = 0;
     }
+    if (plot->close) {
+        r.y_lo -= 0.03 * span;
+        r.y_hi += 0.03 * span;
+    }
     /* what a filter rings below zero is not worth an axis of its own */
-    if (r.y_lo < 0 && -r.y_lo < 0.04 * r.y_hi) {
+    if (!plot->close && r.y_lo < 0 && -r.y_lo < 0.04 * r.y_hi) {
         r.y_lo = 0;
     }
     if (!(r.y_hi - r.y_lo > 1e-12 * fmax(fabs(r.y_hi), 1))) {
-        r.y_lo = fmin(r.y_lo, 0);
-        r.y_hi = r.y_lo < r.y_hi ? r.y_hi : r.y_lo + 1;
+        double half = plot->close ? fmax(0.05 * fabs(r.y_hi), 0.5) : 0;
+        r.y_lo = plot->close ? r.y_lo - half : fmin(r.y_lo, 0);
+        r.y_hi = plot->close ? r.y_hi + half : r.y_lo < r.y_hi ? r.y_hi : r.y_lo + 1;
     }
     if (!(r.x_hi > r.x_lo)) {
         r.x_hi = r.x_lo + 1;
@@ -103,7 +108,7 @@ static void draw_x_axis(const struct frame *f, const char *unit) {
         int x = col_of(f, v), n = (int)strlen(text), at = x - n / 2;
         cr_cells_put(f->cells, x, y, CR_ROLE_FRAME, ascii ? '+' : 0x252C);
         at = at + n > end ? end - n : at < a->x - 1 ? a->x - 1 : at;
-        if (at >= free_from && at + n + 1 + unit_w <= end) {
+        if (at >= free_from && at + n + (unit_w > 0 ? 1 + unit_w : 0) <= end) {
             cr_cells_print(f->cells, at, y + 1, n, CR_ROLE_DIM, text);
             free_from = at + n + 1;
         }
@@ -138,9 +143,13 @@ static void draw_y_axis(const struct frame *f) {
 }
 
 /* a tick just above the highest point is worth having */
-static void round_up(struct frame *f) {
+static void round_up(struct frame *f, bool down) {
     double step;
     y_ticks(f, &step);
+    double before = floor(f->y_lo / step + 1e-9) * step;
+    if (down && f->y_lo - before < 0.3 * (f->y_hi - f->y_lo)) {
+        f->y_lo = before;
+    }
     double next = ceil(f->y_hi / step - 1e-9) * step;
     if (next - f->y_hi < 0.06 * (f->y_hi - f->y_lo)) {
         f->y_hi = next;
@@ -176,7 +185,8 @@ static void draw_curves(const struct cr_plot *plot, const struct frame *f, struc
                 continue;
             }
             int to[2] = {dot_x(f, c->x[i]), dot_y(f, c->y[i])};
-            cr_dots_line(dots, pen ? last : to, to, c->role, ascii_mark(k), c->dashed, &phase);
+            cr_dots_line(dots, pen && !c->points ? last : to, to, c->role, ascii_mark(k), c->dashed,
+                         &phase);
             last[0] = to[0];
             last[1] = to[1];
             pen = true;
@@ -263,6 +273,13 @@ static void draw_zero_and_cursor(const struct cr_plot *plot, const struct frame 
 
 static void draw_title(const struct cr_plot *plot, const struct frame *f, struct cr_rect at) {
     int x = at.x, end = at.x + at.w;
+    if (plot->x_name != NULL) {
+        char text[96];
+        snprintf(text, sizeof text, "%.80s %s", plot->x_name, f->look->ascii ? ">" : "\u2192");
+        int w = cr_glyph_width(text);
+        end -= w < end - x ? w + 2 : 0;
+        cr_cells_print(f->cells, end + 2, at.y, w, CR_ROLE_DIM, text);
+    }
     if (plot->title != NULL) {
         x += cr_cells_print(f->cells, x, at.y, end - x, CR_ROLE_TITLE, plot->title);
     }
@@ -282,7 +299,10 @@ static void draw_title(const struct cr_plot *plot, const struct frame *f, struct
             break;
         }
         x += 3;
-        uint32_t line = f->look->ascii ? (uint8_t)ascii_mark(k) : c->dashed ? 0x2504 : 0x2501;
+        uint32_t line = f->look->ascii ? (uint8_t)ascii_mark(k)
+                        : c->points    ? 0x2804
+                        : c->dashed    ? 0x2504
+                                       : 0x2501;
         cr_cells_run(f->cells, x, at.y, 2, c->role, line);
         x += 3;
         x += cr_cells_print(f->cells, x, at.y, end - x, c->role, text);
@@ -299,7 +319,7 @@ static enum cr_err draw(struct cr_cells *cells, struct cr_rect at, const struct 
         return CR_ERR_OK;
     }
     data_range(plot, &f);
-    round_up(&f);
+    round_up(&f, plot->close);
     int label = y_label_width(&f);
     f.area.x = at.x + label + 1;
     f.area.w = at.w - label - 1;
@@ -309,10 +329,10 @@ static enum cr_err draw(struct cr_cells *cells, struct cr_rect at, const struct 
     }
     draw_title(plot, &f, at);
     draw_y_axis(&f);
-    draw_x_axis(&f, plot->x_unit != NULL ? plot->x_unit : "");
+    draw_x_axis(&f, plot->x_unit != NULL && plot->x_name == NULL ? plot->x_unit : "");
     draw_curves(plot, &f, &dots);
     cr_dots_draw(&dots, cells, f.area.x, f.area.y, look->ascii);
-    for (int k = 0; k < plot->curves; k++) {
+    for (int k = 0; k < plot->curves && !plot->curve[k].points; k++) {
         draw_letter(plot, &f, k);
     }
     draw_zero_and_cursor(plot, &f);

@@ -98,6 +98,9 @@ struct cr_rect {
     int x, y, w, h;
 };
 
+/* Blanks into a rectangle that lies within the cells. */
+void cr_cells_wipe(struct cr_cells *cells, struct cr_rect at);
+
 struct cr_scene_view {
     enum cr_field field;
     double time;      /* s of the scene; NaN: after the solve (or the start, without a result) */
@@ -137,9 +140,12 @@ struct cr_curve_line {
     const char *name; /* legend */
     enum cr_role role;
     bool dashed;
+    bool points; /* not joined by lines; x need not rise */
 };
 struct cr_plot {
     const char *title, *x_unit, *y_unit;
+    const char *x_name; /* stands above in place of the unit below; NULL: none */
+    bool close;         /* the axis is as long as the curves, zero is not drawn in */
     int curves;
     const struct cr_curve_line *curve;
     double cursor;       /* x of a vertical cursor, NaN: none */
@@ -152,6 +158,29 @@ const struct cr_plot *cr_plot_shown(const struct cr_plot *plot, struct cr_arena 
 CR_MUST_CHECK enum cr_err cr_render_plot(struct cr_cells *cells, struct cr_rect at,
                                          const struct cr_look *look, const struct cr_plot *plot,
                                          struct cr_error *err);
+
+/* A value over two inputs. */
+struct cr_heat_map {
+    const char *title;           /* with the unit of the values */
+    const char *x_name, *y_name; /* with their units */
+    int nx, ny;
+    const double *x, *y;                       /* [nx], [ny] rising; words: their index */
+    const double *value;                       /* [ny * nx], x fastest; NaN: none */
+    int decimals;                              /* of the values as shown */
+    const char *const *x_word, *const *y_word; /* NULL: the input is a number */
+    int chosen;                                /* value that is marked, counted from 1; 0: none */
+};
+/* Least and greatest value; false: there is none. */
+bool cr_heat_range(const struct cr_heat_map *map, double *lo, double *hi);
+/* Pieces of the line on which the value is `level`, linear between the values; in places of the
+ * grid, 0..nx-1 and 0..ny-1. Nothing where an input is a word. */
+void cr_heat_contour(const struct cr_heat_map *map, double level,
+                     void (*piece)(void *user, const double from[2], const double to[2]),
+                     void *user);
+/* The same as a picture: shades or colours between the values, lines with their values. */
+CR_MUST_CHECK enum cr_err cr_render_map(struct cr_cells *cells, struct cr_rect at,
+                                        const struct cr_look *look, const struct cr_heat_map *map,
+                                        struct cr_error *err);
 
 /* Round tick step 1, 2 or 5 times a power of ten with at most `most` steps in span (> 0). */
 double cr_tick_step(double span, int most);

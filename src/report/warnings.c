@@ -60,6 +60,12 @@ static const struct {
      "slip past each other, or something is missing",
      "% und % nähern sich noch mit % km/h, wenn ihr Kontakt mangels Material endet: sie gleiten "
      "oder rutschen aneinander vorbei, oder es fehlt etwas"},
+    {"% and % graze each other (% kJ of friction, % kJ of deformation): EES is good to 20 % at "
+     "best; "
+     "compare with half the voxel",
+     "% und % streifen einander (% kJ Reibung, % kJ Verformung): die EES stimmt bestenfalls auf 20 "
+     "%; "
+     "mit halbem Voxel vergleichen"},
     {"%: % g in a plastic phase of % ms is no crash pulse: take its delta-v, not its "
      "accelerations",
      "%: % g in einer plastischen Phase von % ms ist kein Kollisionspuls: Delta-v verwenden, "

@@ -91,6 +91,15 @@ double cr_measure_shown(const struct cr_measure *m, const struct cr_severity *se
     return cr_measure_get(m, severity) * unit->div / unit->mul;
 }
 
+const char *cr_measure_in(const struct cr_measure *m, enum cr_units units, double *x,
+                          int *decimals) {
+    if (decimals != NULL) {
+        *decimals = m->decimals;
+    }
+    /* all lengths among them are depths */
+    return cr_units_shown(units, m->dim == CR_DIM_LENGTH ? CR_SHOWN_DEPTH : m->unit, x, decimals);
+}
+
 const char *cr_measure_text(const struct cr_measure *m, double shown, char *buf, int size) {
     snprintf(buf, (size_t)size, "%.*f", m->decimals, shown);
     /* a rounded zero has no sign */

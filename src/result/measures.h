@@ -23,6 +23,10 @@ void cr_measure_set(const struct cr_measure *m, struct cr_severity *severity, do
 /* All measures NaN, and what a table shows beside them. */
 void cr_measures_clear(struct cr_severity *severity);
 const struct cr_unit *cr_measure_unit(const struct cr_measure *m);
+/* A value in the unit of the table as those units have it: its unit there; x and decimals nullable.
+ */
+const char *cr_measure_in(const struct cr_measure *m, enum cr_units units, double *x,
+                          int *decimals);
 /* In its unit, and as text with its decimals. */
 double cr_measure_shown(const struct cr_measure *m, const struct cr_severity *severity);
 const char *cr_measure_text(const struct cr_measure *m, double shown, char *buf, int size);

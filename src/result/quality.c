@@ -10,16 +10,20 @@
 static const double spike_time = 0.015, spike_acceleration = 60 * CR_G;
 /* share of the energy outside the contact from which its split is more model than measurement */
 static const double much_induced = 0.5;
+/* Friction by the deformation from which a crash grazes. Of 240 random crashes, solved again with
+ * half the voxel and slice, the 21 above it change their EES by 19 % (median; 47 % the 90th
+ * percentile), the others by 0.4 and 2.8 %. */
+static const double grazing = 0.5;
 /* approach that a contact without overlap must not leave, m/s */
 static const double still_approaching = 0.5;
 /* distance of the direction of force from the border of a clock hour, rad */
 static const double border = CR_PI / 90;
 
-static const char *const codes[] = {"through",        "a-pillar",     "deep",
-                                    "spike",          "induced",      "closed-approaching",
-                                    "pdof-border",    "balance",      "pdof-unsettled",
-                                    "interrupted",    "not-resolved", "trajectory-speed",
-                                    "trajectory-jump"};
+static const char *const codes[] = {
+    "through",          "a-pillar",           "deep",        "spike",
+    "induced",          "closed-approaching", "grazing",     "pdof-border",
+    "balance",          "pdof-unsettled",     "interrupted", "not-resolved",
+    "trajectory-speed", "trajectory-jump"};
 
 bool cr_result_is_doubt(const char *code) {
     for (size_t i = 0; i < sizeof codes / sizeof codes[0]; i++) {
@@ -116,8 +120,21 @@ static double approach_at_end(const struct cr_result *r, const struct cr_impact 
     return cr_vec2_dot(cr_vec2_sub(v[0], v[1]), k->normal);
 }
 
+/* Bodies that slide along each other: a thin contact, whose edges the grid rounds, decides. */
+static void check_grazing(struct cr_result *r, const struct cr_impact *k) {
+    double energy = k->of[0].energy + k->of[1].energy;
+    if (energy > 0 && k->friction > grazing * energy) {
+        cr_result_warn(r, "grazing",
+                       "%s and %s graze each other (%.1f kJ of friction, %.1f kJ of deformation): "
+                       "EES is good to 20 %% at best; compare with half the voxel",
+                       r->resolved.part[k->body[0]].id, r->resolved.part[k->body[1]].id,
+                       k->friction / 1e3, energy / 1e3);
+    }
+}
+
 static void check_impact(struct cr_result *r, const struct cr_impact *k) {
     check_through(r, k);
+    check_grazing(r, k);
     double left = approach_at_end(r, k);
     if (k->stop == CR_STOP_NO_OVERLAP && left > still_approaching) {
         cr_result_warn(r, "closed-approaching",

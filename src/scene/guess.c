@@ -9,15 +9,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Relative standard deviation of kerb mass + driver about mass of the type x volume over that of
- * the reference car: 0.107 over the 993 rows of share/catalogue/cars.csv with length, width and
- * height (mean +1.5 %); about the type's mass alone 0.06 to 0.18
- * (sedan 0.10, SUV 0.18).
- */
-static const double spread_by_volume = 0.11, spread_by_type = 0.15;
-/* of the kerb mass within a row of the catalogue and of what was loaded (CISS: least to greatest
- * within 5 % for most rows, a second occupant and luggage 100 kg of 1600) */
-static const double spread_by_row = 0.06;
+/* Relative standard deviations of kerb mass and driver: about the type's mass times the volume over
+ * that of the reference car [MASS-BY-VOLUME], about the type's mass alone [MASS-BY-TYPE], and
+ * within a row of the catalogue with what was loaded [MASS-BY-ROW]. */
+static const double spread_by_volume = 0.11, spread_by_row = 0.06;
+const double cr_mass_spread_by_type = 0.15;
 
 enum cr_err cr_scene_assume(struct cr_assuming *how, const char *id, const char *key,
                             struct cr_error *err) {
@@ -108,7 +104,7 @@ double cr_scene_guess_mass(const struct cr_participant *p, const struct cr_model
     share *= isnan(p->length) ? 1 : p->length / ref->length;
     share *= isnan(p->width) ? 1 : p->width / ref->width;
     share *= isnan(p->height) ? 1 : p->height / ref->height;
-    *spread = isnan(p->length) ? spread_by_type : spread_by_volume;
+    *spread = isnan(p->length) ? cr_mass_spread_by_type : spread_by_volume;
     /* a whole number of 10 kg: more digits would claim what nobody knows */
     return cr_clamp(10 * round(mass * share / 10), 100, 60000);
 }

@@ -265,6 +265,8 @@ struct cr_assumed {
     double mass_spread[CR_BODY_MAX]; /* relative standard deviation of an assumed mass, 0: given */
 };
 void cr_assumed_fini(struct cr_assumed *assumed);
+/* Relative standard deviation of cars about the mass of their type [MASS-BY-TYPE]. */
+extern const double cr_mass_spread_by_type;
 
 /* Fill in every value that was not given, from type and mass (share/doc/sources.md,
  * "Sizes, mass and inertia of cars"), and check that the whole is possible (axles within the

@@ -18,15 +18,21 @@ const char *cr_field_kind_word(enum cr_field_kind kind) {
     return kinds[kind];
 }
 
-void cr_field_evaluate(struct cr_field_table *field, const struct cr_crush_rules *rules,
-                       bool folds) {
+void cr_field_evaluate(struct cr_field_table *field, const struct cr_crush_rules *rules, bool folds,
+                       bool guess) {
     for (int i = 0; i < field->n; i++) {
         struct cr_field_row *row = &field->row[i];
         const struct cr_crush_rules *by = &rules[folds ? row->fold : 0];
         struct cr_crush_impact impact;
-        cr_crush_best(&row->what, by, &impact);
+        struct cr_crush_case what = row->what;
+        if (guess && what.n == 2) {
+            what.car[1].m.length = what.car[1].m.direct = what.car[1].m.direct_offset = NAN;
+            what.car[1].m.offset = 0;
+            cr_crush_guess(&what.car[0].m, what.car[1].p, &what.car[1].m);
+        }
+        cr_crush_best(&what, by, &impact);
         const struct cr_crush_part *own = &impact.part[0];
-        double forward = own->push.x * own->delta_v.best, right = -own->push.y * own->delta_v.best;
+        double forward = own->of[CR_DAMAGE_FORWARD].best, right = -own->of[CR_DAMAGE_LEFT].best;
         /* a front's recorder counts what braking takes meanwhile */
         forward -= row->what.car[0].m.face == CR_FACE_FRONT ? by->drag : 0;
         row->value = hypot(isnan(row->forward) ? 0 : forward, isnan(row->right) ? 0 : right);

@@ -67,9 +67,10 @@ CR_MUST_CHECK enum cr_err cr_field_load(const char *path, const struct cr_field_
                                         struct cr_error *err);
 void cr_field_fini(struct cr_field_table *field);
 
-/* Values of all rows by rules of their fold: rules[CR_FIELD_FOLDS]; or of rules[0] for all. */
-void cr_field_evaluate(struct cr_field_table *field, const struct cr_crush_rules *rules,
-                       bool folds);
+/* Values of all rows by rules of their fold: rules[CR_FIELD_FOLDS]; or of rules[0] for all.
+ * guess: as if nothing had been measured of the partners. */
+void cr_field_evaluate(struct cr_field_table *field, const struct cr_crush_rules *rules, bool folds,
+                       bool guess);
 
 struct cr_field_stats {
     int n;
@@ -84,7 +85,7 @@ CR_MUST_CHECK enum cr_err cr_field_result(const struct cr_field_table *field, in
                                           struct cr_field_result *out, struct cr_error *err);
 
 struct cr_field_form {
-    bool cases, plot, crossed;
+    bool cases, plot, crossed, guess;
     const char *title;
 };
 CR_MUST_CHECK enum cr_err cr_field_text(const struct cr_field_table *field,
@@ -102,6 +103,10 @@ CR_MUST_CHECK enum cr_err cr_field_csv(const struct cr_field_table *field, struc
  * is that of the aims: bias and mean error of each kind, scatter. Errors: USAGE without NLopt. */
 CR_MUST_CHECK enum cr_err cr_field_fit(struct cr_field_table *field, int without,
                                        struct cr_crush_rules *rules, struct cr_error *err);
+/* What partners took beside what the measured car took, of the rows whose fold is not `without`: a
+ * regression of the logarithms. */
+void cr_field_partners(const struct cr_field_table *field, int without,
+                       struct cr_crush_rules *rules);
 /* Scatter of the energies: of the residuals less the recorder's noise. */
 void cr_field_scatter(const struct cr_field_table *field, struct cr_crush_rules *rules);
 /* The rules of all and of each fold as the text of share/damage/calibration.json. */
@@ -118,7 +123,7 @@ CR_MUST_CHECK enum cr_err cr_field_folds_read(const char *path,
 struct cr_field_task {
     const char *path; /* NULL: the shipped one */
     int format;       /* 0 text, 1 JSON, 2 CSV */
-    bool cases, plot;
+    bool cases, plot, guess;
 };
 CR_MUST_CHECK enum cr_err cr_field_validate(const struct cr_field_task *task, struct cr_str *out,
                                             struct cr_error *err);

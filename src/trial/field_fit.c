@@ -90,7 +90,7 @@ static double objective(unsigned n, const double *x, double *gradient, void *use
     (void)n;
     (void)gradient;
     unpack(x, &s->rules);
-    cr_field_evaluate(s->field, &s->rules, false);
+    cr_field_evaluate(s->field, &s->rules, false, false);
     double sum = loss(s->field, s->without);
     for (int i = 0; i < CR_MODEL_ENDS; i++) {
         /* threshold and level trade in a flat valley: the recipes' own energy is the better end */
@@ -140,6 +140,55 @@ enum cr_err cr_field_fit(struct cr_field_table *field, int without, struct cr_cr
     return CR_ERR_USAGE;
 }
 #endif
+
+/* sums of a regression of one logarithm by another */
+struct sums {
+    double n, x, y, xx, xy, yy;
+};
+
+static void add_pair(struct sums *s, double known, double guessed) {
+    double scratch = 100; /* J: nothing takes less */
+    double x = log(fmax(known, scratch) / cr_crush_known), y = log(fmax(guessed, scratch));
+    s->n++;
+    s->x += x;
+    s->y += y;
+    s->xx += x * x;
+    s->xy += x * y;
+    s->yy += y * y;
+}
+
+void cr_field_partners(const struct cr_field_table *field, int without,
+                       struct cr_crush_rules *rules) {
+    enum { LEAST = 10 }; /* pairs */
+    struct sums sums[CR_MODEL_ENDS][CR_MODEL_ENDS] = {{{0}}};
+    for (int i = 0; i < field->n; i++) {
+        const struct cr_crush_case *what = &field->row[i].what;
+        if (what->n != 2 || field->row[i].fold == without) {
+            continue;
+        }
+        struct cr_crush_energy e[2];
+        enum cr_model_end end[2];
+        for (int k = 0; k < 2; k++) {
+            cr_crush_energy(&what->car[k], rules, &e[k]);
+            end[k] = cr_crush_end(what->car[k].m.face);
+        }
+        for (int k = 0; k < 2; k++) {
+            add_pair(&sums[end[k]][end[1 - k]], e[k].energy, e[1 - k].energy);
+        }
+    }
+    for (int k = 0; k < CR_MODEL_ENDS * CR_MODEL_ENDS; k++) {
+        const struct sums *s = &sums[k / CR_MODEL_ENDS][k % CR_MODEL_ENDS];
+        struct cr_crush_partner *p = &rules->partner[k / CR_MODEL_ENDS][k % CR_MODEL_ENDS];
+        *p = (struct cr_crush_partner){0};
+        if (s->n >= LEAST) {
+            double xx = s->xx - s->x * s->x / s->n, xy = s->xy - s->x * s->y / s->n;
+            double yy = s->yy - s->y * s->y / s->n;
+            p->power = fmax(0, xy / xx);
+            p->energy = exp((s->y - p->power * s->x) / s->n);
+            p->log_sd = sqrt(fmax(0, yy - p->power * xy) / (s->n - 2));
+        }
+    }
+}
 
 void cr_field_scatter(const struct cr_field_table *field, struct cr_crush_rules *rules) {
     struct cr_field_result r;

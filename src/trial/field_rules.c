@@ -11,13 +11,25 @@
 #include <stdlib.h>
 
 static cJSON *rules_json(const struct cr_crush_rules *r) {
-    static const char *const ends[CR_MODEL_ENDS] = {"front", "side", "rear"};
     cJSON *o = cJSON_CreateObject(), *faces = cr_tree_object(o, "faces");
     for (int i = 0; i < CR_MODEL_ENDS; i++) {
-        cJSON *face = cr_tree_object(faces, ends[i]);
+        cJSON *face = cr_tree_object(faces, cr_crush_ends[i]);
         cr_tree_number(face, "rise_m", round(r->rise[i] * 1e4) / 1e4);
         cr_tree_number(face, "level", round(r->level[i] * 1e4) / 1e4);
         cr_tree_number(face, "energy_log_sd", round(r->log_sd[i] * 1e4) / 1e4);
+    }
+    cJSON *partners = cr_tree_array(o, "partners");
+    for (int k = 0; k < CR_MODEL_ENDS * CR_MODEL_ENDS; k++) {
+        const struct cr_crush_partner *p = &r->partner[k / CR_MODEL_ENDS][k % CR_MODEL_ENDS];
+        if (p->log_sd > 0) {
+            cJSON *one = cJSON_CreateObject();
+            cr_tree_push(partners, one);
+            cr_tree_text(one, "known", cr_crush_ends[k / CR_MODEL_ENDS]);
+            cr_tree_text(one, "guessed", cr_crush_ends[k % CR_MODEL_ENDS]);
+            cr_tree_number(one, "energy_kJ", round(p->energy / 10) / 100);
+            cr_tree_number(one, "power", round(p->power * 1e3) / 1e3);
+            cr_tree_number(one, "log_sd", round(p->log_sd * 1e3) / 1e3);
+        }
     }
     cr_tree_number(o, "ramp_m", r->ramp);
     cr_tree_number(o, "oblique", round(r->oblique * 1e4) / 1e4);

@@ -10,10 +10,10 @@
 #include <string.h>
 
 static void say_row(struct cr_str *out, const char *name, const struct cr_field_result *r) {
-    cr_str_addf(out,
-                "  %-24s %4d %+6.1f %6.1f %+7.1f %7.3f | %4d %6.1f %7.3f | %+6.1f %6.1f %7.3f\n",
-                name, r->own.n, r->own.bias, r->own.mape, r->own.median, r->own.log_sd, r->same.n,
-                r->same.mape, r->same.log_sd, r->smash.bias, r->smash.mape, r->smash.log_sd);
+    cr_str_addf(out, "  %-18s %4d %+6.1f %6.1f %+7.1f %7.3f | %4d %+6.1f %6.1f %7.3f", name,
+                r->own.n, r->own.bias, r->own.mape, r->own.median, r->own.log_sd, r->same.n,
+                r->same.bias, r->same.mape, r->same.log_sd);
+    cr_str_addf(out, " | %+6.1f %6.1f %7.3f\n", r->smash.bias, r->smash.mape, r->smash.log_sd);
 }
 
 static enum cr_err say_groups(const struct cr_field_table *field, struct cr_str *out,
@@ -98,10 +98,14 @@ enum cr_err cr_field_text(const struct cr_field_table *field, const struct cr_fi
     cr_str_addf(
         out, "  %d recorders pass the filter (share/validation/field/filter.csv), %d do not%s\n",
         field->n, field->dropped, form->crossed ? "; cross-validated by case in five folds" : "");
-    cr_str_addf(out, "  %-24s %4s %6s %6s %7s %7s | %4s %6s %7s | WinSMASH on the same rows\n", "",
-                "n", "bias%", "MAPE%", "median%", "log SD", "n", "MAPE%", "log SD");
-    cr_str_addf(out, "  %-24s %4s %6s %6s %7s %7s | %4s %6s %7s | %6s %6s %7s\n", "", "", "", "",
-                "", "", "", "", "", "bias%", "MAPE%", "log SD");
+    if (form->guess) {
+        cr_str_add(out, "  as if nothing had been measured of the partners but their face\n");
+    }
+    cr_str_addf(out, "  %-18s %-34s | the rows that WinSMASH has too\n", "", "all rows");
+    cr_str_addf(out, "  %-18s %-34s | %-26s | WinSMASH\n", "", "", "damage");
+    cr_str_addf(out, "  %-18s %4s %6s %6s %7s %7s | %4s %6s %6s %7s | %6s %6s %7s\n", "", "n",
+                "bias%", "MAPE%", "median%", "log SD", "n", "bias%", "MAPE%", "log SD", "bias%",
+                "MAPE%", "log SD");
     if (field->n == 0) {
         cr_str_add(out, "  no row passes the filter\n");
         return CR_ERR_OK;
@@ -128,29 +132,28 @@ static cJSON *number(double x) {
     return isfinite(x) ? cJSON_CreateNumber(x) : cJSON_CreateNull();
 }
 
-static void add_summary(cJSON *to, const char *name, const struct cr_field_result *r) {
-    cJSON *o = cr_tree_object(to, name);
+static void add_stats(cJSON *to, const char *prefix, const struct cr_field_stats *s) {
     const struct {
         const char *key;
         double value;
-    } values[] = {
-        {"bias_percent", r->own.bias},
-        {"mape_percent", r->own.mape},
-        {"median_percent", r->own.median},
-        {"log_sd", r->own.log_sd},
-        {"same_rows_bias_percent", r->same.bias},
-        {"same_rows_mape_percent", r->same.mape},
-        {"same_rows_log_sd", r->same.log_sd},
-        {"winsmash_bias_percent", r->smash.bias},
-        {"winsmash_mape_percent", r->smash.mape},
-        {"winsmash_median_percent", r->smash.median},
-        {"winsmash_log_sd", r->smash.log_sd},
-    };
-    cr_tree_number(o, "n", r->own.n);
-    cr_tree_number(o, "winsmash_n", r->smash.n);
+    } values[] = {{"n", s->n},
+                  {"bias_percent", s->bias},
+                  {"mape_percent", s->mape},
+                  {"median_percent", s->median},
+                  {"log_sd", s->log_sd}};
     for (size_t i = 0; i < sizeof values / sizeof values[0]; i++) {
-        cr_tree_put(o, values[i].key, number(values[i].value));
+        char key[40];
+        snprintf(key, sizeof key, "%s%s", prefix, values[i].key);
+        cr_tree_put(to, key, number(values[i].value));
     }
+}
+
+/* Both on the same rows, those that WinSMASH has too (all, if it has none); then ours on all. */
+static void add_summary(cJSON *to, const char *name, const struct cr_field_result *r) {
+    cJSON *o = cr_tree_object(to, name);
+    add_stats(o, "", r->same.n > 0 ? &r->same : &r->own);
+    add_stats(o, "winsmash_", &r->smash);
+    add_stats(o, "all_rows_", &r->own);
 }
 
 static cJSON *row_json(const struct cr_field_row *r) {
@@ -173,6 +176,7 @@ enum cr_err cr_field_json(const struct cr_field_table *field, const struct cr_fi
     struct cr_field_result r;
     cr_tree_text(root, "class", "field");
     cr_tree_bool(root, "cross_validated", form->crossed);
+    cr_tree_bool(root, "partners_guessed", form->guess);
     cr_tree_number(root, "left_out_by_filter", field->dropped);
     cr_tree_number(root, "recorder_noise_percent", 100 * rules->noise);
     cJSON *rows = cr_tree_array(root, "rows");

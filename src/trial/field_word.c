@@ -55,9 +55,10 @@ enum cr_err cr_field_validate(const struct cr_field_task *task, struct cr_str *o
     if (code == CR_ERR_OK) {
         const struct cr_field_form form = {.cases = task->cases,
                                            .plot = task->plot,
+                                           .guess = task->guess,
                                            .crossed = shipped,
                                            .title = shipped ? "NHTSA CISS" : task->path};
-        cr_field_evaluate(&field, shipped ? folds : &rules, shipped);
+        cr_field_evaluate(&field, shipped ? folds : &rules, shipped, task->guess);
         code = write_form(&field, task, &form, &rules, out, err);
     }
     cr_field_fini(&field);
@@ -84,10 +85,12 @@ static enum cr_err fit_all(struct cr_field_table *field, struct cr_crush_rules *
         }
     }
     if (code == CR_ERR_OK) {
-        cr_field_evaluate(field, folds, true);
+        cr_field_evaluate(field, folds, true, false);
         cr_field_scatter(field, rules);
     }
+    cr_field_partners(field, -1, rules);
     for (int k = 0; k < CR_FIELD_FOLDS; k++) {
+        cr_field_partners(field, k, &folds[k]);
         memcpy(folds[k].log_sd, rules->log_sd, sizeof rules->log_sd);
     }
     return code;

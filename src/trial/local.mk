@@ -94,7 +94,7 @@ dist_validationpaper_DATA = \
 	share/validation/paper/v2v-compact-2015-super-2007.json \
 	share/validation/paper/v2v-q7-fiat500.json
 validationdocdir = $(docdir)
-dist_validationdoc_DATA = share/doc/validation.md share/doc/library.md \
+dist_validationdoc_DATA = share/doc/validation.md \
 	share/doc/method.md share/doc/sources.md
 dist_man_MANS += man/crumple-validation.7
 validationfielddir = $(pkgdatadir)/validation/field

@@ -32,7 +32,7 @@ static const char about[] =
 
 struct options {
     int format, method, jobs, worst;
-    bool cases, plot, targets, progress, fast;
+    bool cases, plot, targets, progress, fast, guess;
     const char *out, *scenes, *models;
     struct cr_cli_look look;
 };
@@ -304,8 +304,11 @@ static bool is_field_table(const char *path) {
 
 static enum cr_err validate_field(const char *path, const struct options *opt,
                                   struct cr_error *err) {
-    const struct cr_field_task task = {
-        .path = path, .format = opt->format, .cases = opt->cases, .plot = opt->plot};
+    const struct cr_field_task task = {.path = path,
+                                       .format = opt->format,
+                                       .cases = opt->cases,
+                                       .plot = opt->plot,
+                                       .guess = opt->guess};
     struct cr_str text = {0};
     enum cr_err code = cr_field_validate(&task, &text, err);
     if (code == CR_ERR_OK) {
@@ -315,7 +318,7 @@ static enum cr_err validate_field(const char *path, const struct options *opt,
     return code;
 }
 
-enum { OPTIONS = 15 };
+enum { OPTIONS = 16 };
 
 static void list_options(struct options *opt, struct cr_option list[OPTIONS]) {
     const struct cr_option table[OPTIONS] = {
@@ -340,6 +343,9 @@ static void list_options(struct options *opt, struct cr_option list[OPTIONS]) {
         {.name = "scenes", .arg = "DIR", .text = &opt->scenes, .help = "write the scenes there"},
         {.name = "models", .arg = "DIR", .text = &opt->models, .help = "other recipes"},
         {.name = "fast", .flag = &opt->fast, .help = "without cross-validation"},
+        {.name = "guess",
+         .flag = &opt->guess,
+         .help = "field: as if nothing had been measured of the partners"},
         {.name = "targets", .flag = &opt->targets, .help = "status 1 if a target is missed"},
         {.name = "output",
          .letter = 'o',

@@ -278,23 +278,6 @@ static void scroll_sheet(struct cr_tui *t, int rows) {
     t->dirty = true;
 }
 
-static void choose_run(struct cr_tui *t, int step) {
-    const struct cr_sweep *sweep = cr_session_sweep(t->session);
-    int most = sweep != NULL ? sweep->n - 1 : 0;
-    t->sweep_row += step;
-    t->sweep_row = t->sweep_row < 0 ? 0 : t->sweep_row > most ? most : t->sweep_row;
-    t->dirty = true;
-}
-
-static void take_run(struct cr_tui *t, int arg) {
-    char line[40];
-    (void)arg;
-    if (cr_session_sweep(t->session) != NULL) {
-        snprintf(line, sizeof line, "sweep row=%d", t->sweep_row + 1);
-        cr_tui_run_key(t, line);
-    }
-}
-
 static void export_run(struct cr_tui *t, int arg) {
     (void)arg;
     ask_for(t, "export sweep ");
@@ -434,11 +417,13 @@ static const struct key keys[] = {
     {ALSO(PAGED, FUNCTION, KEY_PPAGE), .act = scroll_pane, .arg = -10},
     {ALSO(PAGED, FUNCTION, KEY_NPAGE), .act = scroll_pane, .arg = 10},
     {ROW("Up Down", "choose", "a run of the sweep", BIT(SWEEP), FUNCTION, KEY_UP),
-     .act = choose_run, .arg = -1},
-    {ALSO(BIT(SWEEP), FUNCTION, KEY_DOWN), .act = choose_run, .arg = 1},
+     .act = cr_sweep_choose, .arg = -1},
+    {ALSO(BIT(SWEEP), FUNCTION, KEY_DOWN), .act = cr_sweep_choose, .arg = 1},
     {ROW("Enter", "take", "its values into the scene", BIT(SWEEP), CHARACTER, '\r'),
-     .act = take_run},
-    {ALSO(BIT(SWEEP), FUNCTION, KEY_ENTER), .act = take_run},
+     .act = cr_sweep_take},
+    {ALSO(BIT(SWEEP), FUNCTION, KEY_ENTER), .act = cr_sweep_take},
+    {ROW("p", "picture", "curve or map; the table", BIT(SWEEP), CHARACTER, 'p'),
+     .act = cr_sweep_turn},
     {ROW("x", NULL, "export the sweep", BIT(SWEEP), CHARACTER, 'x'), .act = export_run},
     {ROW("z", "zoom", "this pane alone, back", PANES, CHARACTER, 'z'), .act = zoom},
     {ROW("t", NULL, "theme: dark, light, ...", PANES, CHARACTER, 't'), .act = next_theme},
@@ -513,7 +498,7 @@ static void press(struct cr_tui *t, const struct key *k) {
 /* changes nothing but what is seen */
 static bool looks(const struct cr_tui *t, const struct key *k) {
     static void (*const changing[])(struct cr_tui * t, int arg) = {
-        solve, save, cancel, change_speed, take_run, export_run};
+        solve, save, cancel, change_speed, cr_sweep_take, export_run};
     if (k->command != NULL) {
         return strncmp(k->command, "show ", 5) == 0 || strcmp(k->command, "explain") == 0;
     }

@@ -136,7 +136,7 @@ static void click_sweep(struct cr_tui *t, int y) {
     struct cr_rect in = cr_rect_inner(t->layout.pane[CR_AREA_SWEEP]);
     int rows = in.h - 2, first = t->sweep_row >= rows ? t->sweep_row - rows + 1 : 0;
     int row = first + y - in.y - 1;
-    if (sweep != NULL && row >= 0 && row < sweep->n) {
+    if (sweep != NULL && !cr_sweep_pictured(t) && row >= 0 && row < sweep->n) {
         t->sweep_row = row;
     }
 }

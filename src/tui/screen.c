@@ -111,14 +111,6 @@ static void hint_of(struct cr_tui *t, struct cr_str *text, const char *line[2]) 
     line[0] = text->s;
 }
 
-static void wipe(struct cr_cells *cells, struct cr_rect at) {
-    for (int y = at.y; y < at.y + at.h; y++) {
-        for (int x = at.x; x < at.x + at.w; x++) {
-            cells->cell[y * cells->w + x] = (struct cr_cell){.ch = ' ', .role = CR_ROLE_TEXT};
-        }
-    }
-}
-
 static void draw_work(struct cr_tui *t, struct cr_rect at) {
     const struct cr_progress *p = t->progress;
     char text[200];
@@ -144,7 +136,7 @@ static void draw_work(struct cr_tui *t, struct cr_rect at) {
 static void draw_prompt(struct cr_tui *t, int *cursor_x) {
     struct cr_rect at = t->layout.prompt;
     *cursor_x = -1;
-    wipe(&t->cells, at);
+    cr_cells_wipe(&t->cells, at);
     if (t->paused && t->progress == NULL) {
         cr_lesson_prompt(t, at);
     } else if (t->question != NULL) {
@@ -218,7 +210,7 @@ static enum cr_err draw_pulse(struct cr_tui *t, const struct cr_screen *s, struc
         return CR_ERR_OK;
     }
     at = (struct cr_rect){at.x + 1, at.y + 1, at.w - 2, at.h - 2};
-    wipe(&t->cells, at);
+    cr_cells_wipe(&t->cells, at);
     return cr_session_draw_pulse(t->session, &t->cells, at, err);
 }
 
@@ -251,9 +243,12 @@ static enum cr_err compose(struct cr_tui *t, const struct cr_look *look, struct 
     if (code == CR_ERR_OK) {
         code = draw_pulse(t, &s, err);
     }
+    if (code == CR_ERR_OK) {
+        code = cr_sweep_picture_draw(t, look, err);
+    }
     const char *under = t->layout.hint.w > 0 ? lines[1] : lines[1] != NULL ? lines[1] : lines[0];
     if (under != NULL && t->layout.keys.w > 0) {
-        wipe(&t->cells, t->layout.keys);
+        cr_cells_wipe(&t->cells, t->layout.keys);
         cr_cells_print(&t->cells, t->layout.keys.x, t->layout.keys.y, t->layout.keys.w, CR_ROLE_DIM,
                        under);
     }

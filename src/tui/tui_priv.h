@@ -275,5 +275,13 @@ CR_MUST_CHECK enum cr_err cr_sweep_sheet_new(const struct cr_tui *t, struct cr_s
                                              struct cr_error *err);
 const struct cr_sheet *cr_sweep_sheet_get(const struct cr_sweep_sheet *s);
 void cr_sweep_sheet_free(struct cr_sweep_sheet *s);
+/* The curves or the map of the chosen run, where the pane shows them in place of the table. */
+bool cr_sweep_pictured(const struct cr_tui *t);
+CR_MUST_CHECK enum cr_err cr_sweep_picture_draw(struct cr_tui *t, const struct cr_look *look,
+                                                struct cr_error *err);
+/* Keys of the pane: another run, its values into the scene, the next picture. */
+void cr_sweep_choose(struct cr_tui *t, int step);
+void cr_sweep_take(struct cr_tui *t, int arg);
+void cr_sweep_turn(struct cr_tui *t, int arg);
 
 #endif

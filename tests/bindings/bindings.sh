@@ -44,8 +44,19 @@ stopifnot(abs(crumple_value(r, "A.delta_v_kmh") - 40) < 0.5, length(r$trace$t_s)
           is.na(crumple_value(r, "A.colour")))
 d <- crumple_solve_many(list(at(30), at(40), list(crumple = 1)), c("A.ees_kmh", "A.cdc"))
 stopifnot(nrow(d) == 3, d$A.ees_kmh[1] < d$A.ees_kmh[2], is.na(d$A.ees_kmh[3]), !is.na(d$error[3]))
+one <- crumple_solve(at(40), trace = FALSE)
+stopifnot(is.null(one$trace), identical(crumple_value(one, "A.ees_kmh"), d$A.ees_kmh[2]),
+          identical(crumple_solve(at(40), set = "A.speed_kmh=40")$participants, one$participants))
+bad <- tryCatch(crumple_solve(list(crumple = 1)), error = conditionMessage)
+again <- crumple_solve(at(30))
+stopifnot(grepl("participants", bad), crumple_value(again, "A.ees_kmh") == d$A.ees_kmh[1],
+          length(again$trace$t_s) > 10)
 message <- tryCatch(crumple_solve("/nowhere.json"), error = conditionMessage)
 stopifnot(grepl("nowhere", message))
+options(crumple = "/nowhere/crumple")
+.crumple_running$"trace TRUE" <- NULL
+message <- tryCatch(crumple_solve(at(30)), error = conditionMessage)
+stopifnot(grepl("does not run", message))
 END
     log=$(SRC=$SRC CRUMPLE=$crumple Rscript "$tmp/test.R" 2>&1)
     report $? "the program from R"

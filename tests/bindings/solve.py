@@ -114,6 +114,23 @@ class Solve(unittest.TestCase):
             crumple.damage(measured)
         self.assertTrue(caught.exception.where)
 
+    def test_import(self):
+        data = ROOT / "tests/data/import"
+        want = json.loads((data / "long.jsonl").read_text())
+        self.assertEqual(crumple.import_file(data / "long.csv"), ([want], []))
+        with tempfile.NamedTemporaryFile("w", suffix=".csv") as file:
+            file.write("case,time [s],id,x [m],y [m],heading [deg],speed [km/h]\n")
+            for i, speed in (1, 50), (2, 40), (3, ""):
+                file.write(f"{i},0,A,0,0,0,{speed}\n{i},0,B,20,0,180,50\n")
+            file.flush()
+            scenes, errors = crumple.import_file(file.name)
+            self.assertEqual([s["source"]["case"] for s in scenes], ["1", "2"])
+            self.assertEqual([e.code for e in errors], ["missing"])
+            self.assertEqual(crumple.import_file(file.name, case="2"), (scenes[1:], []))
+        with self.assertRaises(crumple.Error) as caught:
+            crumple.import_file(data / "long.csv", reference="roof")
+        self.assertEqual(caught.exception.code, "usage")
+
     def test_picture(self):
         result = crumple.solve(wall(50))
         svg = xml.etree.ElementTree.fromstring(result.svg())

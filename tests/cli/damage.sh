@@ -16,10 +16,12 @@ END
 pair "$crush" >"$tmp/pair.json"
 run damage "$tmp/pair.json"
 same "two vehicles" "$status:$errs" "0:"
+empty "no number of them is without its interval" "$(printf '%s\n' "$out" |
+    grep -E '^  [a-zA-Z]' | grep -vE ' 95 %: |^  crush |^  CDC |uncertain by')"
 has "EES with its interval" "$out" '^  EES +[0-9.]+ km/h +95 %: [0-9.]+ to [0-9.]+$'
 has "delta-v with its interval" "$out" '^  delta-v +[0-9.]+ km/h +95 %: [0-9.]+ to [0-9.]+$'
 has "closing speed" "$out" '^  closing speed +[0-9.]+ km/h'
-has "CDC" "$out" 'CDC 12FDEW[1-9]'
+has "CDC" "$out" 'CDC +12FDEW[1-9]'
 has "what the interval comes from" "$out" 'uncertain by type [0-9]+ %, tape'
 run damage "$tmp/pair.json" --picture --width 80 --ascii
 has "a picture from above" "$out" '^ A  sedan  top'
@@ -27,8 +29,8 @@ has "and from the side" "$out" '^ B  compact  side'
 run damage "$tmp/pair.json" -f json
 if command -v python3 >/dev/null 2>&1; then
     same "JSON keeps momentum" "$(printf '%s' "$out" | python3 -c 'import json, sys
-d = json.load(sys.stdin); a, b = d["vehicles"]; j = [v["mass_kg"] * v["delta_v_kmh"]["value"]
-                                                     for v in (a, b)]
+d = json.load(sys.stdin); a, b = d["vehicles"]
+j = [v["mass_kg"]["value"] * v["delta_v_kmh"]["value"] for v in (a, b)]
 print(abs(j[0] - j[1]) < 1e-6 * j[0], a["ees_kmh"]["low"] < a["ees_kmh"]["value"],
       abs(sum(a["variance_shares"].values()) - 1) < 1e-9)')" "True True True"
 else
@@ -54,7 +56,24 @@ B,compact,1300,rear,1.2,,0.1,0.2,0.1
 END
 run damage "$tmp/pair.csv"
 has "a table, a row per vehicle" "$out" \
-    '^B: compact 1300 kg, rear, field 1\.20 m .* crush 10 20 10 cm'
+    '^B: compact 1300 \+- 39 kg, rear, field 1\.20 \+- 0\.05 m'
+has "and its stations" "$out" '^  crush 10 20 10 \+- 3 cm$'
+cat >"$tmp/full.csv" <<'END'
+id,type,car,mass_kg,mass_tolerance_kg,face,field_length_m,field_length_tolerance_m,ride,c1_m,c2_m
+A,sedan,,1600,25,front,1.4,0.02,under,0.3,0.33
+B,,golf 2015,,,rear,,,,unknown,
+END
+run damage "$tmp/full.csv"
+has "tolerances of a table" "$out" \
+    '^A: sedan 1600 \+- 25 kg, front, field 1\.40 \+- 0\.02 m'
+has "an underride" "$out" 'struck from 0\.51 m up$'
+has "a car of the catalogue, and what was not measured of it" "$out" \
+    '^  not measured: as deep as .* real crashes'
+has "delta-v with a partner that was not measured" "$out" '^  delta-v +[0-9.]+ km/h +95 %'
+sed '1s/$/,struck_low_m,struck_high_m/; 2s/$/,0.3,0.8/; 3s/$/,,/' \
+    "$tmp/pair.csv" >"$tmp/heights.csv"
+run damage "$tmp/heights.csv"
+has "heights of a table" "$out" 'struck from 0\.30 m up to 0\.80 m$'
 sed 's/,rear,/,roof,/' "$tmp/pair.csv" >"$tmp/bad.csv"
 refused "a fault in a table has its line" 3 'bad\.csv:3.*front, left' damage "$tmp/bad.csv"
 
@@ -71,6 +90,12 @@ bad "depths in cm" 3 'C1 of 30' '"face": "front", "field_length_m": 1.4, "crush_
 bad "a force that pulls" 3 'pulls' "$crush, \"pdof_deg\": 170"
 bad "an unknown key" 3 'bad\.json:[0-9]+:.*unknown key.*field_length_m' "$crush, \"width_m\": 1"
 bad "two vehicles and an object" 3 'too many' "$crush" ', "object": {}'
+echo '{ "crumple_damage": 1, "vehicles": [ { "id": "A", "type": "sedan", "mass_kg": 1600,
+  "damage": { "face": "front", "crush_m": "unknown" } } ] }' >"$tmp/bad.json"
+refused "nobody was measured" 3 'bad\.json:2:.*needs the other' damage "$tmp/bad.json"
+bad "a ride that is none" 3 'under or over' "$crush, \"ride\": \"beside\""
+bad "an outline that goes back" 3 'bad\.json:[0-9]+:.*does not go on' \
+    '"face": "front", "outline_m": [[0, 0.1], [-1, 0.1]]'
 bad "restitution" 3 'restitution must' "$crush" ', "restitution": 2'
 pair "$crush" | sed 's/"mass_kg": 1600, //' >"$tmp/bad.json"
 refused "a missing mass" 3 'mass_kg' damage "$tmp/bad.json"

@@ -2,7 +2,8 @@
 # crumple fit: round trip, what is not determined, contradiction, forms, faults.
 . "$SRC/tests/cli/cli.sh"
 
-wall_scene >"$tmp/w.json"
+# voxels and slices as coarse as a search bears
+wall_scene | sed '1s/$/ "settings": { "voxel_mm": 50, "dt_ms": 1 },/' >"$tmp/w.json"
 case $("$crumple" --version) in
 *"no GSL"* | *"no NLopt"*)
     refused "a build without a search says so" 2 'no NLopt or no GSL' \

@@ -45,7 +45,7 @@ for word in run stack merge validate models schema calibrate; do
 done
 
 run schema
-same "schema lists the schemas" "$out" "$(printf 'scene\nresult\nvoxel-model\nrecipe')"
+same "schema lists the schemas" "$out" "$(printf 'scene\nresult\ndamage\nvoxel-model\nrecipe')"
 for name in $out; do
     run schema "$name"
     same "schema $name is that file" "$(cksum <"$tmp/out")" \

@@ -8,6 +8,7 @@
 #include "base/hash.h"
 #include "base/json.h"
 #include "base/number.h"
+#include "base/random.h"
 #include "base/str.h"
 #include "base/vec.h"
 
@@ -236,8 +237,48 @@ static void test_grown_array_keeps_its_items(void **state) {
     free(item);
 }
 
+/* [SPLITMIX64] */
+static void test_random_numbers_are_those_published(void **state) {
+    (void)state;
+    static const uint64_t first[] = {6457827717110365317U, 3203168211198807973U,
+                                     9817491932198370423U, 4593380528125082431U,
+                                     16408922859458223821U};
+    uint64_t seed = 1234567;
+    for (int i = 0; i < 5; i++) {
+        assert_true(cr_random(&seed) == first[i]);
+    }
+}
+
+/* each share of each dimension once; another seed draws others */
+static void test_latin_hypercube(void **state) {
+    (void)state;
+    enum { N = 50, DIMS = 3 };
+    double u[N * DIMS], again[N * DIMS], other[N * DIMS];
+    assert_int_equal(cr_random_latin(7, N, DIMS, u, NULL), CR_ERR_OK);
+    assert_int_equal(cr_random_latin(7, N, DIMS, again, NULL), CR_ERR_OK);
+    assert_int_equal(cr_random_latin(8, N, DIMS, other, NULL), CR_ERR_OK);
+    assert_memory_equal(u, again, sizeof u);
+    int equal = 0;
+    for (int d = 0; d < DIMS; d++) {
+        int met[N] = {0}, in_order = 0;
+        for (int i = 0; i < N; i++) {
+            assert_true(u[i * DIMS + d] > 0 && u[i * DIMS + d] < 1);
+            met[(int)(N * u[i * DIMS + d])]++;
+            in_order += (int)(N * u[i * DIMS + d]) == i;
+            equal += u[i * DIMS + d] == other[i * DIMS + d];
+        }
+        for (int i = 0; i < N; i++) {
+            assert_int_equal(met[i], 1);
+        }
+        assert_true(in_order < N / 4);
+    }
+    assert_int_equal(equal, 0);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_random_numbers_are_those_published),
+        cmocka_unit_test(test_latin_hypercube),
         cmocka_unit_test(test_grown_array_keeps_its_items),
         cmocka_unit_test(test_arena_gives_zeroed_memory),
         cmocka_unit_test(test_arena_zeroes_used_memory),

@@ -305,7 +305,7 @@ static void test_scatter(void **state) {
 static void test_map(void **state) {
     (void)state;
     static const double x[2] = {1, 2}, y[2] = {10, 20}, value[4] = {1, 2, 3, NAN};
-    struct cr_heat_map m = {"EES", "x", "y", 2, 2, x, y, value, 1};
+    struct cr_heat_map m = {"EES", "x", "y", 2, 2, x, y, value, 1, NULL, NULL, 0};
     struct cr_canvas *c = cr_canvas_new(300, 200);
     cr_figure_map(c, (struct cr_box){0, 0, 300, 200}, &m, NULL);
     char *svg = svg_of(c);
@@ -316,6 +316,56 @@ static void test_map(void **state) {
     assert_true(three[1] < one[1] && three[0] == one[0]); /* y up */
     assert_true(none[0] == two[0] && none[1] == three[1]);
     free(svg);
+}
+
+struct pieces {
+    double level, length;
+    int n;
+};
+
+/* all ends of the pieces lie where x + 2 y is the level */
+static void on_plane(void *user, const double from[2], const double to[2]) {
+    struct pieces *p = user;
+    check_near(from[0] + 2 * from[1], p->level, 1e-12);
+    check_near(to[0] + 2 * to[1], p->level, 1e-12);
+    p->length += hypot(to[0] - from[0], to[1] - from[1]);
+    p->n++;
+}
+
+static void count(void *user, const double from[2], const double to[2]) {
+    (void)from;
+    (void)to;
+    ++*(int *)user;
+}
+
+/* the line x + 2 y = 3 in a grid of 4 x 3: from (3, 0) to (0, 1.5) */
+static void test_contour(void **state) {
+    (void)state;
+    static const double x[4] = {0, 1, 2, 3}, y[3] = {0, 1, 2};
+    static const char *const words[4] = {"a", "b", "c", "d"};
+    double value[12], lo, hi;
+    for (int i = 0; i < 12; i++) {
+        value[i] = i % 4 + 2 * (i / 4);
+    }
+    struct cr_heat_map m = {"", "", "", 4, 3, x, y, value, 1, NULL, NULL, 0};
+    struct pieces p = {.level = 3};
+    cr_heat_contour(&m, 3, on_plane, &p);
+    assert_true(p.n >= 5);
+    check_near(p.length, hypot(3, 1.5), 1e-9);
+    assert_true(cr_heat_range(&m, &lo, &hi) && lo == 0 && hi == 7);
+    int n = 0;
+    cr_heat_contour(&m, 7.5, count, &n);
+    assert_int_equal(n, 0); /* beyond the values */
+    m.x_word = words;
+    cr_heat_contour(&m, 3, count, &n);
+    assert_int_equal(n, 0); /* there is nothing between words */
+    m.x_word = NULL;
+    for (int i = 0; i < 12; i++) {
+        value[i] = NAN;
+    }
+    cr_heat_contour(&m, 3, count, &n);
+    assert_int_equal(n, 0);
+    assert_false(cr_heat_range(&m, &lo, &hi));
 }
 
 /* ---- damage ---- */
@@ -429,6 +479,7 @@ int main(void) {
         cmocka_unit_test(test_tornado),
         cmocka_unit_test(test_scatter),
         cmocka_unit_test(test_map),
+        cmocka_unit_test(test_contour),
         cmocka_unit_test(test_damage),
         cmocka_unit_test(test_same_bytes),
         cmocka_unit_test(test_errors),

@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 static crumple *lib;
 
@@ -341,6 +342,71 @@ static void test_stack(void **state) {
                      CRUMPLE_USAGE);
 }
 
+static const char cases_csv[] = "case,time [s],id,x [m],y [m],heading [deg],speed [km/h]\n"
+                                "1,0,A,0,0,0,54\n"
+                                "1,0,B,20,0.5,180,54\n"
+                                "2,0,A,0,0,0,\n"
+                                "2,0,B,20,0.5,180,54\n"
+                                "3,0,A,0,0,0,36\n"
+                                "3,0,B,20,0.5,180,54\n";
+
+struct taken {
+    int n, stop_at;
+    char got[8]; /* s: a scene that can be solved, e: an error with its place */
+};
+
+static int take_case(void *user, const char *scene, size_t length, const crumple_error *err) {
+    struct taken *t = user;
+    crumple_result *r = NULL;
+    char word = 'e';
+    if (scene != NULL) {
+        assert_int_equal(length, strlen(scene));
+        word = crumple_solve(lib, scene, length, NULL, &r, NULL) == CRUMPLE_OK ? 's' : '?';
+    } else {
+        assert_int_equal(err->code, CRUMPLE_MISSING);
+        assert_int_equal(err->line, 4);
+    }
+    t->got[t->n++] = word;
+    crumple_result_free(r);
+    return t->n == t->stop_at;
+}
+
+static void test_import(void **state) {
+    (void)state;
+    char path[] = "/tmp/crumple-lib-XXXXXX";
+    const char *const third[] = {"format=csv", "case=3"}, *const none[] = {"case=4"};
+    const char *const wrong[] = {"reference"};
+    struct taken all = {0}, one = {0}, stopped = {.stop_at = 1}, no = {0};
+    crumple_error err = CRUMPLE_ERROR_INIT;
+    crumple_options opt = CRUMPLE_OPTIONS_INIT;
+    int polls = 2, fd = mkstemp(path);
+    assert_int_equal(write(fd, cases_csv, strlen(cases_csv)), strlen(cases_csv));
+    close(fd);
+    assert_int_equal(crumple_import(lib, path, NULL, take_case, &all, &err), CRUMPLE_OK);
+    assert_string_equal(all.got, "ses");
+    assert_int_equal(crumple_import(lib, path, NULL, take_case, &stopped, &err),
+                     CRUMPLE_INTERRUPTED);
+    assert_string_equal(stopped.got, "s");
+    opt.set = third;
+    opt.sets = 2;
+    assert_int_equal(crumple_import(lib, path, &opt, take_case, &one, &err), CRUMPLE_OK);
+    assert_string_equal(one.got, "s");
+    opt.set = none;
+    opt.sets = 1;
+    assert_int_equal(crumple_import(lib, path, &opt, take_case, &no, &err), CRUMPLE_NAME);
+    opt.set = wrong;
+    assert_int_equal(crumple_import(lib, path, &opt, take_case, &no, &err), CRUMPLE_USAGE);
+    opt.sets = 0;
+    opt.cancel = cancel_at_third;
+    opt.user = &polls;
+    assert_int_equal(crumple_import(lib, path, &opt, take_case, &no, &err), CRUMPLE_INTERRUPTED);
+    unlink(path);
+    assert_int_equal(crumple_import(lib, path, NULL, take_case, &no, &err), CRUMPLE_IO);
+    assert_string_equal(err.source, path);
+    assert_int_equal(crumple_import(lib, "-", NULL, take_case, &no, &err), CRUMPLE_IO);
+    assert_string_equal(no.got, "");
+}
+
 /* the rule of threads: one handle, solves side by side, and one result read by both; for
  * ThreadSanitizer */
 static void *many_solves(void *user) {
@@ -392,6 +458,7 @@ int main(void) {
         cmocka_unit_test(test_json),     cmocka_unit_test(test_cancel),
         cmocka_unit_test(test_svg),      cmocka_unit_test(test_closed_before),
         cmocka_unit_test(test_stack),    cmocka_unit_test(test_threads),
+        cmocka_unit_test(test_import),
     };
     return cmocka_run_group_tests_name("lib", tests, open_lib, close_lib);
 }

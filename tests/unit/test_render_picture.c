@@ -369,8 +369,8 @@ static void test_plot_peak(void **state) {
         x[i] = i;
         y[i] = i <= 50 ? i : 100 - i;
     }
-    struct cr_curve_line curve = {x, y, 101, 'A', "triangle", CR_ROLE_A, false};
-    struct cr_plot plot = {"y", "ms", "m", 1, &curve, 25, CR_UNITS_SI};
+    struct cr_curve_line curve = {x, y, 101, 'A', "triangle", CR_ROLE_A, false, false};
+    struct cr_plot plot = {"y", "ms", "m", NULL, false, 1, &curve, 25, CR_UNITS_SI};
     struct cr_cells c;
     struct cr_error err;
     assert_int_equal(cr_cells_new(60, 15, &c, &err), CR_ERR_OK);
@@ -392,11 +392,36 @@ static void test_plot_peak(void **state) {
     cr_cells_fini(&c);
 }
 
+/* an axis that is close to its curve begins near it, and its last tick has its number */
+static void test_close_axis(void **state) {
+    (void)state;
+    static const double x[3] = {40, 50, 60}, y[3] = {80, 85, 90};
+    struct cr_curve_line curve = {x, y, 3, 'A', "A", CR_ROLE_A, false, false};
+    struct cr_plot plot = {"ees", NULL, "km/h", "A.speed, km/h", true, 1, &curve, NAN, CR_UNITS_SI};
+    struct cr_plot_range r = cr_plot_range(&plot);
+    assert_true(r.y_lo > 79 && r.y_lo < 80 && r.y_hi > 90 && r.y_hi < 91);
+    struct cr_cells c;
+    struct cr_str text = {0};
+    assert_int_equal(cr_cells_new(60, 15, &c, NULL), CR_ERR_OK);
+    assert_int_equal(cr_render_plot(&c, (struct cr_rect){0, 0, 60, 15}, &plain, &plot, NULL),
+                     CR_ERR_OK);
+    cr_cells_text(&c, &plain, &text);
+    assert_non_null(strstr(cr_str_get(&text), "A.speed, km/h \u2192\n"));
+    assert_non_null(strstr(cr_str_get(&text), "60\n"));
+    assert_non_null(strstr(cr_str_get(&text), "80\u2524"));
+    cr_str_fini(&text);
+    cr_cells_fini(&c);
+    plot.close = false; /* else zero belongs to it where the curve is not far above */
+    static const double low[3] = {6, 12, 9};
+    curve.y = low;
+    assert_true(cr_plot_range(&plot).y_lo == 0);
+}
+
 static void test_plot_of_nothing(void **state) {
     (void)state;
-    struct cr_plot plot = {"y", "ms", "m", 0, NULL, NAN, CR_UNITS_SI};
+    struct cr_plot plot = {"y", "ms", "m", NULL, false, 0, NULL, NAN, CR_UNITS_SI};
     double x[2] = {0, 1}, y[2] = {NAN, INFINITY};
-    struct cr_curve_line curve = {x, y, 2, 'A', "none", CR_ROLE_A, false};
+    struct cr_curve_line curve = {x, y, 2, 'A', "none", CR_ROLE_A, false, false};
     struct cr_cells c;
     struct cr_error err;
     assert_int_equal(cr_cells_new(40, 10, &c, &err), CR_ERR_OK);
@@ -457,6 +482,7 @@ int main(void) {
         cmocka_unit_test(test_table_values),
         cmocka_unit_test(test_pulse_of_uneven_slices),
         cmocka_unit_test(test_plot_peak),
+        cmocka_unit_test(test_close_axis),
         cmocka_unit_test(test_plot_of_nothing),
         cmocka_unit_test(test_small_rectangles),
     };

@@ -324,15 +324,19 @@ static void doubts_are_named(void **state) {
     struct cr_impact *k = &result->impact[0];
     k->t_plastic_end = k->t_begin + 0.01;
     k->of[0].acceleration_max = 70 * CR_G;
+    k->friction = 0.49 * (k->of[0].energy + k->of[1].energy);
     k->of[1].energy_induced = 0.6 * k->of[1].energy;
     cr_result_quality(result, NULL);
     assert_int_equal(has("spike"), 1);
     assert_int_equal(has("induced"), 1);
     assert_int_equal(has("through"), 0);
+    assert_int_equal(has("grazing"), 0);
+    k->friction = 0.51 * (k->of[0].energy + k->of[1].energy);
     k->of[0].face = CR_FACE_FRONT;
     k->of[0].face_depth_dynamic = 3.9;
     cr_result_quality(result, NULL);
     assert_int_equal(has("through"), 1);
+    assert_int_equal(has("grazing"), 1);
 
     make(); /* the second car drives on into the first one's place */
     touch(0, t_contact, 100, cr_vec2(mass_kg * 1, 0), 0);

@@ -13,7 +13,7 @@ struct shot {
     const char *name;
     int w, h;
     const char *keys;
-    enum { EMPTY, SOLVED, COMPARED, PART } crash;
+    enum { EMPTY, SOLVED, COMPARED, PART, SWEPT, SWEPT_4, DRAWN } crash;
     bool ascii;
     const char *question;
     double working; /* share of a solve under way, 0: none; 1: a sweep */
@@ -53,6 +53,13 @@ static const struct shot shots[] = {
     {"sweeping-80x24", 80, 24, "<M-5>", SOLVED, false, NULL, 1},
     {"sweeping-200x50", 200, 50, "", SOLVED, false, NULL, 1},
     {"interrupted-80x24", 80, 24, "", PART, false, NULL, 0},
+    {"swept-80x24", 80, 24, "<M-5><F6><Down><Down>", SWEPT, false, NULL, 0},
+    {"map-80x24", 80, 24, "<M-5><F6><Down><Down>p", SWEPT, false, NULL, 0},
+    {"map-80x24-ascii", 80, 24, "<M-5><F6><Down><Down>pp", SWEPT, true, NULL, 0},
+    {"map-200x50", 200, 50, "<M-5><F6><Down>p", SWEPT, false, NULL, 0},
+    {"map-of-four-100x30", 100, 30, "set units=us<Enter><M-5><F6><Down>pp", SWEPT_4, false, NULL,
+     0},
+    {"draws-80x24", 80, 24, "<M-5><F6>pp", DRAWN, false, NULL, 0},
 };
 enum { SHOTS = sizeof shots / sizeof shots[0] };
 
@@ -102,6 +109,9 @@ static void test_shot(void **state) {
     tui_double_init(&d, s->w, s->h, s->crash != EMPTY, s->crash == PART);
     if (s->crash == COMPARED) {
         tui_double_compare(&d);
+    }
+    if (s->crash >= SWEPT) {
+        tui_double_sweep(&d, s->crash == SWEPT_4 ? 2 : 0, s->crash == DRAWN);
     }
     const struct cr_look look = {.ascii = s->ascii};
     cr_session_set_look(d.t->session, &look);

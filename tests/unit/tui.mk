@@ -50,6 +50,12 @@ tui_golden = tests/golden/tui/compared-100x30.txt \
 	tests/golden/tui/help-200x50.txt \
 	tests/golden/tui/help-80x24.txt \
 	tests/golden/tui/interrupted-80x24.txt \
+	tests/golden/tui/swept-80x24.txt \
+	tests/golden/tui/map-80x24.txt \
+	tests/golden/tui/map-80x24-ascii.txt \
+	tests/golden/tui/map-200x50.txt \
+	tests/golden/tui/map-of-four-100x30.txt \
+	tests/golden/tui/draws-80x24.txt \
 	tests/golden/tui/log-80x24.txt \
 	tests/golden/tui/narrow-60x20.txt \
 	tests/golden/tui/palette-100x30.txt \

@@ -61,6 +61,52 @@ void tui_double_compare(struct tui_double *d) {
     d->t->session->reference = ref;
 }
 
+static void sweep_axis(struct cr_sweep *sweep, const char *key, int n) {
+    struct cr_sweep_axis *axis = &sweep->axis[sweep->axes++];
+    snprintf(axis->key, sizeof axis->key, "%s", key);
+    axis->n = n;
+    axis->unit = cr_unit_find("km/h", CR_DIM_SPEED);
+    axis->value = calloc((size_t)n, sizeof *axis->value);
+    assert_non_null(axis->value);
+    for (int i = 0; i < n; i++) {
+        axis->value[i] = (40 + 10 * i) / 3.6;
+    }
+}
+
+void tui_double_sweep(struct tui_double *d, int more, bool drawn) {
+    struct cr_sweep *sweep = calloc(1, sizeof *sweep);
+    assert_non_null(sweep);
+    for (int a = 0; a < more; a++) {
+        sweep_axis(sweep, a == 0 ? "A.course" : "B.course", 2);
+    }
+    sweep_axis(sweep, "A.speed", 3);
+    sweep_axis(sweep, "B.speed", 4);
+    *sweep->id[0] = 'A';
+    *sweep->id[1] = 'B';
+    sweep->participants = 2;
+    sweep->drawn = drawn;
+    sweep->part = -1;
+    sweep->measure = cr_measure_find("ees");
+    sweep->n = 12 << more;
+    sweep->run = calloc((size_t)sweep->n, sizeof *sweep->run);
+    sweep->severity = calloc((size_t)sweep->n * 2, sizeof *sweep->severity);
+    assert_true(sweep->run != NULL && sweep->severity != NULL);
+    for (int i = 0; i < sweep->n; i++) {
+        struct cr_sweep_run *run = &sweep->run[i];
+        int rest = i;
+        for (int a = sweep->axes - 1; a >= 0; a--) {
+            run->at[a] = sweep->axis[a].value[rest % sweep->axis[a].n];
+            rest /= sweep->axis[a].n;
+        }
+        run->done = true;
+        run->stop = CR_STOP_MOMENTUM;
+        run->of = sweep->severity + 2 * (size_t)i;
+        run->of[0].ees = (run->at[more] + run->at[more + 1]) / 2;
+        run->of[1].ees = run->at[more] + run->at[more + 1] + 5 * run->at[0];
+    }
+    cr_session_take_sweep(d->t->session, sweep);
+}
+
 void tui_double_fini(struct tui_double *d) {
     cr_prompt_close();
     cr_tui_free(d->t);

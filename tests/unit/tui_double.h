@@ -16,6 +16,10 @@ void tui_double_init(struct tui_double *d, int w, int h, bool solved, bool inter
 void tui_double_fini(struct tui_double *d);
 /* As after `compare`: EES, delta-v and PDOF of A, delta-v of B were measured. */
 void tui_double_compare(struct tui_double *d);
+/* As after a sweep of both speeds, and of `more` inputs before them with two values each: the EES
+ * of A is the mean of both speeds, that of B their sum and five times the first input. With drawn
+ * they are shown as draws. */
+void tui_double_sweep(struct tui_double *d, int more, bool drawn);
 /* Types text; keys by name in angle brackets: <Enter> <Tab> <Esc> <Space> <Up> <Left> <F1> <C-c>
  * <M-3> ... */
 void tui_double_type(struct tui_double *d, const char *keys);
