@@ -153,7 +153,8 @@ static void choose_origin(struct cr_import_case *c, struct cr_vec2 pos) {
 /* The row of the CG in the file's digits: half a tenth of a millimetre, of a 1/10,000 degree. */
 static struct cr_waypoint tidy(const struct cr_import_case *c, const struct cr_import_part *part,
                                const struct cr_waypoint *row) {
-    struct cr_waypoint out = {.t = cr_round_decimals(row->t, 6)};
+    /* of times of a calendar, 1.7e9 s, a double has no more digits */
+    struct cr_waypoint out = {.t = cr_round_decimals(row->t, fabs(row->t) < 1e8 ? 6 : 5)};
     double x = row->pos.x - c->origin.x + part->shift * cos(row->heading);
     double y = row->pos.y - c->origin.y + part->shift * sin(row->heading);
     out.pos = cr_vec2(cr_round_decimals(x, 4), cr_round_decimals(y, 4));
@@ -166,7 +167,7 @@ static enum cr_err check_row(const struct cr_import_part *part, const struct cr_
                              struct cr_error *err) {
     bool finite = isfinite(row->t) && isfinite(row->pos.x) && isfinite(row->pos.y) &&
                   isfinite(row->heading) && isfinite(row->speed);
-    if (!finite || fabs(row->t) > 1e8 || fabs(row->pos.x) > 1e8 || fabs(row->pos.y) > 1e8 ||
+    if (!finite || fabs(row->t) >= 1e10 || fabs(row->pos.x) > 1e8 || fabs(row->pos.y) > 1e8 ||
         fabs(row->heading) > 1e6 || fabs(row->speed) > 1e6) {
         return cr_err_set(err, CR_ERR_RANGE,
                           "participant \"%.60s\": time, place, heading or speed is missing or "

@@ -3,7 +3,7 @@
 
 #include "import/import_priv.h"
 
-#if HAVE_LIBZIP
+#ifdef HAVE_LIBZIP
 #include "base/grow.h"
 #include "base/show.h"
 
@@ -11,17 +11,17 @@
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 #include <zip.h>
 #endif
+#include <string.h>
 
 bool cr_import_is_zip(const struct cr_import_head *head) {
     return head->len >= 4 &&
            (memcmp(head->text, "PK\3\4", 4) == 0 || memcmp(head->text, "PK\5\6", 4) == 0);
 }
 
-#if HAVE_LIBZIP
+#ifdef HAVE_LIBZIP
 enum { ENTRIES_MAX = 20000, PIECE = 1 << 16 };
 /* Bytes of all files together. Tables and texts become 5 to 30 times smaller by an archive; one
  * that is a thousand times smaller than what is in it holds nothing but an attack on the disk. */

@@ -8,4 +8,4 @@ TESTS += test_import_text
 test_import_text_SOURCES = tests/unit/test_import_text.c
 test_import_text_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 test_import_text_LDADD = libimport.a libresult.a libscene.a libsolver.a libmodel.a libbase.a $(CMOCKA_LIBS) $(CJSON_LIBS) \
-	$(NETTLE_LIBS) $(EXPAT_LIBS) $(SQLITE3_LIBS) $(LIBZIP_LIBS)
+	$(NETTLE_LIBS) $(CR_IMPORT_LIBS)
