@@ -244,7 +244,7 @@ static void heights_and_tracks_are_those_of_measured_cars(void **state) {
             }
         }
         check_errors(&height, "CG height", 5, 0.05, 0.07);
-        check_errors(&track, "track", 9, 0.05, 0.04);
+        check_errors(&track, "track", 9, 0.05, 0.05);
     }
 }
 
