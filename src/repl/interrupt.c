@@ -1,6 +1,8 @@
 /* ^C where lines are read: a flag that the handler sets and the reader clears. */
 #include "repl/repl_priv.h"
 
+#include "base/catch.h"
+
 volatile sig_atomic_t cr_repl_interrupted;
 
 static void on_interrupt(int sig) {
@@ -9,7 +11,5 @@ static void on_interrupt(int sig) {
 }
 
 void cr_repl_catch_interrupt(void) {
-    struct sigaction action = {.sa_handler = on_interrupt};
-    sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, NULL);
+    cr_catch(SIGINT, on_interrupt, 0);
 }
