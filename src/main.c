@@ -34,6 +34,7 @@ static const char help[] =
     "       crumple mc SCENE.json            solve many draws of its uncertain inputs\n"
     "       crumple catalogue [WORD ...]     list the cars that scenes can name\n"
     "       crumple report SCENE|RESULT      expert's report as HTML or PDF\n"
+    "       crumple diff A.json B.json       two results, or scenes, side by side\n"
     "       crumple audit RESULT [SCENE]     compute a result again and compare\n"
     "       crumple models [NAME]            list, show or export the models\n"
     "       crumple schema [NAME]            print a JSON Schema, of scenes for example\n"
@@ -68,6 +69,7 @@ static const struct word words[] = {
     {"models", cr_cli_models},
     {"schema", cr_cli_schema},
     {"damage", cr_cli_damage},
+    {"diff", cr_cli_diff},
     {"calibrate", cr_trial_calibrate},
     {"calibrate-damage", cr_trial_calibrate_damage},
     {"fit", cr_cli_fit},
@@ -113,7 +115,7 @@ static int tell_help(int argc, char **argv) {
     }
     snprintf(line, sizeof line, "help %.200s", argv[1][0] != '-' ? argv[1] : "help");
     char *commands[] = {argv[0], e, line, NULL};
-    return cr_repl_main(3, commands, cr_data_dir(data, sizeof data));
+    return cr_repl_main(3, commands, cr_data_dir(data, sizeof data), cr_expert_order);
 }
 
 static int unknown(const char *what, const char *given) {
@@ -188,7 +190,8 @@ static int interactive(int argc, char **argv, const struct cr_repl_start *start)
                                             .color = start->color,
                                             .max_seconds = start->max_seconds,
                                             .max_megabytes = start->max_megabytes,
-                                            .lines = cr_str_get(&start->lines)};
+                                            .lines = cr_str_get(&start->lines),
+                                            .report = cr_expert_order};
         return cr_tui_main(&screen);
     }
     if (why[0] != '\0') {
@@ -196,7 +199,7 @@ static int interactive(int argc, char **argv, const struct cr_repl_start *start)
     } else if (cr_repl_one_scene(argc, argv)) {
         return cr_cli_run(argc, argv); /* nobody is there to look at it */
     }
-    return cr_repl_main(argc, argv, data_dir);
+    return cr_repl_main(argc, argv, data_dir, cr_expert_order);
 }
 
 /* files, scenes, -e and what belongs to them */
@@ -208,8 +211,9 @@ static int session(int argc, char **argv) {
         cr_str_fini(&start.lines);
         return status;
     }
-    return cr_repl_one_scene(argc, argv) ? cr_cli_run(argc, argv)
-                                         : cr_repl_main(argc, argv, cr_data_dir(data, sizeof data));
+    return cr_repl_one_scene(argc, argv)
+               ? cr_cli_run(argc, argv)
+               : cr_repl_main(argc, argv, cr_data_dir(data, sizeof data), cr_expert_order);
 }
 
 int main(int argc, char **argv) {

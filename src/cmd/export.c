@@ -42,7 +42,7 @@ static enum cr_err scene_text(struct cr_session *s, struct cr_str *out, struct c
     enum cr_err code = cr_cells_new(100, 32, &cells, err);
     if (code == CR_ERR_OK) {
         view.time = solved ? view.time : (double)NAN;
-        code = cr_render_scene(&cells, (struct cr_rect){0, 0, 100, 32}, &plain, compiled,
+        code = cr_render_scene(&(struct cr_target){&cells, {0, 0, 100, 32}, &plain}, compiled,
                                solved ? &s->result->resolved : cr_session_scene(s),
                                solved ? s->result : NULL, &view, err);
         cr_cells_text(&cells, &plain, out);
@@ -120,6 +120,10 @@ static enum cr_err export_result(struct cr_export *x, struct cr_error *err) {
     return result_text(x, false, err);
 }
 
+static enum cr_err export_report(struct cr_export *x, struct cr_error *err) {
+    return x->form == CR_EXPORT_TXT ? export_result(x, err) : cr_export_report(x, err);
+}
+
 static enum cr_err export_pulse(struct cr_export *x, struct cr_error *err) {
     bool numbers = x->form == CR_EXPORT_CSV || x->form == CR_EXPORT_JSON;
     return numbers ? result_text(x, true, err) : cr_export_picture(x, err);
@@ -147,7 +151,7 @@ static const struct {
     {"pulse", BIT_CSV | BIT_JSON | PICTURE, true, true, export_pulse},
     {"steps", BIT_CSV, true, true, export_steps},
     {"sweep", BIT_CSV | PICTURE, false, false, export_sweep},
-    {"report", BIT_TXT, true, true, export_result},
+    {"report", BIT_TXT | 1 << CR_EXPORT_HTML | 1 << CR_EXPORT_PDF, true, true, export_report},
     {"before", PICTURE, false, false, cr_export_picture},
     {"contact", PICTURE, true, false, cr_export_picture},
     {"engagement", PICTURE, true, false, cr_export_picture},

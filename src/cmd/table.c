@@ -275,7 +275,8 @@ static const struct cr_arg explain_args[] = {
 };
 
 static const struct cr_arg compare_args[] = {
-    POSITION("FILE", CR_VALUE_FILE, .words = ".json|.csv", .help = "measured values"),
+    POSITION("FILE", CR_VALUE_FILE, .words = ".json|.csv",
+             .help = "measured values, or another result"),
     KEY("within", CR_VALUE_NUMBER, .unit = "%", .lo = 0, .hi = 1000,
         .help = "largest error of a value that passes"),
     KEY("of", CR_VALUE_NAME, .help = "whose pulse, where more than one moves"),
@@ -402,7 +403,7 @@ static const struct cr_arg export_args[] = {
                       "body|film",
              .help = "what is written; with a suffix (after.svg) it is the file as well"),
     OPTION("FILE", CR_VALUE_FILE,
-           .words = ".csv|.json|.txt|.svg|.pdf|.png|.mme|.gp|.vtk|.obj|.cast",
+           .words = ".csv|.json|.txt|.html|.svg|.pdf|.png|.mme|.gp|.vtk|.obj|.cast",
            .help = "its suffix says how"),
     KEY("of", CR_VALUE_VEHICLE, .help = "vehicle of damage, side, top, front, risk and body"),
     KEY("time", CR_VALUE_TIME, .dim = CR_DIM_TIME, .unit = "ms", .lo = 0, .hi = 60000,
@@ -410,6 +411,13 @@ static const struct cr_arg export_args[] = {
         .help = "of the scene, ms after the first contact"),
     KEY("plot", CR_VALUE_TEXT, .def = "ees of all",
         .help = "result of a sweep or of mc to draw: A.ees, B.delta_v ..."),
+    KEY("lang", CR_VALUE_WORD, .words = "en|de", .def = "en", .help = "language of the report"),
+    KEY("author", CR_VALUE_TEXT, .help = "of the report: who answers for it"),
+    KEY("case", CR_VALUE_TEXT, .help = "of the report: case number"),
+    KEY("draws", CR_VALUE_COUNT, .lo = 0, .hi = 100000, .def = "300",
+        .help = "for the intervals of the report; 0: none"),
+    KEY("tests", CR_VALUE_WORD, .words = "on|off", .def = "on",
+        .help = "crash tests like the crash in the report, solved for comparison"),
     END,
 };
 
@@ -521,7 +529,8 @@ static const struct cr_command commands[] = {
                  "fit A.speed=40:70km/h B.overlap=30%:60% to ees.B=60km/h dv.A=30+-3km/h starts=1 "
                  "solves=40"},
      .setup = PAIR_SETUP, .see = "sweep mc compare"},
-    {ROW(compare, SOLVE, compare_args, "errors of the result against measured values"),
+    {ROW(compare, SOLVE, compare_args,
+         "the result beside measured values, or beside another result"),
      .example = {"compare share/tutorial/reference.json",
                  "compare share/validation/data/taurus_7292_veh1_pulse.csv of=A"},
      .setup = NHTSA_7292 "solve\n", .see = "assert pulse"},
