@@ -118,10 +118,10 @@ static enum cr_err write_mc(const struct cr_mc *mc, const struct options *opt, s
     int width;
     struct cr_mc_plot plot;
     struct cr_look look = cr_cli_look_of(&opt->look, opt->out != NULL, &width);
+    const struct cr_mc_words words = {.ascii = look.ascii};
     enum cr_err code = opt->plot != NULL ? read_plot(mc, opt->plot, &plot, err) : CR_ERR_OK;
-    return code == CR_ERR_OK
-               ? cr_mc_text(mc, opt->plot != NULL ? &plot : NULL, look.ascii, text, err)
-               : code;
+    return code == CR_ERR_OK ? cr_mc_text(mc, opt->plot != NULL ? &plot : NULL, &words, text, err)
+                             : code;
 }
 
 static enum cr_err solve(const struct cr_scene *scene, const struct options *opt,

@@ -173,7 +173,8 @@ static enum cr_err tell(struct cr_call *call, const struct cr_mc *mc, const stru
                         struct cr_error *err) {
     struct cr_str text = {0};
     bool all = !cr_cmd_given(call, "plot");
-    enum cr_err code = cr_mc_text(mc, all ? NULL : plot, call->s->opts.look.ascii, &text, err);
+    const struct cr_mc_words words = {call->s->units, call->s->opts.look.ascii};
+    enum cr_err code = cr_mc_text(mc, all ? NULL : plot, &words, &text, err);
     if (code == CR_ERR_OK) {
         cr_session_lines(call->s, &text);
         code = write_file(call, mc, err);

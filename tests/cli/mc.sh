@@ -62,4 +62,12 @@ wall_scene '' '"yaw_rate_deg_s": {"value": 0, "tolerance": -5}' >"$tmp/bad.json"
 refused "a bad tolerance has its place" 3 'bad\.json:[0-9]+:[0-9]+: .*above zero' mc "$tmp/bad.json"
 wall_scene '' '"yaw_rate_deg_s": {"value": 0, "width": 5}' >"$tmp/bad.json"
 refused "a key that is none" 3 'unknown key "width"' mc "$tmp/bad.json"
+
+# charts in US units
+(cd "$tmp" && "$crumple" -e "load $demo" -e 'set units=us' \
+    -e 'mc A.speed=56+-3km/h draws=12 scatter=off plot=A.ees' \
+    -e 'export! histogram h.svg plot=A.depth' -e 'export! tornado t.svg plot=A.ees') >/dev/null 2>&1
+same "commands draw the charts" "$?" 0
+has "a histogram in inches" "$(cat "$tmp/h.svg")" '>in</text>'
+has "a tornado in miles per hour" "$(cat "$tmp/t.svg")" '>mph</text>'
 finish
