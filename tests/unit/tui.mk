@@ -1,6 +1,6 @@
 # the full screen in a terminal
-tui_checks = tests/tui/busy.sh tests/tui/edit.sh tests/tui/ends.sh tests/tui/first.sh tests/tui/lessons.sh \
-	tests/tui/monkey.sh tests/tui/screen.sh
+tui_checks = tests/tui/busy.sh tests/tui/edit.sh tests/tui/ends.sh tests/tui/first.sh \
+	tests/tui/lessons.sh tests/tui/monkey.sh tests/tui/screen.sh
 TESTS += $(tui_checks)
 EXTRA_DIST += $(tui_checks) tests/tui/tui.sh tests/tui/monkey.py
 # unit tests of src/tui
