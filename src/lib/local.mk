@@ -31,7 +31,7 @@ CLEANFILES += $(CR_LIB_FILE) $(CR_LIB_SONAME) libcrumple.so
 $(CR_LIB_FILE): $(CR_LIB_LIBS)
 	$(AM_V_CCLD)$(CC) $(AM_CFLAGS) $(CFLAGS) $(AM_LDFLAGS) $(LDFLAGS) -shared \
 	    -Wl,-soname,$(CR_LIB_SONAME) -o $@ -Wl,--whole-archive liblib.a -Wl,--no-whole-archive \
-	    $(CR_LIB_LIBS) $(CJSON_LIBS) $(NETTLE_LIBS) $(EXPAT_LIBS) $(SQLITE3_LIBS) $(LIBS)
+	    $(CR_LIB_LIBS) $(CJSON_LIBS) $(NETTLE_LIBS) $(CR_IMPORT_LIBS) $(LIBS)
 	$(AM_V_at)$(LN_S) -f $@ $(CR_LIB_SONAME) && $(LN_S) -f $@ libcrumple.so
 install-exec-hook:
 	$(MKDIR_P) '$(DESTDIR)$(libdir)'
