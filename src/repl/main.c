@@ -134,7 +134,7 @@ static void greet(struct cr_session *s, const char *state_dir) {
     (void)s;
 }
 
-int cr_repl_main(int argc, char **argv, const char *data_dir) {
+int cr_repl_main(int argc, char **argv, const char *data_dir, const char *cars_dir) {
     struct cr_repl_options o;
     struct cr_error err;
     char state_dir[1024] = "";
@@ -150,6 +150,7 @@ int cr_repl_main(int argc, char **argv, const char *data_dir) {
         cr_repl_state_dir(state_dir, sizeof state_dir);
     }
     struct cr_session_opts opts = {.data_dir = data_dir,
+                                   .cars_dir = cars_dir,
                                    .state_dir = state_dir[0] != '\0' ? state_dir : NULL,
                                    .ask = prompt,
                                    .max_seconds = o.max_seconds > 0 ? o.max_seconds
