@@ -1,6 +1,8 @@
 /* A canvas remembers what is drawn on it until it is written. */
 #include "figure/canvas_priv.h"
 
+#include "base/grow.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -33,8 +35,12 @@ double cr_canvas_h(const struct cr_canvas *c) {
     return c->h;
 }
 
-void cr_canvas_comma(struct cr_canvas *c, bool on) {
-    c->comma = on;
+void cr_canvas_comma(struct cr_canvas *c) {
+    for (int i = 0; i < c->items; i++) {
+        if (c->item[i].act == CR_ACT_TEXT) {
+            cr_decimal_comma(c->words.s + c->item[i].from, (size_t)c->item[i].n);
+        }
+    }
 }
 
 void cr_canvas_origin(struct cr_canvas *c, double x, double y) {
@@ -42,37 +48,21 @@ void cr_canvas_origin(struct cr_canvas *c, double x, double y) {
     c->y0 = y;
 }
 
-/* room for one more; NULL when memory is out, which is remembered */
-static void *grow(struct cr_canvas *c, void *list, int n, int *size, size_t each) {
-    if (n < *size) {
-        return list;
-    }
-    int more = *size > 0 ? 2 * *size : 64;
-    void *bigger = realloc(list, (size_t)more * each);
-    if (bigger == NULL) {
+static struct cr_item *add_item(struct cr_canvas *c, enum cr_act act) {
+    if (!cr_grow(&c->item, &c->item_size, c->items, sizeof *c->item)) {
         c->failed = true;
         return NULL;
     }
-    *size = more;
-    return bigger;
-}
-
-static struct cr_item *add_item(struct cr_canvas *c, enum cr_act act) {
-    struct cr_item *list = grow(c, c->item, c->items, &c->item_size, sizeof *list);
-    if (list == NULL) {
-        return NULL;
-    }
-    c->item = list;
-    list[c->items] = (struct cr_item){.act = act};
-    return &list[c->items++];
+    c->item[c->items] = (struct cr_item){.act = act};
+    return &c->item[c->items++];
 }
 
 static void add_step(struct cr_canvas *c, const struct cr_step *step) {
-    struct cr_step *list = grow(c, c->step, c->steps, &c->step_size, sizeof *list);
-    if (list != NULL) {
-        c->step = list;
-        list[c->steps++] = *step;
+    if (!cr_grow(&c->step, &c->step_size, c->steps, sizeof *c->step)) {
+        c->failed = true;
+        return;
     }
+    c->step[c->steps++] = *step;
 }
 
 void cr_canvas_move(struct cr_canvas *c, double x, double y) {
@@ -185,10 +175,6 @@ static int sequence(const char *s) {
     return n;
 }
 
-static bool digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 void cr_canvas_text(struct cr_canvas *c, double x, double y, const struct cr_type_face *face,
                     const char *utf8) {
     struct cr_item *item = utf8[0] != '\0' ? add_item(c, CR_ACT_TEXT) : NULL;
@@ -203,8 +189,6 @@ void cr_canvas_text(struct cr_canvas *c, double x, double y, const struct cr_typ
         int n = sequence(s);
         if (n == 0 || (n == 1 && (unsigned char)*s < 32) || *s == 127) {
             cr_str_add(&c->words, "\xEF\xBF\xBD");
-        } else if (c->comma && *s == '.' && s > utf8 && digit(s[-1]) && digit(s[1])) {
-            cr_str_add(&c->words, ",");
         } else {
             cr_str_addn(&c->words, s, (size_t)n);
         }
@@ -212,6 +196,9 @@ void cr_canvas_text(struct cr_canvas *c, double x, double y, const struct cr_typ
     }
     item->n = (int)c->words.len - item->from;
     c->failed |= c->words.failed;
+    if (!c->words.failed) {
+        item->w = cr_text_width(face, c->words.s + item->from);
+    }
 }
 
 /* Widths of the characters 32..126 of Helvetica in 1/1000 of the size, as Adobe published them
