@@ -43,9 +43,9 @@ const struct cr_car *cr_catalogue_car(const struct cr_catalogue *catalogue, int 
 int cr_catalogue_search(const struct cr_catalogue *catalogue, const char *words, int *found);
 
 /* The one car of these words. Where they leave several, those of the user's own tables and those
- * whose whole model was named go before the others, and the usual body (sedan, hatchback, SUV, van, pickup) before coupe, convertible and
- * wagon if no body was named. Errors: NAME with the nearest names or with what tells the rest
- * apart. */
+ * whose whole model was named go before the others, and the usual body (sedan, hatchback, SUV, van,
+ * pickup) before coupe, convertible and wagon if no body was named. Errors: NAME with the nearest
+ * names or with what tells the rest apart. */
 CR_MUST_CHECK enum cr_err cr_catalogue_find(const struct cr_catalogue *catalogue, const char *words,
                                             const struct cr_car **out, struct cr_error *err);
 

@@ -144,8 +144,7 @@ int cr_repl_main(int argc, char **argv, const char *data_dir, const char *cars_d
     if (status != 0) {
         return status;
     }
-    bool tty = isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
-    bool prompt = tty && (o.prompt || o.sources == 0);
+    bool prompt = isatty(STDIN_FILENO) && isatty(STDOUT_FILENO) && (o.prompt || o.sources == 0);
     struct cr_terminal t = {.progress = isatty(STDERR_FILENO) != 0};
     int max_seconds = o.max_seconds > 0 || prompt ? o.max_seconds : CR_MAX_SECONDS;
     if (prompt) {

@@ -37,8 +37,9 @@ has "with its place" "$errs" 'bad.json:2:.*no car of the catalogue'
 # ---- tables of registers ----
 XDG_DATA_HOME=$tmp/home
 export XDG_DATA_HOME
-cat >"$tmp/rdw.csv" <<'END'
-"Merk","Handelsbenaming","Datum eerste toelating","Massa ledig voertuig","Massa rijklaar","Lengte","Breedte","Wielbasis"
+head='"Merk","Handelsbenaming","Datum eerste toelating","Massa ledig voertuig"'
+echo "$head"',"Massa rijklaar","Lengte","Breedte","Wielbasis"' >"$tmp/rdw.csv"
+cat >>"$tmp/rdw.csv" <<'END'
 "VOLKSWAGEN","GOLF","20150314","1165","1265","426","179","262"
 "VOLKSWAGEN","GOLF","20151101","1185","1285","426","179","262"
 "VOLKSWAGEN","GOLF","20170520","","1325","426","179","262"
