@@ -178,7 +178,7 @@ static enum cr_err kerb_mass(const struct work *w, double *out, struct cr_error 
 static int year_of(const char *text) {
     char four[5];
     snprintf(four, sizeof four, "%s", text);
-    int year = strspn(four, "0123456789") == 4 ? atoi(four) : 0;
+    int year = strspn(four, "0123456789") == 4 ? (int)strtol(four, NULL, 10) : 0;
     return year >= 1900 && year < 2100 ? year : 0;
 }
 
