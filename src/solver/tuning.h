@@ -70,11 +70,9 @@ static const double cr_horizon = 0.3, cr_again = 0.1, cr_probe_step = 0.01;
 static const double cr_strike_share = 0.003, cr_elsewhere = 0.75;
 /* guard: slower than this a body is at rest, m/s and rad/s. */
 static const double cr_rest_speed = 0.05, cr_rest_yaw = 0.02;
-/* guard: plan area that two bodies may share at the start without being called overlapping, m2.
- * Placed touching they share up to 0.9e-4 along a flank (120 places, at any heading), the rounding
- * of two outlines on their grids; more is material in one place twice, crushed with no crash to pay
- * for it. */
-static const double cr_overlap_area_most = 2e-4;
+/* guard: plan area that two bodies may share at the start without being called overlapping, m2: the
+ * voxels of an outline stand out by up to half an edge. */
+static const double cr_overlap_area_most = 0.01;
 /* guard: the way out of an overlap is looked for in steps, to a resolution, m; going back is
  * worth so many times the way straight apart. */
 static const double cr_way_step = 0.25, cr_way_resolution = 0.01, cr_way_worth = 3;
