@@ -34,6 +34,7 @@ static const char help[] =
     "       crumple mc SCENE.json            solve many draws of its uncertain inputs\n"
     "       crumple catalogue [WORD ...]     list the cars that scenes can name\n"
     "       crumple report SCENE|RESULT      expert's report as HTML or PDF\n"
+    "       crumple diff A.json B.json       two results, or scenes, side by side\n"
     "       crumple audit RESULT [SCENE]     compute a result again and compare\n"
     "       crumple models [NAME]            list, show or export the models\n"
     "       crumple schema [NAME]            print a JSON Schema, of scenes for example\n"
@@ -68,6 +69,7 @@ static const struct word words[] = {
     {"models", cr_cli_models},
     {"schema", cr_cli_schema},
     {"damage", cr_cli_damage},
+    {"diff", cr_cli_diff},
     {"calibrate", cr_trial_calibrate},
     {"calibrate-damage", cr_trial_calibrate_damage},
     {"fit", cr_cli_fit},

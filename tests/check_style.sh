@@ -53,13 +53,14 @@ empty "constants have names in lower case" "$(
     grep -nE '^[^=]*[ *}][A-Z][A-Z_0-9]*(\[[^]]*\])+ = \{' "$@"
     grep -nE '^ *static const [a-z_ ]*([*] ?(const )?)?[A-Z][A-Z_0-9]*(\[.*\])* =' "$@"
 )"
-# parameters are counted by the commas outside of inner parentheses, up to the brace
+# Parameters are counted by the commas outside of inner parentheses, up to the brace. The interface
+# of the library, crumple_NAME, is what programs were compiled against.
 empty "no function has seven parameters or more" "$(awk '
     FNR == 1 { text = "" }
     /^[A-Za-z_].*\(/ { text = ""; start = FNR }
     { text = text " " $0 }
     /[;}]$/ && !/^ / { text = "" }
-    /\{$/ && text ~ /^ [A-Za-z_][A-Za-z_0-9 *]*\(.*\) \{$/ {
+    /\{$/ && text ~ /^ [A-Za-z_][A-Za-z_0-9 *]*\(.*\) \{$/ && text !~ / crumple_/ {
         depth = 0
         n = 1
         for (i = 1; i <= length(text); i++) {
@@ -70,7 +71,7 @@ empty "no function has seven parameters or more" "$(awk '
         }
         if (n > 6) print FILENAME ":" start ": " n
         text = ""
-    }' "$@" | grep -vE '^(src/(cli|lib|model|render|result)|tests/unit)/')"
+    }' "$@" | grep -vE '^tests/unit/(solver_cases|test_solver_objects)\.c')"
 
 unguarded=$(for file in $headers; do
     guard=$(basename "$file" | tr 'a-z.' 'A-Z_')

@@ -17,6 +17,7 @@ int cr_cli_catalogue(int argc, char **argv);
 int cr_cli_mc(int argc, char **argv);
 int cr_cli_fit(int argc, char **argv);
 int cr_cli_damage(int argc, char **argv);
+int cr_cli_diff(int argc, char **argv);
 int cr_cli_import(int argc, char **argv);
 
 /* The commit of the sources this program was built from, with "-changed" behind it when they were

@@ -63,22 +63,16 @@ static enum cr_err read_words(char **word, int n, const struct cr_scene *scene,
     return code;
 }
 
-static enum cr_err search(char **word, int n, const struct cr_scene *scene,
+static enum cr_err search(struct cr_study *study, const struct cr_fit_evidence *evidence,
                           const struct options *opt, const struct cr_context *ctx,
                           struct cr_str *text, struct cr_error *err) {
-    struct cr_study study = {.make = cr_fit_scene_make, .scene = scene};
-    struct cr_fit_evidence evidence = {.n = 0};
     struct cr_fit fit;
     const struct cr_fit_opts how = {.starts = opt->starts,
                                     .solves = opt->solves,
                                     .seed = (unsigned long)opt->seed,
                                     .progress = tell,
                                     .user = (void *)(uintptr_t)opt};
-    enum cr_err code = read_words(word, n, scene, &study, &evidence, err);
-    if (code != CR_ERR_OK) {
-        return code;
-    }
-    code = cr_fit_run(&study, &evidence, &how, ctx, &fit, err);
+    enum cr_err code = cr_fit_run(study, evidence, &how, ctx, &fit, err);
     if (!opt->quiet && isatty(STDERR_FILENO)) {
         fputc('\n', stderr);
     }
@@ -110,7 +104,10 @@ static enum cr_err run(char **word, int n, const struct options *opt, struct cr_
         ctx.irf = NULL;
         ctx.max_seconds = opt->budget.seconds;
         ctx.max_bytes = 1e6 * opt->budget.megabytes;
-        code = search(word + 1, n - 1, &scene, opt, &ctx, &text, err);
+        struct cr_study study = {.make = cr_fit_scene_make, .scene = &scene};
+        struct cr_fit_evidence evidence = {.n = 0};
+        code = read_words(word + 1, n - 1, &scene, &study, &evidence, err);
+        code = code == CR_ERR_OK ? search(&study, &evidence, opt, &ctx, &text, err) : code;
     }
     if (text.len > 0) {
         struct cr_error other;

@@ -5,6 +5,7 @@ libcli_a_SOURCES = \
 	src/cli/complete.c \
 	src/cli/damage.c \
 	src/cli/data.c \
+	src/cli/diff.c \
 	src/cli/feed.c src/cli/feed.h \
 	src/cli/fit.c \
 	src/cli/import.c \

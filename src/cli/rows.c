@@ -108,6 +108,78 @@ enum cr_err cr_fields_settle(struct cr_fields *fields, const cJSON *result, stru
     return code;
 }
 
+/* deep copies of a list of members; those that are not there are left out */
+static void copy_members(cJSON *to, const cJSON *from, const char *const key[], size_t n) {
+    for (size_t i = 0; i < n; i++) {
+        const cJSON *item = cJSON_GetObjectItemCaseSensitive(from, key[i]);
+        if (item != NULL) {
+            cr_tree_put(to, key[i], cJSON_Duplicate(item, true));
+        }
+    }
+}
+
+static cJSON *impact_row(const cJSON *result, const cJSON *impact, int number,
+                         const cJSON *vehicle) {
+    static const char *const label[] = {"index", "scene", "pair", "input"};
+    static const char *const own[] = {"t_s", "end_s", "stop", "closing_kmh"};
+    cJSON *row = cJSON_CreateObject(), *one;
+    copy_members(row, result, label, sizeof label / sizeof label[0]);
+    cr_tree_put(row, "impact", cJSON_CreateNumber(number));
+    const char *id = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(vehicle, "id"));
+    cJSON_ArrayForEach(one, cJSON_GetObjectItemCaseSensitive(impact, "between")) {
+        const char *name = cJSON_GetStringValue(one);
+        if (name != NULL && id != NULL && strcmp(name, id) != 0) {
+            cr_tree_text(row, "partner", name);
+        }
+    }
+    copy_members(row, impact, own, sizeof own / sizeof own[0]);
+    cJSON_ArrayForEach(one, vehicle) {
+        cr_tree_put(row, one->string, cJSON_Duplicate(one, true));
+    }
+    return row;
+}
+
+cJSON *cr_rows_impacts(const cJSON *result) {
+    cJSON *list = cJSON_CreateArray();
+    const cJSON *impact, *vehicle;
+    int number = 0;
+    cJSON_ArrayForEach(impact, cJSON_GetObjectItemCaseSensitive(result, "impacts")) {
+        number++;
+        cJSON_ArrayForEach(vehicle, cJSON_GetObjectItemCaseSensitive(impact, "vehicles")) {
+            cr_tree_push(list, impact_row(result, impact, number, vehicle));
+        }
+    }
+    if (list != NULL && !cr_tree_whole(list)) {
+        cJSON_Delete(list);
+        return NULL;
+    }
+    return list;
+}
+
+enum cr_err cr_fields_settle_impacts(struct cr_fields *fields, const cJSON *impacts,
+                                     struct cr_error *err) {
+    static const char main_ones[] = "impact,id,partner,t_s,ees_kmh,delta_v_kmh,pdof_deg,cdc,face,"
+                                    "face_depth_m,acceleration_max_g,pulse_ms";
+    if (impacts == NULL || impacts->child == NULL) {
+        cr_err_set(err, CR_ERR_USAGE, "the first result tells no impacts");
+        cr_err_hint(err, "results of version 1 have none: solve without --result-version 1");
+        return CR_ERR_USAGE;
+    }
+    if (!fields->given) {
+        return cr_fields_add(fields, main_ones, err);
+    }
+    for (int i = 0; i < fields->n; i++) {
+        const cJSON *row = impacts->child;
+        while (row != NULL && find(row, fields->name[i]) == NULL) {
+            row = row->next;
+        }
+        if (row == NULL) {
+            return unknown(fields->name[i], impacts->child, err);
+        }
+    }
+    return CR_ERR_OK;
+}
+
 static void csv_text(const char *s, struct cr_str *out) {
     if (s == NULL) {
         return;

@@ -28,6 +28,14 @@ CR_MUST_CHECK enum cr_err cr_fields_add(struct cr_fields *fields, const char *li
 CR_MUST_CHECK enum cr_err cr_fields_settle(struct cr_fields *fields, const struct cJSON *result,
                                            struct cr_error *err);
 
+/* Each vehicle in each impact of a result as a record of its own, in a new array: index, scene,
+ * pair, number of the impact from 1, partner, times, stop, closing speed, the keys of the vehicle
+ * in it. NULL where memory is out. And the fields of such records by the first result. */
+struct cJSON *cr_rows_impacts(const struct cJSON *result);
+CR_MUST_CHECK enum cr_err cr_fields_settle_impacts(struct cr_fields *fields,
+                                                   const struct cJSON *impacts,
+                                                   struct cr_error *err);
+
 /* A value of a record: number (NaN for none) and, where it is one, text (else NULL). */
 double cr_fields_value(const struct cJSON *record, const char *name, const char **text);
 

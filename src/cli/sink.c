@@ -24,7 +24,8 @@ struct cr_sink {
 };
 
 static bool table(const struct cr_sink *s) {
-    return s->opt->format == CR_SINK_CSV || s->opt->fields.n > 0;
+    return s->opt->format == CR_SINK_CSV || s->opt->fields.n > 0 ||
+           s->opt->per == CR_SINK_PER_IMPACT;
 }
 
 bool cr_sink_keeps(const struct cr_sink *sink) {
@@ -50,6 +51,12 @@ enum cr_err cr_sink_new(const struct cr_sink_options *options, struct cr_sink **
     if (code == CR_ERR_OK && options->group != NULL && !options->summary) {
         cr_err_set(err, CR_ERR_USAGE, "--group says by what to divide a --summary");
         cr_err_hint(err, "add --summary");
+        code = CR_ERR_USAGE;
+    }
+    if (code == CR_ERR_OK && options->per == CR_SINK_PER_IMPACT &&
+        (options->summary || options->plot != NULL)) {
+        cr_err_set(err, CR_ERR_USAGE, "--summary and --plot count scenes, not impacts");
+        cr_err_hint(err, "leave out --per impact");
         code = CR_ERR_USAGE;
     }
     if (code == CR_ERR_OK && options->picture != NULL &&
@@ -142,15 +149,34 @@ static enum cr_err put_row(struct cr_sink *s, const cJSON *record, struct cr_err
     return code;
 }
 
+/* the vehicles of a solved record in each of its impacts */
+static enum cr_err put_impacts(struct cr_sink *s, const cJSON *record, struct cr_error *err) {
+    cJSON *rows = cr_rows_impacts(record);
+    const cJSON *row;
+    enum cr_err code = rows != NULL ? CR_ERR_OK : cr_err_set(err, CR_ERR_MEMORY, "no memory");
+    if (code == CR_ERR_OK && !s->settled) {
+        code = cr_fields_settle_impacts(&s->fields, rows, err);
+        s->settled = true;
+    }
+    cJSON_ArrayForEach(row, rows) {
+        code = code == CR_ERR_OK ? put_row(s, row, err) : code;
+    }
+    cJSON_Delete(rows);
+    return code;
+}
+
 enum cr_err cr_sink_give(struct cr_sink *sink, struct cr_record *record, bool *gone,
                          struct cr_error *err) {
     enum cr_err code = CR_ERR_OK;
-    if (cr_sink_keeps(sink) && !sink->settled && !record->failed) {
+    bool impacts = sink->opt->per == CR_SINK_PER_IMPACT && !record->failed;
+    if (cr_sink_keeps(sink) && !sink->settled && !record->failed && !impacts) {
         code = cr_fields_settle(&sink->fields, record->kept, err);
         sink->settled = true;
     }
-    if (code == CR_ERR_OK) {
-        code = table(sink) ? put_row(sink, record->kept, err) : put(sink, &record->line, err);
+    if (code == CR_ERR_OK && table(sink)) {
+        code = (impacts ? put_impacts : put_row)(sink, record->kept, err);
+    } else if (code == CR_ERR_OK) {
+        code = put(sink, &record->line, err);
     }
     if (code == CR_ERR_OK && sink->study != NULL) {
         code = cr_study_note(sink->study, record->kept, err);

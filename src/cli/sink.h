@@ -10,21 +10,27 @@
 #include <stdio.h>
 
 struct cr_sink_options {
-    int format; /* enum cr_sink_format */
+    int format, per; /* enum cr_sink_format, cr_sink_per */
     struct cr_option_values fields;
     bool summary;
     const char *group, *plot, *picture;
     struct cr_cli_look look;
 };
 enum cr_sink_format { CR_SINK_JSON, CR_SINK_CSV };
+enum cr_sink_per { CR_SINK_PER_SCENE, CR_SINK_PER_IMPACT };
 /* Rows of the option table of a word that writes records; s: pointer to the options. */
 #define CR_SINK_FORMATS "json|csv"
+#define CR_SINK_PERS    "scene|impact"
 #define CR_SINK_OPTIONS(s)                                                                         \
     {.name = "format",                                                                             \
      .letter = 'f',                                                                                \
      .arg = CR_SINK_FORMATS,                                                                       \
      .number = &(s)->format,                                                                       \
      .help = "lines of JSON, or a table with a row per scene"},                                    \
+        {.name = "per",                                                                            \
+         .arg = CR_SINK_PERS,                                                                      \
+         .number = &(s)->per,                                                                      \
+         .help = "a record per scene, or a row per impact and vehicle, in either form"},           \
         {.name = "fields",                                                                         \
          .arg = "NAME,NAME",                                                                       \
          .values = &(s)->fields,                                                                   \

@@ -3,6 +3,7 @@
 
 #include "base/file.h"
 #include "base/json.h"
+#include "result/diff.h"
 
 #include <cjson/cJSON.h>
 #include <math.h>
@@ -279,6 +280,32 @@ static enum cr_err compare_all(struct cr_session *s, const cJSON *list, double *
     return CR_ERR_OK;
 }
 
+/* this result beside another that was written to a file */
+static enum cr_err compare_result(struct cr_session *s, const cJSON *other, const char *path,
+                                  double *worst, struct cr_error *err) {
+    const struct cr_result_opts form = {.resolved = true};
+    struct cr_str text = {0};
+    cJSON *own = NULL;
+    enum cr_err code = cr_result_tree(s->result, &form, &own, err);
+    struct cr_diff d = {
+        .a = other, .b = own, .a_name = path, .b_name = "this result", .units = s->units};
+    if (code == CR_ERR_OK) {
+        code = cr_diff_text(&d, &text, err);
+    }
+    if (code == CR_ERR_OK) {
+        for (char *p = text.s, *end; p != NULL && (end = strchr(p, '\n')) != NULL; p = end + 1) {
+            *end = '\0';
+            char line[200]; /* its numbers are in the units of the session already */
+            snprintf(line, sizeof line, "  %.190s", p);
+            cr_session_text(s, CR_TONE_ANSWER, line);
+        }
+    }
+    *worst = d.worst;
+    cr_str_fini(&text);
+    cJSON_Delete(own);
+    return code;
+}
+
 enum cr_err cr_cmd_compare(struct cr_call *call, struct cr_error *err) {
     char buf[2 * CR_PATH_MAX];
     const char *path =
@@ -303,12 +330,18 @@ enum cr_err cr_cmd_compare(struct cr_call *call, struct cr_error *err) {
     }
     json = cJSON_ParseWithLength(text, len);
     const cJSON *list = cJSON_GetObjectItemCaseSensitive(json, "participants");
+    if (cJSON_GetObjectItemCaseSensitive(json, "crumple") != NULL) {
+        code = cr_err_set(err, CR_ERR_MISSING, "%.120s: a scene, which has no results", path);
+        cr_err_hint(err, "crumple diff compares scenes, compare takes results of export or run");
+        goto out;
+    }
     if (!cJSON_IsArray(list)) {
         code = cr_err_set(err, CR_ERR_MISSING, "%.120s: there is no array \"participants\"", path);
         cr_err_hint(err, "{\"participants\": [{\"id\": \"A\", \"ees_kmh\": 40.5}]}");
         goto out;
     }
-    code = compare_all(call->s, list, &worst, err);
+    code = cr_diff_is_result(json) ? compare_result(call->s, json, path, &worst, err)
+                                   : compare_all(call->s, list, &worst, err);
     if (code == CR_ERR_OK && worst > 100 * within) {
         code = cr_err_set(err, CR_ERR_MISSED, "the largest error is %.1f %%, more than %.10g %%",
                           worst, 100 * within);

@@ -42,7 +42,7 @@ static enum cr_err scene_text(struct cr_session *s, struct cr_str *out, struct c
     enum cr_err code = cr_cells_new(100, 32, &cells, err);
     if (code == CR_ERR_OK) {
         view.time = solved ? view.time : (double)NAN;
-        code = cr_render_scene(&cells, (struct cr_rect){0, 0, 100, 32}, &plain, compiled,
+        code = cr_render_scene(&(struct cr_target){&cells, {0, 0, 100, 32}, &plain}, compiled,
                                solved ? &s->result->resolved : cr_session_scene(s),
                                solved ? s->result : NULL, &view, err);
         cr_cells_text(&cells, &plain, out);

@@ -54,17 +54,17 @@ static enum cr_err draw_scene(void *user, struct cr_cells *cells, struct cr_rect
                               struct cr_error *err) {
     struct cr_session *s = user;
     struct cr_scene_view view = cr_session_scene_view(s);
+    const struct cr_target target = {cells, at, &s->opts.look};
     if (!stale(s)) {
-        return cr_render_scene(cells, at, &s->opts.look, &s->result->compiled, &s->result->resolved,
-                               s->result, &view, err);
+        return cr_render_scene(&target, &s->result->compiled, &s->result->resolved, s->result,
+                               &view, err);
     }
     const struct cr_compiled *compiled = cr_session_compiled(s, err);
     if (compiled == NULL) {
         return err != NULL ? err->code : CR_ERR_MISSING;
     }
     view.time = NAN;
-    return cr_render_scene(cells, at, &s->opts.look, compiled, cr_session_scene(s), NULL, &view,
-                           err);
+    return cr_render_scene(&target, compiled, cr_session_scene(s), NULL, &view, err);
 }
 
 static enum cr_err show_scene(struct cr_session *s, struct cr_error *err) {
@@ -164,8 +164,8 @@ enum cr_err cr_cmd_show(struct cr_call *call, struct cr_error *err) {
 static enum cr_err draw_pulse(void *user, struct cr_cells *cells, struct cr_rect at,
                               struct cr_error *err) {
     struct cr_session *s = user;
-    return cr_render_pulse(cells, at, &s->opts.look, s->result, s->view.quantity,
-                           cr_session_time(s), err);
+    return cr_render_pulse(&(struct cr_target){cells, at, &s->opts.look}, s->result,
+                           s->view.quantity, cr_session_time(s), err);
 }
 
 static enum cr_err draw_energy(void *user, struct cr_cells *cells, struct cr_rect at,

@@ -306,8 +306,8 @@ enum cr_err cr_session_draw_pulse(struct cr_session *s, struct cr_cells *cells, 
     }
     struct pulse_call what = {.only = index_of(&s->result->resolved, view->pulse_of)};
     if (s->pulse == NULL || (what.only < 0 && view->versus[0] == '\0')) {
-        return cr_render_pulse(cells, at, &s->opts.look, s->result, view->quantity,
-                               cr_session_time(s), err);
+        return cr_render_pulse(&(struct cr_target){cells, at, &s->opts.look}, s->result,
+                               view->quantity, cr_session_time(s), err);
     }
     what.kind = s->pulse->kind;
     what.cfc = s->pulse->cfc;

@@ -158,6 +158,7 @@ static const struct cr_arg set_args[] = {
     KEY_OF("road", "road_friction", 0),
     KEY_OF("elastic", "elastic_ms", 0),
     KEY_OF("end", "end", 0),
+    KEY_OF("injury", "injury", 0),
     KEY_OF("slope", "slope_percent", 0),
     KEY_OF("downhill", "downhill_deg", 0),
     KEY_OF("rolling", "rolling_resistance", 0),
@@ -274,7 +275,8 @@ static const struct cr_arg explain_args[] = {
 };
 
 static const struct cr_arg compare_args[] = {
-    POSITION("FILE", CR_VALUE_FILE, .words = ".json|.csv", .help = "measured values"),
+    POSITION("FILE", CR_VALUE_FILE, .words = ".json|.csv",
+             .help = "measured values, or another result"),
     KEY("within", CR_VALUE_NUMBER, .unit = "%", .lo = 0, .hi = 1000,
         .help = "largest error of a value that passes"),
     KEY("of", CR_VALUE_NAME, .help = "whose pulse, where more than one moves"),
@@ -520,7 +522,8 @@ static const struct cr_command commands[] = {
                  "fit A.speed=40:70km/h B.overlap=30%:60% to ees.B=60km/h dv.A=30+-3km/h starts=1 "
                  "solves=40"},
      .setup = PAIR_SETUP, .see = "sweep mc compare"},
-    {ROW(compare, SOLVE, compare_args, "errors of the result against measured values"),
+    {ROW(compare, SOLVE, compare_args,
+         "the result beside measured values, or beside another result"),
      .example = {"compare share/tutorial/reference.json",
                  "compare share/validation/data/taurus_7292_veh1_pulse.csv of=A"},
      .setup = NHTSA_7292 "solve\n", .see = "assert pulse"},

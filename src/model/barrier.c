@@ -98,12 +98,18 @@ static double face_depth(const struct cr_barrier *b) {
     return deep + b->mounting;
 }
 
-/* one line of voxels along the barrier: the middle of its material across, and how wide that is */
-static void fill_line(const struct cr_barrier *b, double y, double width, const double z[2],
-                      struct cr_grid *g, double *fill, double *energy) {
+/* A line of voxels along the barrier: the middle of its material across, how wide that is, and the
+ * heights between which it counts. */
+struct line {
+    double y, width, z[2];
+};
+
+static void fill_line(const struct cr_barrier *b, const struct line *line, const struct cr_grid *g,
+                      double *fill, double *energy) {
     struct row row[2 * CR_BARRIER_BLOCKS];
-    int n = rows_at(b, y, z[0], z[1], row);
-    double long_here = fabs(y) < b->carriage_width / 2 ? b->length : face_depth(b);
+    int n = rows_at(b, line->y, line->z[0], line->z[1], row);
+    double width = line->width;
+    double long_here = fabs(line->y) < b->carriage_width / 2 ? b->length : face_depth(b);
     double before = 0;
     for (int k = 0; k < g->nx; k++) {
         int ix = g->nx - 1 - k;
@@ -117,7 +123,7 @@ static void fill_line(const struct cr_barrier *b, double y, double width, const 
     }
 }
 
-enum cr_err cr_barrier_grid(const struct cr_barrier *b, double voxel, double z_lo, double z_hi,
+enum cr_err cr_barrier_grid(const struct cr_barrier *b, double voxel, const double z[2],
                             struct cr_arena *arena, struct cr_grid *out, struct cr_error *err) {
     struct cr_grid g = {.h = voxel};
     int half = (int)ceil(b->width / 2 / voxel - 1e-9);
@@ -131,13 +137,15 @@ enum cr_err cr_barrier_grid(const struct cr_barrier *b, double voxel, double z_l
     if (fill == NULL || energy == NULL) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for the voxels of a barrier");
     }
-    const double z[2] = {fmax(z_lo, b->z_lo), fmin(z_hi, b->z_hi)};
+    struct line line = {.z = {fmax(z[0], b->z_lo), fmin(z[1], b->z_hi)}};
     for (int iy = 0; iy < g.ny; iy++) {
         double lo = fmax(g.y0 + iy * voxel, -b->width / 2);
         double hi = fmin(g.y0 + (iy + 1) * voxel, b->width / 2);
         size_t at = (size_t)iy * (size_t)g.nx;
         if (hi > lo) {
-            fill_line(b, 0.5 * (lo + hi), hi - lo, z, &g, fill + at, energy + at);
+            line.y = 0.5 * (lo + hi);
+            line.width = hi - lo;
+            fill_line(b, &line, &g, fill + at, energy + at);
         }
     }
     g.fill = fill;

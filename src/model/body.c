@@ -264,7 +264,7 @@ static void make_plan(const struct maker *m, struct slice *s, double lo, double 
     }
 }
 
-enum cr_err cr_model_plan_build(const struct cr_model_recipe *r, double z_lo, double z_hi,
+enum cr_err cr_model_plan_build(const struct cr_model_recipe *r, const double z[2],
                                 const struct cr_model_plan *whole, struct cr_arena *arena,
                                 struct cr_model_plan *out, struct cr_error *err) {
     struct cr_arena scratch = {0};
@@ -277,8 +277,8 @@ enum cr_err cr_model_plan_build(const struct cr_model_recipe *r, double z_lo, do
         ok = v[i] != NULL;
     }
     if (ok) {
-        make_plan(&m, &s, cr_clamp(z_lo / m.b.edge, 0, m.b.nz),
-                  cr_clamp(z_hi / m.b.edge, 0, m.b.nz), v);
+        make_plan(&m, &s, cr_clamp(z[0] / m.b.edge, 0, m.b.nz),
+                  cr_clamp(z[1] / m.b.edge, 0, m.b.nz), v);
         *out = (struct cr_model_plan){.nx = m.b.nx,
                                       .ny = m.b.ny,
                                       .edge = m.b.edge,

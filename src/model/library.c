@@ -286,32 +286,32 @@ enum cr_err cr_model_body_of(const struct cr_model_lib *lib, enum cr_type type,
 }
 
 /* Plan of a height range (m of the reference vehicle): kept while there is room. */
-static enum cr_err plan_of(const struct cr_model_recipe *r, struct kept *k, double lo, double hi,
+static enum cr_err plan_of(const struct cr_model_recipe *r, struct kept *k, const double z[2],
                            struct cr_arena *scratch, struct cr_model_plan *out,
                            struct cr_error *err) {
     enum cr_err code = CR_ERR_OK;
     if (!k->planned) {
-        code = cr_model_plan_build(r, 0, INFINITY, NULL, &k->arena, &k->whole, err);
+        code =
+            cr_model_plan_build(r, (const double[2]){0, INFINITY}, NULL, &k->arena, &k->whole, err);
         k->planned = !code;
     }
     if (code) {
         return code;
     }
-    if (lo <= 0 && isinf(hi)) {
+    if (z[0] <= 0 && isinf(z[1])) {
         *out = k->whole;
         return CR_ERR_OK;
     }
     for (int i = 0; i < k->plans; i++) {
-        if (k->range[i][0] == lo && k->range[i][1] == hi) {
+        if (k->range[i][0] == z[0] && k->range[i][1] == z[1]) {
             *out = k->plan[i];
             return CR_ERR_OK;
         }
     }
     bool keep = k->plans < PLANS;
-    code = cr_model_plan_build(r, lo, hi, &k->whole, keep ? &k->arena : scratch, out, err);
+    code = cr_model_plan_build(r, z, &k->whole, keep ? &k->arena : scratch, out, err);
     if (!code && keep) {
-        k->range[k->plans][0] = lo;
-        k->range[k->plans][1] = hi;
+        memcpy(k->range[k->plans], z, sizeof k->range[0]);
         k->plan[k->plans++] = *out;
     }
     return code;
@@ -340,13 +340,14 @@ static enum cr_err substitute(const struct cr_model_lib *lib, const struct cr_mo
     }
     double top = q->dims.height;
     /* the top cells of the body are not whole ones: the roof and all above it are one end */
-    double lo = height_of(&stretch, top, q->z_lo), hi = height_of(&stretch, top, q->z_hi);
+    const double z[2] = {height_of(&stretch, top, q->z_lo), height_of(&stretch, top, q->z_hi)};
     pthread_mutex_lock(&lib->cache->lock);
-    code = plan_of(r, &lib->cache->kept[q->type], lo, hi, &scratch, &plan, err);
+    code = plan_of(r, &lib->cache->kept[q->type], z, &scratch, &plan, err);
     pthread_mutex_unlock(&lib->cache->lock);
     if (!code) {
-        code = cr_model_resample(r, face != NULL ? face : r->face, &plan, &stretch, q, arena, out,
-                                 err);
+        code = cr_model_resample(
+            &(struct cr_model_parts){r, face != NULL ? face : r->face, &plan, &stretch}, q, arena,
+            out, err);
     }
     cr_arena_free(&scratch);
     return code;

@@ -255,12 +255,7 @@ CR_MUST_CHECK enum cr_err cr_model_barrier(const struct cr_model_lib *lib, const
 /* Its voxels, body frame from its CG (a fixed one: from the middle of its face), with the strength
  * of the blocks between two heights. Error: MEMORY. */
 CR_MUST_CHECK enum cr_err cr_barrier_grid(const struct cr_barrier *barrier, double voxel,
-                                          double z_lo, double z_hi, struct cr_arena *arena,
+                                          const double z[2], struct cr_arena *arena,
                                           struct cr_grid *out, struct cr_error *err);
-
-/* A box-shaped object of uniform voxels (deformable barrier): energy per area J/m2 of plan. */
-CR_MUST_CHECK enum cr_err cr_model_block(double length, double width, double voxel,
-                                         double joule_per_m2, struct cr_arena *arena,
-                                         struct cr_grid *out, struct cr_error *err);
 
 #endif

@@ -66,10 +66,10 @@ struct cr_model_plan {
     const double *present;   /* share of the column's plan that has material in those layers */
 };
 
-/* Columns of the layers between z_lo and z_hi (m of the reference vehicle), without the memory of a
+/* Columns of the layers between two heights z (m of the reference vehicle), without the memory of a
  * whole body. whole: plan of all layers, borrowed from; NULL if this is it. */
-CR_MUST_CHECK enum cr_err cr_model_plan_build(const struct cr_model_recipe *r, double z_lo,
-                                              double z_hi, const struct cr_model_plan *whole,
+CR_MUST_CHECK enum cr_err cr_model_plan_build(const struct cr_model_recipe *r, const double z[2],
+                                              const struct cr_model_plan *whole,
                                               struct cr_arena *arena, struct cr_model_plan *out,
                                               struct cr_error *err);
 
@@ -120,11 +120,14 @@ struct cr_model_fields {
 void cr_model_mix(const struct cr_model_fields *f, const struct cr_model_sector *sector, int n,
                   double *scratch, double *sum, double *out);
 
-/* The 2D substitute from its parts; faces may differ from the recipe's. */
-CR_MUST_CHECK enum cr_err cr_model_resample(const struct cr_model_recipe *r,
-                                            const struct cr_model_face face[CR_MODEL_ENDS],
-                                            const struct cr_model_plan *plan,
-                                            const struct cr_model_stretch *stretch,
+/* What a 2D substitute is made from. */
+struct cr_model_parts {
+    const struct cr_model_recipe *r;
+    const struct cr_model_face *face; /* [CR_MODEL_ENDS], the recipe's or others */
+    const struct cr_model_plan *plan;
+    const struct cr_model_stretch *stretch;
+};
+CR_MUST_CHECK enum cr_err cr_model_resample(const struct cr_model_parts *parts,
                                             const struct cr_model_query *q, struct cr_arena *arena,
                                             struct cr_grid *out, struct cr_error *err);
 

@@ -304,66 +304,28 @@ static enum cr_err run(struct work *w, const struct cr_model_plan *p, struct cr_
     return CR_ERR_OK;
 }
 
-enum cr_err cr_model_resample(const struct cr_model_recipe *r,
-                              const struct cr_model_face face[CR_MODEL_ENDS],
-                              const struct cr_model_plan *plan,
-                              const struct cr_model_stretch *stretch,
-                              const struct cr_model_query *q, struct cr_arena *arena,
-                              struct cr_grid *out, struct cr_error *err) {
-    struct work w = {.r = r,
-                     .face = face,
-                     .stretch = stretch,
+enum cr_err cr_model_resample(const struct cr_model_parts *parts, const struct cr_model_query *q,
+                              struct cr_arena *arena, struct cr_grid *out, struct cr_error *err) {
+    struct work w = {.r = parts->r,
+                     .face = parts->face,
+                     .stretch = parts->stretch,
                      .q = q,
                      .h = q->voxel,
                      .length = q->dims.length,
                      .width = q->dims.width};
-    w.middle = cr_model_map_own(&stretch->x, r->dims.length / 2);
+    w.middle = cr_model_map_own(&w.stretch->x, w.r->dims.length / 2);
     w.nx = (int)ceil(w.length / w.h - 1e-9);
     w.half = (int)ceil(w.width / 2 / w.h - 1e-9);
     struct cr_arena scratch = {0};
     struct cr_grid g = {.nx = w.nx, .ny = 2 * w.half, .h = w.h};
     g.x0 = q->dims.cg_behind_front_axle + q->dims.front_overhang - w.nx * w.h;
     g.y0 = -w.half * w.h;
-    enum cr_err code = run(&w, plan, &scratch, arena, &g, err);
+    enum cr_err code = run(&w, parts->plan, &scratch, arena, &g, err);
     cr_arena_free(&scratch);
     if (code) {
         return code;
     }
     set_faces(&w, &g);
-    *out = g;
-    return CR_ERR_OK;
-}
-
-enum cr_err cr_model_block(double length, double width, double voxel, double joule_per_m2,
-                           struct cr_arena *arena, struct cr_grid *out, struct cr_error *err) {
-    if (!(length > 0 && length <= 100 && width > 0 && width <= 100 && voxel >= 0.005 &&
-          voxel <= 0.1 && joule_per_m2 >= 0 && isfinite(joule_per_m2))) {
-        return cr_err_set(err, CR_ERR_RANGE,
-                          "a block of %g x %g m with %g J/m2 in voxels of %g m cannot be", length,
-                          width, joule_per_m2, voxel);
-    }
-    struct cr_grid g = {.h = voxel};
-    int half = (int)ceil(width / 2 / voxel - 1e-9);
-    g.nx = (int)ceil(length / voxel - 1e-9);
-    g.ny = 2 * half;
-    g.x0 = length / 2 - g.nx * voxel;
-    g.y0 = -half * voxel;
-    size_t n = (size_t)g.nx * (size_t)g.ny;
-    double *fill = cr_arena_take(arena, n, 8), *energy = cr_arena_take(arena, n, 8);
-    if (n > 50000000 || fill == NULL || energy == NULL) {
-        return cr_err_set(err, CR_ERR_MEMORY, "no memory for a block of %zu voxels", n);
-    }
-    for (int iy = 0; iy < g.ny; iy++) {
-        int j = iy < half ? half - 1 - iy : iy - half;
-        double across = cr_clamp(width / 2 / voxel - j, 0, 1);
-        for (int ix = 0; ix < g.nx; ix++) {
-            size_t i = (size_t)iy * (size_t)g.nx + (size_t)ix;
-            fill[i] = across * cr_clamp(length / voxel - (g.nx - 1 - ix), 0, 1);
-            energy[i] = fill[i] * joule_per_m2 * voxel * voxel;
-        }
-    }
-    g.fill = fill;
-    g.energy = energy;
     *out = g;
     return CR_ERR_OK;
 }

@@ -55,17 +55,3 @@ out:
 void cr_body_voxels_fini(struct cr_body_voxels *body) {
     cr_arena_free(&body->arena);
 }
-
-enum cr_err cr_render_body_view(struct cr_cells *cells, struct cr_rect at,
-                                const struct cr_look *look, const struct cr_model_lib *lib,
-                                const struct cr_result *result, int body, enum cr_project view,
-                                struct cr_error *err) {
-    struct cr_body_voxels model;
-    enum cr_err code = cr_project_body(lib, result, body, &model, err);
-    if (code == CR_ERR_OK) {
-        model.projection.view = view;
-        code = cr_render_projection(cells, at, look, &model.projection, err);
-        cr_body_voxels_fini(&model);
-    }
-    return code;
-}

@@ -31,19 +31,18 @@ void cr_dots_set(struct cr_dots *dots, int x, int y, enum cr_role role, char mar
     dots->mark[i] = (uint8_t)mark;
 }
 
-void cr_dots_line(struct cr_dots *dots, const int from[2], const int to[2], enum cr_role role,
-                  char mark, bool dashed, int *phase) {
+void cr_dots_line(struct cr_dots *dots, const int from[2], const int to[2], struct cr_pen *pen) {
     int dx = abs(to[0] - from[0]), dy = -abs(to[1] - from[1]);
     int sx = from[0] < to[0] ? 1 : -1, sy = from[1] < to[1] ? 1 : -1;
     int x = from[0], y = from[1], e = dx + dy;
     for (;;) {
-        if (!dashed || *phase % 6 < 3) {
-            cr_dots_set(dots, x, y, role, mark);
+        if (!pen->dashed || pen->phase % 6 < 3) {
+            cr_dots_set(dots, x, y, pen->role, pen->mark);
         }
         if (x == to[0] && y == to[1]) {
             return;
         }
-        (*phase)++;
+        pen->phase++;
         int e2 = 2 * e;
         if (e2 >= dy) {
             e += dy;

@@ -143,12 +143,9 @@ static void draw_shade(const struct cr_pic *pic, struct cr_cell *cell, const str
     }
 }
 
-static void draw_cell(struct cr_pic *pic, struct cr_cells *cells, const struct cr_look *look,
-                      const int *bodies, int n, int x, int y) {
-    struct cr_cell *cell = cr_cells_at(cells, x, y);
-    struct pixel half[2];
-    sample_pixel(pic, bodies, n, x, y, &half[0]);
-    sample_pixel(pic, bodies, n, x, y + 0.5, &half[1]);
+/* a cell from its upper and lower half */
+static void draw_cell(struct cr_pic *pic, struct cr_cell *cell, const struct cr_look *look,
+                      const struct pixel half[2]) {
     struct pixel px = both(&half[0], &half[1]);
     if (cell == NULL || px.in == 0) {
         return;
@@ -190,7 +187,10 @@ static void draw_field(struct cr_pic *pic, struct cr_cells *cells, const struct 
                 }
             }
             if (n > 0) {
-                draw_cell(pic, cells, look, here, n, x, y);
+                struct pixel half[2];
+                sample_pixel(pic, here, n, x, y, &half[0]);
+                sample_pixel(pic, here, n, x, y + 0.5, &half[1]);
+                draw_cell(pic, cr_cells_at(cells, x, y), look, half);
             }
         }
     }
@@ -229,7 +229,8 @@ static void draw_outline(const struct cr_pic *pic, const struct cr_pic_body *b,
 /* the way of each CG since the first contact, as far as it is not under a body */
 static void draw_trails(const struct cr_pic *pic, struct cr_dots *dots) {
     for (int i = 0; pic->sol != NULL && i < pic->n; i++) {
-        int last[2] = {0, 0}, phase = 0;
+        struct cr_pen pen = {.role = pic->body[i].role, .mark = '.', .dashed = true};
+        int last[2] = {0, 0};
         for (int k = 0; k < pic->sol->samples && pic->sol->t[k] <= pic->time; k++) {
             struct cr_vec2 p = pic->sol->trace[k * pic->sol->bodies + i].pos;
             p = cr_pic_to_cell(pic, p);
@@ -238,7 +239,7 @@ static void draw_trails(const struct cr_pic *pic, struct cr_dots *dots) {
                 break;
             }
             if (pic->body[i].moves && k > 0) {
-                cr_dots_line(dots, last, to, pic->body[i].role, '.', true, &phase);
+                cr_dots_line(dots, last, to, &pen);
             }
             last[0] = to[0];
             last[1] = to[1];
@@ -283,10 +284,11 @@ static enum cr_err draw_outlines(const struct cr_pic *pic, struct cr_cells *cell
     return CR_ERR_OK;
 }
 
-enum cr_err cr_render_scene(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
-                            const struct cr_compiled *compiled, const struct cr_scene *scene,
-                            const struct cr_result *result, const struct cr_scene_view *view,
-                            struct cr_error *err) {
+enum cr_err cr_render_scene(const struct cr_target *target, const struct cr_compiled *compiled,
+                            const struct cr_scene *scene, const struct cr_result *result,
+                            const struct cr_scene_view *view, struct cr_error *err) {
+    struct cr_cells *cells = target->cells;
+    struct cr_rect at = target->at;
     struct cr_pic pic;
     if (at.w < 8 || at.h < 4) {
         cr_cells_print(cells, at.x, at.y, at.w, CR_ROLE_DIM, "too small");
@@ -308,10 +310,10 @@ enum cr_err cr_render_scene(struct cr_cells *cells, struct cr_rect at, const str
         return code;
     }
     cr_pic_fit(&pic, result, view, at);
-    draw_field(&pic, cells, look);
-    code = draw_outlines(&pic, cells, look, view->ghost, err);
+    draw_field(&pic, cells, target->look);
+    code = draw_outlines(&pic, cells, target->look, view->ghost, err);
     if (code == CR_ERR_OK) {
-        cr_pic_marks(&pic, cells, look, view);
+        cr_pic_marks(&pic, cells, target->look, view);
     }
     cr_pic_fini(&pic);
     return code;

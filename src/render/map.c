@@ -131,14 +131,15 @@ static void print(const struct pen *p, int x, int y, const char *text) {
 static void draw_piece(void *user, const double from[2], const double to[2]) {
     struct pen *p = user;
     const struct cr_heat_map *m = p->map;
-    int end[2][2], phase = 0;
+    struct cr_pen dots = {.role = CR_ROLE_TEXT, .mark = 'o'};
+    int end[2][2];
     for (int i = 0; i < 2; i++) {
         const double *at = i == 0 ? from : to;
         double u = share_of(m->x, m->nx, false, at[0]), v = share_of(m->y, m->ny, false, at[1]);
         end[i][0] = (int)cr_clamp(floor(u * 2 * p->area.w), 0, 2 * p->area.w - 1);
         end[i][1] = (int)cr_clamp(floor((1 - v) * 4 * p->area.h), 0, 4 * p->area.h - 1);
     }
-    cr_dots_line(&p->dots, end[0], end[1], CR_ROLE_TEXT, 'o', false, &phase);
+    cr_dots_line(&p->dots, end[0], end[1], &dots);
     int x = end[0][0] / 2, y = end[0][1] / 4;
     double off = fabs((double)x / p->area.w - p->aim) + 0.3 * fabs((double)y / p->area.h - 0.5);
     bool inside = x >= 4 && x < p->area.w - 6 && y < p->area.h;

@@ -11,11 +11,12 @@ enum cr_err cr_page_emit(const struct cr_page *page, struct cr_cells *cells, str
                              : CR_ERR_OK;
 }
 
-/* "-- Title ------ note --" in w columns */
-void cr_page_draw_heading(struct cr_cells *c, int x, int y, int w, const struct cr_look *look,
-                          const char *title, const char *note) {
+/* "-- Title ------ note --" in the first row of the target */
+void cr_page_draw_heading(const struct cr_target *target, const char *title, const char *note) {
+    struct cr_cells *c = target->cells;
+    int x = target->at.x, y = target->at.y, w = target->at.w;
     int used = cr_glyph_width(title) + 2, n = cr_glyph_width(note), room = w - used - 6;
-    cr_cells_run(c, x, y, w, CR_ROLE_FRAME, look->ascii ? '-' : 0x2500);
+    cr_cells_run(c, x, y, w, CR_ROLE_FRAME, target->look->ascii ? '-' : 0x2500);
     cr_cells_run(c, x + 2, y, used, CR_ROLE_TEXT, ' ');
     cr_cells_print(c, x + 3, y, w - 4, CR_ROLE_TITLE, title);
     if (n > 0 && room > 8) {
@@ -32,7 +33,7 @@ enum cr_err cr_page_heading(const struct cr_page *page, const char *title, const
     if (code != CR_ERR_OK) {
         return code;
     }
-    cr_page_draw_heading(&c, 0, 1, page->width, page->look, title, note);
+    cr_page_draw_heading(&(struct cr_target){&c, {0, 1, page->width, 1}, page->look}, title, note);
     return cr_page_emit(page, &c, err);
 }
 

@@ -24,9 +24,11 @@ static void draw_tabs(struct cr_cells *cells, int x, int y, int end, enum cr_are
     }
 }
 
-struct cr_rect cr_render_frame(struct cr_cells *cells, struct cr_rect at,
-                               const struct cr_look *look, const char *title, enum cr_area view,
+struct cr_rect cr_render_frame(const struct cr_target *target, const char *title, enum cr_area view,
                                bool active, bool joined) {
+    struct cr_cells *cells = target->cells;
+    struct cr_rect at = target->at;
+    const struct cr_look *look = target->look;
     enum cr_role role = active ? CR_ROLE_KEY : CR_ROLE_FRAME;
     int x0 = joined ? at.x - 1 : at.x, x1 = at.x + at.w - 1, y1 = at.y + at.h - 1;
     if (at.w < 3 || at.h < 3) {
@@ -61,7 +63,7 @@ struct cr_rect cr_render_overlay(struct cr_cells *cells, const struct cr_look *l
     for (int y = 0; y < h; y++) {
         cr_cells_run(cells, at.x, at.y + y, w, CR_ROLE_TEXT, ' ');
     }
-    return cr_render_frame(cells, at, look, title, CR_AREA_SCENE, true, false);
+    return cr_render_frame(&(struct cr_target){cells, at, look}, title, CR_AREA_SCENE, true, false);
 }
 
 /* ---- title bar ---- */

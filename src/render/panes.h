@@ -8,8 +8,7 @@
 /* Frame of a pane with its title; with tabs (view 0.. as in the layout, all six named) instead when
  * title is NULL. joined: no left border, the neighbour's right one is shared. Returns the inside.
  */
-struct cr_rect cr_render_frame(struct cr_cells *cells, struct cr_rect at,
-                               const struct cr_look *look, const char *title, enum cr_area view,
+struct cr_rect cr_render_frame(const struct cr_target *target, const char *title, enum cr_area view,
                                bool active, bool joined);
 
 enum cr_title_state {

@@ -177,19 +177,19 @@ static void draw_curves(const struct cr_plot *plot, const struct frame *f, struc
     /* the first curve is drawn last, so that it lies on top */
     for (int k = plot->curves - 1; k >= 0; k--) {
         const struct cr_curve_line *c = &plot->curve[k];
-        int last[2] = {0, 0}, phase = 0;
-        bool pen = false;
+        struct cr_pen pen = {.role = c->role, .mark = ascii_mark(k), .dashed = c->dashed};
+        int last[2] = {0, 0};
+        bool down = false;
         for (int i = 0; i < c->n; i++) {
             if (!finite_point(c, i)) {
-                pen = false;
+                down = false;
                 continue;
             }
             int to[2] = {dot_x(f, c->x[i]), dot_y(f, c->y[i])};
-            cr_dots_line(dots, pen && !c->points ? last : to, to, c->role, ascii_mark(k), c->dashed,
-                         &phase);
+            cr_dots_line(dots, down && !c->points ? last : to, to, &pen);
             last[0] = to[0];
             last[1] = to[1];
-            pen = true;
+            down = true;
         }
     }
 }

@@ -174,13 +174,19 @@ struct sum {
     double ees, depth;
 };
 
+/* What of a plane is shown: m to a column and half a row, from the height `top` downward. */
+struct window {
+    const struct cr_plane *pl;
+    double m, top;
+};
+
 /* samples of a part of a cell: from (col, row), one column wide and `high` rows high */
-static struct sum gather(const struct cr_plane *pl, double m, double col, double row, double high,
-                         double top) {
+static struct sum gather(const struct window *w, double col, double row, double high) {
+    const struct cr_plane *pl = w->pl;
     struct sum s = {.n = SUB * SUB};
     for (int k = 0; k < SUB * SUB; k++) {
-        double u = (col + (k % SUB + 0.5) / SUB) * m;
-        double v = top - (row + (k / SUB + 0.5) / SUB * high) * 2 * m;
+        double u = (col + (k % SUB + 0.5) / SUB) * w->m;
+        double v = w->top - (row + (k / SUB + 0.5) / SUB * high) * 2 * w->m;
         int iu = (int)floor(u / pl->edge), iv = (int)floor(v / pl->edge);
         if (iu < 0 || iv < 0 || iu >= pl->nu || iv >= pl->nv) {
             continue;
@@ -215,16 +221,15 @@ static void draw_blocks(struct cr_cell *cell, const struct sum half[2]) {
                              .bg = step[0] > 0 ? step[1] : 0};
 }
 
-static void draw_cell(struct cr_cell *cell, const struct cr_plane *pl, double m, int col, int row,
-                      double top, const struct cr_look *look) {
-    struct sum s = gather(pl, m, col, row, 1, top);
+static void draw_cell(struct cr_cell *cell, const struct window *w, int col, int row,
+                      const struct cr_look *look) {
+    struct sum s = gather(w, col, row, 1);
     if (2 * s.hurt >= s.n) {
         int dm = (int)(s.depth * 10);
         *cell =
             (struct cr_cell){.ch = (uint32_t)('0' + (dm > 9 ? 9 : dm)), .role = CR_ROLE_CRUSHED};
     } else if (look->color == CR_COLOR_256 && !look->ascii) {
-        struct sum half[2] = {gather(pl, m, col, row, 0.5, top),
-                              gather(pl, m, col, row + 0.5, 0.5, top)};
+        struct sum half[2] = {gather(w, col, row, 0.5), gather(w, col, row + 0.5, 0.5)};
         draw_blocks(cell, half);
     } else if (2 * s.solid >= s.n) {
         *cell = (struct cr_cell){.ch = cr_glyph_shade(s.ees / s.solid / ees_top, look->ascii),
@@ -284,11 +289,12 @@ enum cr_err cr_render_projection(struct cr_cells *cells, struct cr_rect at,
     double top = is_side(p->view) || p->view == CR_PROJECT_FRONT
                      ? rows * 2 * m
                      : 0.5 * (pl.nv * pl.edge + rows * 2 * m);
+    const struct window window = {&pl, m, top};
     for (int y = 0; y < rows; y++) {
         for (int x = 0; x < at.w - 2 * MARGIN; x++) {
             struct cr_cell *cell = cr_cells_at(cells, at.x + MARGIN + x, at.y + 1 + y);
             if (cell != NULL) {
-                draw_cell(cell, &pl, m, x, y, top, look);
+                draw_cell(cell, &window, x, y, look);
             }
         }
     }

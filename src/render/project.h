@@ -57,8 +57,9 @@ CR_MUST_CHECK enum cr_err cr_render_projection(struct cr_cells *cells, struct cr
 int cr_render_projection_rows(const struct cr_projection *projection, int width, int most);
 
 /* A vehicle of a result in 3D with its deformation at the end, ready to be looked at: the caller
- * sets the view. Not to be moved: the projection points into it. Errors: as of
- * cr_render_body_view. */
+ * sets the view. The shape is that of its type, also for own voxel models and A, B stiffness. Not
+ * to be moved: the projection points into it. Errors: NAME for an object, those of the model,
+ * MEMORY. */
 struct cr_body_voxels {
     struct cr_arena arena;
     struct cr_voxels voxels;
@@ -68,14 +69,5 @@ CR_MUST_CHECK enum cr_err cr_project_body(const struct cr_model_lib *lib,
                                           const struct cr_result *result, int body,
                                           struct cr_body_voxels *out, struct cr_error *err);
 void cr_body_voxels_fini(struct cr_body_voxels *body);
-
-/* A vehicle of a result in 3D with its deformation at the end: the shape is that of its type, also
- * for own voxel models and A, B stiffness. Errors: NAME for an object, those of the model, MEMORY.
- */
-CR_MUST_CHECK enum cr_err cr_render_body_view(struct cr_cells *cells, struct cr_rect at,
-                                              const struct cr_look *look,
-                                              const struct cr_model_lib *lib,
-                                              const struct cr_result *result, int body,
-                                              enum cr_project view, struct cr_error *err);
 
 #endif

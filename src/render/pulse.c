@@ -171,13 +171,12 @@ enum cr_err cr_plot_pulse(const struct cr_result *result, enum cr_quantity quant
     return CR_ERR_OK;
 }
 
-enum cr_err cr_render_pulse(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
-                            const struct cr_result *result, enum cr_quantity quantity,
-                            double cursor, struct cr_error *err) {
+enum cr_err cr_render_pulse(const struct cr_target *target, const struct cr_result *result,
+                            enum cr_quantity quantity, double cursor, struct cr_error *err) {
     struct cr_plot_made made;
     enum cr_err code = cr_plot_pulse(result, quantity, cursor, &made, err);
     if (code == CR_ERR_OK) {
-        code = cr_render_plot(cells, at, look, &made.plot, err);
+        code = cr_render_plot(target->cells, target->at, target->look, &made.plot, err);
         cr_plot_made_fini(&made);
     }
     return code;

@@ -98,6 +98,13 @@ struct cr_rect {
     int x, y, w, h;
 };
 
+/* Where something is drawn, and how: a part of a grid of cells. */
+struct cr_target {
+    struct cr_cells *cells;
+    struct cr_rect at;
+    const struct cr_look *look;
+};
+
 /* Blanks into a rectangle that lies within the cells. */
 void cr_cells_wipe(struct cr_cells *cells, struct cr_rect at);
 
@@ -114,8 +121,7 @@ struct cr_scene_view {
 
 /* The scene, before (result NULL), at a time, or after; with outline, heading, overlap and crushed
  * voxels, arrows, scale bar and legend. compiled gives the voxels when there is no result yet. */
-CR_MUST_CHECK enum cr_err cr_render_scene(struct cr_cells *cells, struct cr_rect at,
-                                          const struct cr_look *look,
+CR_MUST_CHECK enum cr_err cr_render_scene(const struct cr_target *target,
                                           const struct cr_compiled *compiled,
                                           const struct cr_scene *scene,
                                           const struct cr_result *result,
@@ -210,8 +216,7 @@ void cr_plot_made_fini(struct cr_plot_made *made);
 
 /* Pulse plot of participants' quantity from a result. magnitude: sqrt(ax2+ay2) in g when quantity
  * is CR_QUANTITIES. */
-CR_MUST_CHECK enum cr_err cr_render_pulse(struct cr_cells *cells, struct cr_rect at,
-                                          const struct cr_look *look,
+CR_MUST_CHECK enum cr_err cr_render_pulse(const struct cr_target *target,
                                           const struct cr_result *result, enum cr_quantity quantity,
                                           double cursor, struct cr_error *err);
 
@@ -247,8 +252,7 @@ struct cr_reference {
 };
 /* The same table and its rows with the measured values, and a row with the errors below each;
  * where there is no room for them, or reference is NULL, without. */
-CR_MUST_CHECK enum cr_err cr_render_table_beside(struct cr_cells *cells, struct cr_rect at,
-                                                 const struct cr_look *look,
+CR_MUST_CHECK enum cr_err cr_render_table_beside(const struct cr_target *target,
                                                  const struct cr_result *result,
                                                  const struct cr_reference *reference, double time,
                                                  struct cr_error *err);

@@ -46,8 +46,13 @@ CR_MUST_CHECK enum cr_err cr_dots_new(int w, int h, struct cr_dots *out, struct 
 void cr_dots_fini(struct cr_dots *dots);
 void cr_dots_set(struct cr_dots *dots, int x, int y, enum cr_role role, char mark);
 /* Straight line between dots; with dashed, three on and three off, counted by *phase. */
-void cr_dots_line(struct cr_dots *dots, const int from[2], const int to[2], enum cr_role role,
-                  char mark, bool dashed, int *phase);
+struct cr_pen {
+    enum cr_role role;
+    char mark; /* ASCII stand-in */
+    bool dashed;
+    int phase; /* dots of the line so far: the dashes go on round its corners */
+};
+void cr_dots_line(struct cr_dots *dots, const int from[2], const int to[2], struct cr_pen *pen);
 /* Dots over the cells at x, y: only blank cells are drawn on. */
 void cr_dots_draw(const struct cr_dots *dots, struct cr_cells *cells, int x, int y, bool ascii);
 

@@ -66,9 +66,10 @@ static enum cr_err strip(const struct cr_page *page, const struct shot *shot, in
     int w = (page->width - 2 * (n - 1)) / n;
     for (int i = 0; i < n && code == CR_ERR_OK; i++) {
         int x = i * (w + 2);
-        cr_page_draw_heading(&c, x, 1, w, page->look, shot[i].name, shot[i].note);
-        code = cr_render_scene(&c, (struct cr_rect){x, 2, w, rows}, page->look, &r->compiled,
-                               &r->resolved, r, &shot[i].view, err);
+        struct cr_target target = {&c, {x, 1, w, 1}, page->look};
+        cr_page_draw_heading(&target, shot[i].name, shot[i].note);
+        target.at = (struct cr_rect){x, 2, w, rows};
+        code = cr_render_scene(&target, &r->compiled, &r->resolved, r, &shot[i].view, err);
     }
     if (code != CR_ERR_OK) {
         cr_cells_fini(&c);
@@ -141,7 +142,7 @@ static enum cr_err pulses(const struct cr_page *page, struct cr_error *err) {
     if (code != CR_ERR_OK) {
         return code;
     }
-    code = cr_render_pulse(&c, (struct cr_rect){1, 0, page->width - 2, rows}, page->look,
+    code = cr_render_pulse(&(struct cr_target){&c, {1, 0, page->width - 2, rows}, page->look},
                            page->result, CR_QUANTITIES, NAN, err);
     if (code != CR_ERR_OK) {
         cr_cells_fini(&c);
@@ -159,7 +160,7 @@ static enum cr_err tables(const struct cr_page *page, struct cr_error *err) {
         struct cr_cells c;
         code = cr_cells_new(page->width, rows, &c, err);
         if (code == CR_ERR_OK) {
-            cr_table_draw(&c, (struct cr_rect){1, 0, page->width - 2, rows}, page->look,
+            cr_table_draw(&(struct cr_target){&c, {1, 0, page->width - 2, rows}, page->look},
                           page->result, NAN, body + i, n - i < most ? n - i : most);
             code = cr_page_emit(page, &c, err);
         }

@@ -18,8 +18,7 @@ CR_MUST_CHECK enum cr_err cr_page_emit(const struct cr_page *page, struct cr_cel
 CR_MUST_CHECK enum cr_err cr_page_heading(const struct cr_page *page, const char *title,
                                           const char *note, struct cr_error *err);
 /* The same into cells. */
-void cr_page_draw_heading(struct cr_cells *c, int x, int y, int w, const struct cr_look *look,
-                          const char *title, const char *note);
+void cr_page_draw_heading(const struct cr_target *target, const char *title, const char *note);
 /* Text broken at blanks to the width, lines after the first indented. */
 CR_MUST_CHECK enum cr_err cr_page_paragraph(const struct cr_page *page, int indent,
                                             enum cr_role role, const char *text,

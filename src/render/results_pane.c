@@ -210,9 +210,10 @@ double cr_render_spark_time(struct cr_rect at, const struct cr_result *result, i
     return sol->t_contact + u * (sol->t[samples - 1] - sol->t_contact);
 }
 
-static void draw_spark(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
-                       const struct cr_result *result, int body, const double *y, int n,
-                       double scale) {
+static void draw_spark(const struct cr_target *target, const struct cr_result *result, int body,
+                       const double *y, int n, double scale) {
+    struct cr_cells *cells = target->cells;
+    struct cr_rect at = target->at;
     const struct cr_solution *sol = result->solution;
     int columns = spark_columns(at), peak = 0;
     char text[64];
@@ -228,8 +229,8 @@ static void draw_spark(struct cr_cells *cells, struct cr_rect at, const struct c
             v = fmax(v, y[i]);
         }
         int level = (int)ceil(cr_clamp(v / scale, 0, 1) * 8 - 1e-9);
-        uint32_t ch = look->ascii ? (uint8_t) "_.:-=+*#"[level > 0 ? level - 1 : 0]
-                                  : 0x2580u + (uint32_t)(level > 0 ? level : 1);
+        uint32_t ch = target->look->ascii ? (uint8_t) "_.:-=+*#"[level > 0 ? level - 1 : 0]
+                                          : 0x2580u + (uint32_t)(level > 0 ? level : 1);
         cr_cells_put(cells, at.x + SPARK_HEAD + c, at.y, cr_render_role_of(body), ch);
     }
     snprintf(text, sizeof text, "  peak %.1f g  %.0f ms", y[peak],
@@ -268,7 +269,7 @@ enum cr_err cr_render_sparks(struct cr_cells *cells, struct cr_rect at, const st
         }
     }
     for (int k = 0; k < rows; k++) {
-        draw_spark(cells, (struct cr_rect){at.x, at.y + k, at.w, 1}, look, result, body[k],
+        draw_spark(&(struct cr_target){cells, {at.x, at.y + k, at.w, 1}, look}, result, body[k],
                    y + k * n, n, most > 0 ? most : 1);
     }
     double span = sol->t[n - 1] - sol->t_contact;

@@ -34,8 +34,8 @@ static enum cr_err draw_scene(const struct stage *st, struct cr_rect in) {
     if (s->result == NULL) { /* what was solved, if anything, is no longer this scene */
         view.time = (double)NAN;
     }
-    return cr_render_scene(st->cells, in, st->look, s->compiled, s->scene, s->result, &view,
-                           st->err);
+    return cr_render_scene(&(struct cr_target){st->cells, in, st->look}, s->compiled, s->scene,
+                           s->result, &view, st->err);
 }
 
 static enum cr_err draw_pulse(const struct stage *st, struct cr_rect in) {
@@ -44,8 +44,8 @@ static enum cr_err draw_pulse(const struct stage *st, struct cr_rect in) {
         say(st, in, "no pulse before  solve  (F5)");
         return CR_ERR_OK;
     }
-    return cr_render_pulse(st->cells, in, st->look, s->result, s->quantity, s->scene_view.time,
-                           st->err);
+    return cr_render_pulse(&(struct cr_target){st->cells, in, st->look}, s->result, s->quantity,
+                           s->scene_view.time, st->err);
 }
 
 static enum cr_err draw_energy(const struct stage *st, struct cr_rect in) {
@@ -69,7 +69,7 @@ static enum cr_err draw_table(const struct stage *st, struct cr_rect in) {
     if (code != CR_ERR_OK) {
         return code;
     }
-    code = cr_render_table_beside(&whole, (struct cr_rect){0, 0, whole.w, whole.h}, st->look,
+    code = cr_render_table_beside(&(struct cr_target){&whole, {0, 0, whole.w, whole.h}, st->look},
                                   s->result, s->reference, s->scene_view.time, st->err);
     int down = s->table_down > rows - in.h ? rows - in.h : s->table_down;
     down = down < 0 ? 0 : down;
@@ -116,8 +116,9 @@ static enum cr_err draw_panes(const struct stage *st, const struct cr_layout *l)
                     (l->kind == CR_LAYOUT_TWO && i == CR_AREA_SCENE);
         struct cr_rect in = at;
         if (l->kind != CR_LAYOUT_PROMPT) {
-            in = cr_render_frame(st->cells, at, st->look, tabs ? NULL : cr_area_title(i),
-                                 st->screen->view, st->screen->active == (enum cr_area)i, false);
+            in = cr_render_frame(&(struct cr_target){st->cells, at, st->look},
+                                 tabs ? NULL : cr_area_title(i), st->screen->view,
+                                 st->screen->active == (enum cr_area)i, false);
         }
         code = PANES[i](st, in);
     }
@@ -127,8 +128,8 @@ static enum cr_err draw_panes(const struct stage *st, const struct cr_layout *l)
 static void draw_results(const struct stage *st, const struct cr_layout *l) {
     const struct cr_screen *s = st->screen;
     if (l->results.w > 0) {
-        struct cr_rect in =
-            cr_render_frame(st->cells, l->results, st->look, "Results", CR_AREA_SCENE, false, true);
+        struct cr_rect in = cr_render_frame(&(struct cr_target){st->cells, l->results, st->look},
+                                            "Results", CR_AREA_SCENE, false, true);
         cr_render_results(st->cells, in, solved(s) ? s->result : NULL, s->scene_view.time,
                           s->scene_view.selected);
     }

@@ -431,9 +431,10 @@ static void write_injuries(struct layout *l, const struct cr_result *result) {
 }
 
 /* widths of the columns; what was measured stands beside them if there is room */
-static struct layout set_out(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
-                             const struct cr_reference *reference, const int *body, int n) {
-    struct layout l = {cells, look, at, at.y, LABEL, COLUMN, body, n, NULL};
+static struct layout set_out(const struct cr_target *target, const struct cr_reference *reference,
+                             const int *body, int n) {
+    struct cr_rect at = target->at;
+    struct layout l = {target->cells, target->look, at, at.y, LABEL, COLUMN, body, n, NULL};
     int w = at.w;
     if (reference != NULL && LABEL + UNIT + n * (COLUMN + TEST) <= at.w) {
         l.reference = reference;
@@ -469,10 +470,10 @@ static void draw(struct layout *l, const struct cr_result *result, double time) 
     write_injuries(l, result);
 }
 
-void cr_table_draw(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
-                   const struct cr_result *result, double time, const int *body, int n) {
+void cr_table_draw(const struct cr_target *target, const struct cr_result *result, double time,
+                   const int *body, int n) {
     if (n > 0) {
-        struct layout l = set_out(cells, at, look, NULL, body, n);
+        struct layout l = set_out(target, NULL, body, n);
         draw(&l, result, time);
     }
 }
@@ -486,15 +487,16 @@ int cr_render_table_rows_beside(const struct cr_result *result,
     return rows + (result->impacts > 1 ? 1 + cr_render_impacts_rows(result) : 0);
 }
 
-enum cr_err cr_render_table_beside(struct cr_cells *cells, struct cr_rect at,
-                                   const struct cr_look *look, const struct cr_result *result,
+enum cr_err cr_render_table_beside(const struct cr_target *target, const struct cr_result *result,
                                    const struct cr_reference *reference, double time,
                                    struct cr_error *err) {
     (void)err;
+    struct cr_cells *cells = target->cells;
+    struct cr_rect at = target->at;
     int body[CR_BODY_MAX] = {0};
     int n = cr_table_bodies(result, body), most = cr_table_columns(at.w);
     if (n > 0) {
-        struct layout l = set_out(cells, at, look, reference, body, n < most ? n : most);
+        struct layout l = set_out(target, reference, body, n < most ? n : most);
         draw(&l, result, time);
         if (result->impacts > 1 && isnan(time) && cr_render_final(result->solution)) {
             int y = l.y + 1;
@@ -511,5 +513,5 @@ enum cr_err cr_render_table_beside(struct cr_cells *cells, struct cr_rect at,
 
 enum cr_err cr_render_table(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
                             const struct cr_result *result, double time, struct cr_error *err) {
-    return cr_render_table_beside(cells, at, look, result, NULL, time, err);
+    return cr_render_table_beside(&(struct cr_target){cells, at, look}, result, NULL, time, err);
 }

@@ -9,8 +9,8 @@
 int cr_table_bodies(const struct cr_result *result, int body[CR_BODY_MAX]);
 /* How many of them fit beside each other, at least one. */
 int cr_table_columns(int width);
-void cr_table_draw(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,
-                   const struct cr_result *result, double time, const int *body, int n);
+void cr_table_draw(const struct cr_target *target, const struct cr_result *result, double time,
+                   const int *body, int n);
 
 /* "front", "left" ...; "-" for none. */
 const char *cr_render_face(enum cr_face face);

@@ -6,12 +6,14 @@
 /* EES in km/h of a line of voxels crushed from its end down to each of its voxels, if the whole
  * face were like this line (`lines` of them): sqrt(2 E lines / m). Keeps the lesser of this and
  * what is there, so that every voxel ends with the value of the face that reaches it first. */
-static void walk(const struct cr_grid *g, double mass, int lines, int start, int step, int n,
-                 double *ees) {
+struct line {
+    int start, step, n, lines; /* first voxel, way to the next, how many; lines of the face */
+};
+static void walk(const struct cr_grid *g, double mass, struct line line, double *ees) {
     double sum = 0;
-    for (int k = 0, i = start; k < n; k++, i += step) {
+    for (int k = 0, i = line.start; k < line.n; k++, i += line.step) {
         sum += g->energy[i];
-        ees[i] = fmin(ees[i], cr_kmh(sqrt(2 * sum * lines / mass)));
+        ees[i] = fmin(ees[i], cr_kmh(sqrt(2 * sum * line.lines / mass)));
     }
 }
 
@@ -21,11 +23,11 @@ void cr_result_ees(const struct cr_grid *g, double mass, double *ees) {
         ees[i] = INFINITY;
     }
     for (int iy = 0; iy < g->ny; iy++) {
-        walk(g, mass, g->ny, iy * g->nx, 1, g->nx, ees);
-        walk(g, mass, g->ny, iy * g->nx + g->nx - 1, -1, g->nx, ees);
+        walk(g, mass, (struct line){iy * g->nx, 1, g->nx, g->ny}, ees);
+        walk(g, mass, (struct line){iy * g->nx + g->nx - 1, -1, g->nx, g->ny}, ees);
     }
     for (int ix = 0; ix < g->nx; ix++) {
-        walk(g, mass, g->nx, ix, g->nx, g->ny, ees);
-        walk(g, mass, g->nx, n - g->nx + ix, -g->nx, g->ny, ees);
+        walk(g, mass, (struct line){ix, g->nx, g->ny, g->nx}, ees);
+        walk(g, mass, (struct line){n - g->nx + ix, -g->nx, g->ny, g->nx}, ees);
     }
 }

@@ -33,7 +33,7 @@ struct irf {
     char name[CR_NAME_MAX], title[CR_NAME_MAX], level[16];
     enum covariate covariate;
     double unit; /* m/s */
-    bool power, vehicle_partner, front_only;
+    bool power, vehicle_partner, front_only, by_default;
     double intercept, slope; /* logistic, constants added to the intercept */
     double exponent;
     double lo, hi;          /* range of the data, in its unit */
@@ -159,6 +159,7 @@ static enum cr_err read_irf(const cJSON *json, const char *path, struct irf *f,
     f->hi = hi->valuedouble;
     f->vehicle_partner = strcmp(word(json, "partner"), "vehicle") == 0;
     f->front_only = strcmp(word(json, "side"), "front") == 0;
+    f->by_default = cJSON_IsTrue(cJSON_GetObjectItemCaseSensitive(json, "default"));
     return read_formula(json, path, f, err);
 }
 
@@ -233,6 +234,13 @@ enum cr_err cr_irf_load(const char *dir, struct cr_irf_set **out, struct cr_erro
         cr_irf_free(set);
         return code;
     }
+    bool any = false;
+    for (int i = 0; i < set->n; i++) {
+        any = any || set->irf[i].by_default;
+    }
+    for (int i = 0; i < set->n; i++) {
+        set->irf[i].by_default = set->irf[i].by_default || !any;
+    }
     *out = set;
     return CR_ERR_OK;
 }
@@ -246,6 +254,46 @@ void cr_irf_free(struct cr_irf_set *set) {
         free(set->irf);
         free(set);
     }
+}
+
+/* Whether words with commas between choose a function; none at all are the default ones. */
+static bool is_chosen(const struct irf *f, const char *words) {
+    bool chosen = false;
+    for (const char *at = words == NULL || words[0] == '\0' ? "auto" : words; *at != '\0';) {
+        char one[CR_NAME_MAX];
+        size_t len = strcspn(at, ",");
+        snprintf(one, sizeof one, "%.*s", (int)(len < sizeof one ? len : 0), at);
+        chosen = chosen || strcmp(one, "all") == 0 || strcmp(one, f->name) == 0 ||
+                 (f->by_default && strcmp(one, "auto") == 0);
+        at += len + (at[len] == ',');
+    }
+    return chosen;
+}
+
+enum cr_err cr_irf_check(const struct cr_irf_set *set, const char *words, struct cr_error *err) {
+    const char *known[CR_INJURY_MAX + 2] = {"auto", "all"};
+    int n = 2;
+    for (int i = 0; i < set->n && i < CR_INJURY_MAX; i++) {
+        known[n++] = set->irf[i].name;
+    }
+    for (const char *at = words; *at != '\0';) {
+        char one[CR_NAME_MAX];
+        size_t len = strcspn(at, ",");
+        snprintf(one, sizeof one, "%.*s", (int)(len < sizeof one ? len : sizeof one - 1), at);
+        int k = 0;
+        while (k < n && strcmp(known[k], one) != 0) {
+            k++;
+        }
+        if (k == n) {
+            const char *near = cr_str_nearest(one, known, n);
+            cr_err_set(err, CR_ERR_NAME, "there is no injury risk function \"%s\"", one);
+            cr_err_hint(err, near != NULL ? "did you mean \"%s\"?" : "\"%s\" shows their names",
+                        near != NULL ? near : "all");
+            return CR_ERR_NAME;
+        }
+        at += len + (at[len] == ',');
+    }
+    return CR_ERR_OK;
 }
 
 /* the most particular number given for the direction; `fallback` if none is */
@@ -276,8 +324,8 @@ void cr_irf_apply(const struct cr_irf_set *set, const struct cr_irf_case *what,
         const struct irf *f = &set->irf[i];
         double x = of[f->covariate] / f->unit;
         bool front = fabs(cr_angle_wrap(what->pdof)) <= CR_PI / 4;
-        if (!isfinite(x) || (f->vehicle_partner && !what->vehicle_partner) ||
-            (f->front_only && !front)) {
+        if (!is_chosen(f, what->words) || !isfinite(x) ||
+            (f->vehicle_partner && !what->vehicle_partner) || (f->front_only && !front)) {
             continue;
         }
         struct cr_injury *to = &severity->injury[severity->injuries++];

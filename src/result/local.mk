@@ -7,6 +7,7 @@ libresult_a_SOURCES = \
 	src/result/data.c \
 	src/result/damage.c src/result/damage.h \
 	src/result/deform.c src/result/deform.h \
+	src/result/diff.c src/result/diff.h \
 	src/result/event.c src/result/event.h \
 	src/result/ees.c \
 	src/result/filter.c \

@@ -162,7 +162,8 @@ static void measure_injury(const struct taking *t, const struct cr_event *e, int
     int own = e->body[side], other = e->body[!side];
     const struct cr_sample *a = cr_event_before(t->r->solution, e, own);
     const struct cr_sample *b = cr_event_before(t->r->solution, e, other);
-    struct cr_irf_case what = {.delta_v = s->delta_v,
+    struct cr_irf_case what = {.words = t->r->resolved.set.injury,
+                               .delta_v = s->delta_v,
                                .closing = cr_vec2_len(cr_vec2_sub(a->vel, b->vel)),
                                .ees = s->ees,
                                .pdof = s->pdof,

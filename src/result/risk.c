@@ -12,8 +12,11 @@ void cr_result_risk(const struct cr_result *r, const struct cr_irf_set *irf, int
     const struct cr_solution *sol = r->solution;
     int main = cr_result_main_contact(sol, body);
     double share = own->delta_v > 0 ? delta_v / own->delta_v : 0;
-    struct cr_irf_case what = {
-        .delta_v = delta_v, .closing = NAN, .ees = own->ees * share, .pdof = own->pdof};
+    struct cr_irf_case what = {.words = r->resolved.set.injury,
+                               .delta_v = delta_v,
+                               .closing = NAN,
+                               .ees = own->ees * share,
+                               .pdof = own->pdof};
     memset(out, 0, sizeof *out);
     if (irf == NULL) {
         return;

@@ -263,6 +263,16 @@ static enum cr_err need_vehicle(const struct cr_scene *scene, struct cr_error *e
     return CR_ERR_MISSING;
 }
 
+static enum cr_err check_injury(const struct cr_scene *scene, const struct cr_context *ctx,
+                                struct cr_error *err) {
+    enum cr_err code =
+        ctx->irf != NULL ? cr_irf_check(ctx->irf, scene->set.injury, err) : CR_ERR_OK;
+    if (code != CR_ERR_OK && err != NULL) {
+        snprintf(err->where, sizeof err->where, "/settings/injury");
+    }
+    return code;
+}
+
 enum cr_err cr_result_run(const struct cr_scene *scene, const struct cr_context *ctx,
                           struct cr_result **out, struct cr_error *err) {
     *out = NULL;
@@ -277,6 +287,7 @@ enum cr_err cr_result_run(const struct cr_scene *scene, const struct cr_context 
     code = code ? code : cr_scene_resolve(&r->resolved, ctx->models, &r->assumed, err);
     code = code ? code : cr_result_afford(&r->resolved, ctx, err);
     code = code ? code : need_vehicle(&r->resolved, err);
+    code = code ? code : check_injury(&r->resolved, ctx, err);
     code = code ? code : settle(r, ctx, err);
     bool part = code == CR_ERR_INTERRUPTED && r->solution != NULL;
     if (ctx->irf != NULL) {

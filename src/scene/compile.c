@@ -255,8 +255,8 @@ static enum cr_err make_barrier(struct making *m, int i, struct cr_body *body) {
     body->inertia = p->yaw_inertia;
     memcpy(m->out->hash[i], b->hash, sizeof m->out->hash[i]);
     snprintf(m->out->model[i], sizeof m->out->model[i], "barrier %s", p->barrier);
-    return cr_barrier_grid(b, m->scene->set.voxel, p->z_lo, p->z_hi, &m->out->arena, &body->grid,
-                           m->err);
+    return cr_barrier_grid(b, m->scene->set.voxel, (const double[2]){p->z_lo, p->z_hi},
+                           &m->out->arena, &body->grid, m->err);
 }
 
 /* The solver's bodies turn about their CG: a polygon is moved to its centroid. */

@@ -63,6 +63,7 @@ struct cr_tolerances {
     struct cr_tolerance of[CR_TOLERANCE_MAX];
 };
 
+enum { CR_INJURY_WORDS = 256 };
 struct cr_settings {
     enum cr_method method;
     double restitution; /* 0..0.95 */
@@ -75,10 +76,11 @@ struct cr_settings {
     double elastic;       /* s */
     bool elastic_auto;    /* as long as the force at the end of the plastic phase asks for */
     enum cr_end end;
-    double slope, downhill; /* fall of the road as tangent, and where to, rad */
-    double rolling;         /* resistance, share of the load */
-    bool rolling_auto;      /* that of free wheels, and later of an engine in gear */
-    double patch_friction;  /* NaN: no second surface */
+    char injury[CR_INJURY_WORDS]; /* which risk functions: names with commas, "auto", "all" */
+    double slope, downhill;       /* fall of the road as tangent, and where to, rad */
+    double rolling;               /* resistance, share of the load */
+    bool rolling_auto;            /* that of free wheels, and later of an engine in gear */
+    double patch_friction;        /* NaN: no second surface */
     int patch_vertices;
     struct cr_vec2 patch[CR_VERTEX_MAX];
     /* what the profiles switch, each settable alone; -1: as the method says */

@@ -102,4 +102,33 @@ has "a summary of parts" "$out" '^Scenes: 15; solved 14, failed 1'
 has "with their pairs" "$out" '^Pairs: 7 of 7 compared'
 run merge "$tmp/all" -f csv --fields A.ees
 same "a table of parts" "$(wc -l <"$tmp/out" | tr -d ' ')" 16
+
+# per impact: the rows of run --per=impact, of several scenes
+fields=impact,id,partner,cdc,t_s,ees_kmh,delta_v_kmh,pulse_ms
+names=$(echo "$fields" | tr ',' '|')
+run run -f csv --per impact "$SRC/share/scenes/three-cars.json"
+awk -F, -v "names=^($names)\$" '
+    NR == 1 { for (i = 1; i <= NF; i++) if ($i ~ names) column[++n] = i }
+    { line = ""; for (i = 1; i <= n; i++) line = line "," $(column[i]); print line }' \
+    "$tmp/out" >"$tmp/want"
+run stack -f csv --per impact --fields "$fields" "$SRC/share/scenes/three-cars.json"
+has "an impact has a row per vehicle" "$(wc -l <"$tmp/out")" '^ *[579]$'
+same "as run tells them" "$(cut -d, -f 4-11 "$tmp/out")" "$(sed 's/^,//' "$tmp/want")"
+run stack --per impact "$tmp/s.jsonl" -f csv
+same "a wall has no row, a failed scene one" "$status:$(wc -l <"$tmp/out" | tr -d ' ')" 1:16
+has "with the main results" "$(head -n 1 "$tmp/out")" \
+    '^index,scene,pair,impact,id,partner,t_s,ees_kmh,delta_v_kmh,.*,error$'
+has "a failed scene has its error" "$(sed -n 2p "$tmp/out")" '^0,s.jsonl:1,,,+"?the scene has no'
+cp "$tmp/out" "$tmp/want"
+run merge "$tmp/part1" "$tmp/part2" "$tmp/part3" "$tmp/part4" --per impact -f csv
+same "merge makes the same of parts" "$(cksum <"$tmp/out")" "$(cksum <"$tmp/want")"
+run stack --per impact "$tmp/s.jsonl"
+has "as JSON without a form" "$(sed -n 2p "$tmp/out")" \
+    '^[{]"index":1,"scene":"sa1","pair":"p1","impact":1,"id":"A","partner":"wall","t_s":'
+refused "an impact has no such value" 2 "no value 'dlta_v'" \
+    stack --per impact "$tmp/s.jsonl" --fields dlta_v
+refused "version 1 tells no impacts" 2 'tells no impacts .*version 1' \
+    stack --per impact "$tmp/s.jsonl" --result-version 1
+refused "a summary counts scenes" 2 'count scenes, not impacts' \
+    stack --per impact "$tmp/s.jsonl" --summary
 finish

@@ -55,7 +55,7 @@ shows "umlauts are edited whole" "^crumple> vehicle Ärger ma=1"
 keys C-c F1
 shows "F1 lists the keys" "Keys +\(any key closes\)"
 keys x F9 swe
-shows "F9 filters the commands" "sweep +solve for a range"
+shows "F9 filters the commands" "sweep +solve for ranges of inputs"
 keys Enter
 shows "and types the chosen one" "^crumple> sweep"
 keys C-c Tab Tab

@@ -20,7 +20,9 @@ static const struct cr_barrier *barrier_of(const char *name) {
 
 static struct cr_grid grid_of(const char *name, double voxel, double z_hi, struct cr_arena *arena) {
     struct cr_grid g;
-    assert_int_equal(cr_barrier_grid(barrier_of(name), voxel, 0, z_hi, arena, &g, NULL), CR_ERR_OK);
+    assert_int_equal(
+        cr_barrier_grid(barrier_of(name), voxel, (const double[2]){0, z_hi}, arena, &g, NULL),
+        CR_ERR_OK);
     return g;
 }
 

@@ -218,26 +218,6 @@ static void test_heights(void **state) {
     cr_arena_free(&arena);
 }
 
-/* a barrier of 0.5 x 1.7 m with 350 kJ/m2 takes 297.5 kJ, also where voxels stick out */
-static void test_block(void **state) {
-    (void)state;
-    for (int k = 0; k < 2; k++) {
-        struct cr_arena arena = {0};
-        struct cr_grid g;
-        assert_int_equal(cr_model_block(0.5, 1.7, k == 0 ? 0.025 : 0.03, 350e3, &arena, &g, NULL),
-                         CR_ERR_OK);
-        double sum = 0;
-        for (int i = 0; i < g.nx * g.ny; i++) {
-            sum += g.energy[i];
-        }
-        check_near(sum, 297.5e3, 1e-6);
-        cr_arena_free(&arena);
-    }
-    struct cr_arena arena = {0};
-    struct cr_grid g;
-    assert_int_equal(cr_model_block(NAN, 1, 0.025, 1, &arena, &g, NULL), CR_ERR_RANGE);
-}
-
 /* Half way between the middles of two sectors: the mean of both models. */
 static void test_blend(void **state) {
     (void)state;
@@ -414,7 +394,6 @@ int main(void) {
         cmocka_unit_test(test_stiffness),
         cmocka_unit_test(test_residual_curve),
         cmocka_unit_test(test_heights),
-        cmocka_unit_test(test_block),
         cmocka_unit_test(test_blend),
         cmocka_unit_test(test_queries_refused),
         cmocka_unit_test(test_no_force_falls_with_depth),

@@ -273,8 +273,8 @@ static void test_dots(void **state) {
     struct cr_error err;
     struct cr_cells c = grid(3, 2);
     assert_int_equal(cr_dots_new(3, 2, &dots, &err), CR_ERR_OK);
-    int phase = 0;
-    cr_dots_line(&dots, (int[2]){0, 0}, (int[2]){5, 0}, CR_ROLE_A, '*', false, &phase);
+    struct cr_pen pen = {.role = CR_ROLE_A, .mark = '*'};
+    cr_dots_line(&dots, (int[2]){0, 0}, (int[2]){5, 0}, &pen);
     cr_dots_set(&dots, 0, 7, CR_ROLE_A, '*');
     cr_dots_set(&dots, -1, 0, CR_ROLE_A, '*');
     cr_dots_set(&dots, 6, 8, CR_ROLE_A, '*');

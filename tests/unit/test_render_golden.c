@@ -27,8 +27,8 @@ static void ok(enum cr_err code) {
 static void draw_scene(struct cr_cells *cells, const struct golden *g, struct render_double *d) {
     struct cr_scene_view view = {
         .field = g->field, .time = g->time, .centre = {NAN, NAN}, .vectors = true, .selected = 0};
-    ok(cr_render_scene(cells, (struct cr_rect){0, 0, g->w, g->h}, &g->look, NULL, NULL, &d->result,
-                       &view, NULL));
+    ok(cr_render_scene(&(struct cr_target){cells, {0, 0, g->w, g->h}, &g->look}, NULL, NULL,
+                       &d->result, &view, NULL));
 }
 
 static void draw_instant(struct cr_cells *cells, const struct golden *g, struct render_double *d) {
@@ -42,7 +42,7 @@ static void draw_energy(struct cr_cells *cells, const struct golden *g, struct r
 }
 
 static void draw_force(struct cr_cells *cells, const struct golden *g, struct render_double *d) {
-    ok(cr_render_pulse(cells, (struct cr_rect){0, 0, g->w, g->h}, &g->look, &d->result,
+    ok(cr_render_pulse(&(struct cr_target){cells, {0, 0, g->w, g->h}, &g->look}, &d->result,
                        CR_QUANTITY_FORCE, g->time, NULL));
 }
 

@@ -21,8 +21,9 @@ static struct cr_cells picture(const struct render_double *d, const struct cr_sc
     struct cr_cells c;
     struct cr_error err;
     assert_int_equal(cr_cells_new(120, 30, &c, &err), CR_ERR_OK);
-    assert_int_equal(cr_render_scene(&c, (struct cr_rect){0, 0, 120, 30}, look, &d->result.compiled,
-                                     &d->result.resolved, &d->result, view, &err),
+    assert_int_equal(cr_render_scene(&(struct cr_target){&c, {0, 0, 120, 30}, look},
+                                     &d->result.compiled, &d->result.resolved, &d->result, view,
+                                     &err),
                      CR_ERR_OK);
     return c;
 }
@@ -161,7 +162,7 @@ static void test_overlap_before_the_crash(void **state) {
         struct cr_cells c;
         struct cr_error err;
         assert_int_equal(cr_cells_new(120, 30, &c, &err), CR_ERR_OK);
-        assert_int_equal(cr_render_scene(&c, (struct cr_rect){0, 0, 120, 30}, &plain,
+        assert_int_equal(cr_render_scene(&(struct cr_target){&c, {0, 0, 120, 30}, &plain},
                                          &d.result.compiled, &d.result.resolved, NULL, &view, &err),
                          CR_ERR_OK);
         if (i == 0) {
@@ -453,7 +454,8 @@ static void test_small_rectangles(void **state) {
             struct cr_error err;
             struct cr_rect at = {2, 1, w, h};
             assert_int_equal(cr_cells_new(w + 4, h + 2, &c, &err), CR_ERR_OK);
-            assert_int_equal(cr_render_scene(&c, at, &plain, NULL, NULL, &d.result, &view, &err),
+            assert_int_equal(cr_render_scene(&(struct cr_target){&c, at, &plain}, NULL, NULL,
+                                             &d.result, &view, &err),
                              CR_ERR_OK);
             for (int i = 0; i < c.w * c.h; i++) {
                 int x = i % c.w, y = i / c.w;

@@ -151,8 +151,11 @@ static void test_body_of_a_result(void **state) {
     p->cg_height = dims->cg_height;
     const struct cr_rect at = {0, 0, 60, 20};
     assert_int_equal(cr_cells_new(60, 20, &c, &err), CR_ERR_OK);
-    assert_int_equal(cr_render_body_view(&c, at, &look, lib, &d.result, 0, CR_PROJECT_TOP, &err),
-                     CR_ERR_OK);
+    struct cr_body_voxels body;
+    assert_int_equal(cr_project_body(lib, &d.result, 0, &body, &err), CR_ERR_OK);
+    body.projection.view = CR_PROJECT_TOP;
+    assert_int_equal(cr_render_projection(&c, at, &look, &body.projection, &err), CR_ERR_OK);
+    cr_body_voxels_fini(&body);
     int upper = 0, lower = 0, rear = 0;
     for (int i = 60; i < 60 * 18; i++) { /* without title and legend */
         bool digit = c.cell[i].role == CR_ROLE_CRUSHED;
@@ -164,8 +167,7 @@ static void test_body_of_a_result(void **state) {
     assert_true(upper > 3 * lower);
     assert_int_equal(rear, 0);
     p->kind = CR_KIND_OBJECT;
-    assert_int_equal(cr_render_body_view(&c, at, &look, lib, &d.result, 0, CR_PROJECT_TOP, &err),
-                     CR_ERR_NAME);
+    assert_int_equal(cr_project_body(lib, &d.result, 0, &body, &err), CR_ERR_NAME);
     assert_string_equal(err.text, "A is an object, it has no vehicle model");
     cr_cells_fini(&c);
     render_double_fini(&d);

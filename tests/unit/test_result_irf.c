@@ -31,7 +31,8 @@ static int close_set(void **state) {
 }
 
 static struct cr_irf_case car(double kmh, double pdof_deg) {
-    return (struct cr_irf_case){.delta_v = kmh / 3.6,
+    return (struct cr_irf_case){.words = "all",
+                                .delta_v = kmh / 3.6,
                                 .closing = kmh / 1.8,
                                 .ees = kmh / 3.6,
                                 .pdof = cr_rad(pdof_deg),
@@ -108,6 +109,38 @@ static void functions_apply_where_they_may(void **state) {
     }
     cr_irf_apply(NULL, &what, &s);
     assert_int_equal(s.injuries, 0);
+}
+
+/* the words of the setting; three are told unasked */
+static void functions_are_chosen_by_name(void **state) {
+    (void)state;
+    static const struct {
+        const char *words;
+        int n;
+    } row[] = {{NULL, 3},
+               {"", 3},
+               {"auto", 3},
+               {"all", 15},
+               {"tum-mais3", 1},
+               {"tum-mais3,malliaris-mais2", 2},
+               {"auto,malliaris-mais2", 4}};
+    struct cr_irf_case what = car(50, 0);
+    struct cr_severity s;
+    struct cr_error err = {0};
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+        what.words = row[i].words;
+        cr_irf_apply(set, &what, &s);
+        assert_int_equal(s.injuries, row[i].n);
+        assert_int_equal(cr_irf_check(set, row[i].words != NULL ? row[i].words : "", &err), 0);
+    }
+    what.words = "auto";
+    cr_irf_apply(set, &what, &s);
+    assert_string_equal(s.injury[0].function, "gidas-mais2");
+    assert_string_equal(s.injury[1].function, "tum-mais3");
+    assert_string_equal(s.injury[2].function, "tum-direction-mais3");
+    assert_int_equal(cr_irf_check(set, "all,tum-mais4", &err), CR_ERR_NAME);
+    assert_non_null(strstr(err.text, "\"tum-mais4\""));
+    assert_string_equal(err.hint, "did you mean \"tum-mais3\"?");
 }
 
 /* tables show them beside two columns of numbers at 80 characters */
@@ -188,6 +221,7 @@ int main(void) {
         cmocka_unit_test(values_of_the_literature),
         cmocka_unit_test(direction_chooses_the_offset),
         cmocka_unit_test(functions_apply_where_they_may),
+        cmocka_unit_test(functions_are_chosen_by_name),
         cmocka_unit_test(titles_tell_the_functions_apart),
         cmocka_unit_test(faulty_files_are_refused),
     };
