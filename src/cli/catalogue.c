@@ -145,6 +145,7 @@ int cr_cli_catalogue(int argc, char **argv) {
     if (status >= 0) {
         return status;
     }
+    cr_cli_catch();
     for (int i = 1; i <= operands; i++) {
         cr_str_addf(&words, "%s%s", i > 1 ? " " : "", argv[i]);
     }

@@ -66,4 +66,6 @@ same "nothing after it runs" "$(grep -c 'EES' out)" 0
 
 stopped waits run -
 same "^C while reading" "$status" 130
+stopped waits import -
+same "^C while import reads" "$status:$(cat errs)" "130:standard input: error: interrupted"
 finish
