@@ -120,6 +120,10 @@ static enum cr_err export_result(struct cr_export *x, struct cr_error *err) {
     return result_text(x, false, err);
 }
 
+static enum cr_err export_report(struct cr_export *x, struct cr_error *err) {
+    return x->form == CR_EXPORT_TXT ? export_result(x, err) : cr_export_report(x, err);
+}
+
 static enum cr_err export_pulse(struct cr_export *x, struct cr_error *err) {
     bool numbers = x->form == CR_EXPORT_CSV || x->form == CR_EXPORT_JSON;
     return numbers ? result_text(x, true, err) : cr_export_picture(x, err);
@@ -147,7 +151,7 @@ static const struct {
     {"pulse", BIT_CSV | BIT_JSON | PICTURE, true, true, export_pulse},
     {"steps", BIT_CSV, true, true, export_steps},
     {"sweep", BIT_CSV | PICTURE, false, false, export_sweep},
-    {"report", BIT_TXT, true, true, export_result},
+    {"report", BIT_TXT | 1 << CR_EXPORT_HTML | 1 << CR_EXPORT_PDF, true, true, export_report},
     {"before", PICTURE, false, false, cr_export_picture},
     {"contact", PICTURE, true, false, cr_export_picture},
     {"engagement", PICTURE, true, false, cr_export_picture},

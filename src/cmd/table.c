@@ -403,7 +403,7 @@ static const struct cr_arg export_args[] = {
                       "body|film",
              .help = "what is written; with a suffix (after.svg) it is the file as well"),
     OPTION("FILE", CR_VALUE_FILE,
-           .words = ".csv|.json|.txt|.svg|.pdf|.png|.mme|.gp|.vtk|.obj|.cast",
+           .words = ".csv|.json|.txt|.html|.svg|.pdf|.png|.mme|.gp|.vtk|.obj|.cast",
            .help = "its suffix says how"),
     KEY("of", CR_VALUE_VEHICLE, .help = "vehicle of damage, side, top, front, risk and body"),
     KEY("time", CR_VALUE_TIME, .dim = CR_DIM_TIME, .unit = "ms", .lo = 0, .hi = 60000,
@@ -411,6 +411,13 @@ static const struct cr_arg export_args[] = {
         .help = "of the scene, ms after the first contact"),
     KEY("plot", CR_VALUE_TEXT, .def = "ees of all",
         .help = "result of a sweep or of mc to draw: A.ees, B.delta_v ..."),
+    KEY("lang", CR_VALUE_WORD, .words = "en|de", .def = "en", .help = "language of the report"),
+    KEY("author", CR_VALUE_TEXT, .help = "of the report: who answers for it"),
+    KEY("case", CR_VALUE_TEXT, .help = "of the report: case number"),
+    KEY("draws", CR_VALUE_COUNT, .lo = 0, .hi = 100000, .def = "300",
+        .help = "for the intervals of the report; 0: none"),
+    KEY("tests", CR_VALUE_WORD, .words = "on|off", .def = "on",
+        .help = "crash tests like the crash in the report, solved for comparison"),
     END,
 };
 

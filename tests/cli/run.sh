@@ -201,7 +201,7 @@ report $? "the same bytes on every run"
 has "with -o the result is written too" "$(head -n 3 "$tmp/r.json")" crumple_result
 refused "a picture that there is none of" 2 'no picture .pulses.*did you mean pulse=FILE' \
     run "$demo" -p "pulses=$tmp/x.svg"
-refused "a picture in an unknown form" 2 'none of .svg, .pdf, .png' run "$demo" -p "$tmp/x.gif"
+refused "a picture in an unknown form" 2 'ends in .svg, .pdf or .png' run "$demo" -p "$tmp/x.gif"
 refused "a picture that cannot be written" 2 'cannot write' run "$demo" -p "$tmp/no/x.svg"
 if "$crumple" --version | grep -q cairo; then
     run run "$demo" -p "after=$tmp/a.pdf" -p "after=$tmp/a.png"
