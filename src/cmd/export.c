@@ -166,6 +166,7 @@ static const struct {
     {"tornado", PICTURE, false, false, cr_export_mc},
     {"overview", PICTURE, true, true, cr_export_picture},
     {"channels", 1 << CR_EXPORT_MME | 1 << CR_EXPORT_GP, true, true, cr_export_channels},
+    {"motion", BIT_CSV, true, true, cr_export_motion},
     {"body", 1 << CR_EXPORT_VTK | 1 << CR_EXPORT_OBJ, true, true, cr_export_body},
     {"film", 1 << CR_EXPORT_CAST, true, true, cr_export_film},
 };

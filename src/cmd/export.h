@@ -47,6 +47,7 @@ enum cr_err cr_export_report(struct cr_export *x, struct cr_error *err);
 
 /* ISO-MME channels (beside FILE.mme a folder Channel) or a gnuplot pair; a film; the 3D model. */
 enum cr_err cr_export_channels(struct cr_export *x, struct cr_error *err);
+enum cr_err cr_export_motion(struct cr_export *x, struct cr_error *err);
 enum cr_err cr_export_film(struct cr_export *x, struct cr_error *err);
 enum cr_err cr_export_body(struct cr_export *x, struct cr_error *err);
 

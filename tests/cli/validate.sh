@@ -132,8 +132,10 @@ has "in the depth of the poles" "$out" 'missed +pole: MPE of depth residual'
 mkdir -p "$tmp/data/share/validation/data"
 cp -R "$SRC/models" "$tmp/data/models"
 cp -R "$SRC/share/irf" "$SRC/share/calibration" "$tmp/data/share/"
-cp "$SRC"/share/validation/data/frontal_wall*.csv "$SRC"/share/validation/data/camry*.csv \
+cp "$SRC"/share/validation/data/*_pulse.csv "$SRC"/share/validation/data/camry*.csv \
     "$tmp/data/share/validation/data/"
+head -n 60 "$SRC/share/validation/data/frontal_wall.csv" \
+    >"$tmp/data/share/validation/data/frontal_wall.csv"
 head -n 14 "$SRC/share/validation/data/side_pole.csv" \
     >"$tmp/data/share/validation/data/side_pole.csv"
 CRUMPLE_DATA=$tmp/data
