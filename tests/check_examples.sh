@@ -1,6 +1,6 @@
 #!/bin/sh
-# Every example of README.md and crumple.1 runs, and shows what the program prints; its programs in
-# C, Python and R print what is shown below them.
+# Every example of README.md and crumple.1 runs, and shows what the program prints; the programs of
+# share/doc/programs.md in C, Python and R print what is shown below them.
 # "check_examples.sh update" puts the present output into README.md: review the difference.
 . "$SRC/tests/tap.sh"
 tmp=$(mktemp -d) || exit 99
@@ -114,7 +114,7 @@ update() {
 runs() {
     (cd "$tmp" && CRUMPLE_DATA=$SRC CRUMPLE_LIBRARY=$BUILD/libcrumple.so.0 LD_LIBRARY_PATH=$BUILD \
         PYTHONPATH=$SRC/bindings PYTHONDONTWRITEBYTECODE=1 sh -c "$1") >"$tmp/got" 2>&1 </dev/null
-    report $? "README.md: the program in $2 runs"
+    report $? "programs.md: the program in $2 runs"
     alike "$tmp/program.$2.out" "$tmp/got"
     good=$?
     report $good "and prints what is shown"
@@ -126,7 +126,9 @@ programs() {
     awk -v f="$tmp/program." '/^```(c|python|r)$/ { kind = substr($0, 4); file = f kind; next }
         /^```text$/ && kind != "" { file = f kind ".out"; kind = ""; next }
         /^```/ { file = "" }
-        file != "" { print >file }' "$SRC/README.md"
+        file != "" { print >file }' "$SRC/share/doc/programs.md"
+    awk '/^```json$/ { on = 1; next } /^```$/ { on = 0 } on { print }' \
+        "$SRC/share/doc/programs.md" >"$tmp/pole.json"
     if [ ! -f "$BUILD/libcrumple.so" ] || "$CRUMPLE" --version | grep -q '^sanitizers: [^n]'; then
         skip "programs in C and Python" "no shared library, or one with sanitizers"
     else

@@ -1,6 +1,7 @@
 /* Reads tables as text: records from a buffer that is filled again and again, cut into fields. */
 #include "base/csv.h"
 
+#include "base/grow.h"
 #include "base/show.h"
 #include "base/str.h"
 
@@ -150,16 +151,10 @@ static void recode(struct cr_csv *c) {
 }
 
 static bool add_field(struct row *row, int col) {
-    if (row->n == row->room) {
-        int more = row->room > 0 ? 2 * row->room : 16;
-        size_t *at = realloc(row->at, (size_t)more * sizeof *at);
-        row->at = at != NULL ? at : row->at;
-        int *cols = realloc(row->col, (size_t)more * sizeof *cols);
-        row->col = cols != NULL ? cols : row->col;
-        if (at == NULL || cols == NULL) {
-            return false;
-        }
-        row->room = more;
+    int room = row->room; /* of both arrays, which grow together */
+    if (!cr_grow(&row->at, &room, row->n, sizeof *row->at) ||
+        !cr_grow(&row->col, &row->room, row->n, sizeof *row->col)) {
+        return false;
     }
     row->at[row->n] = row->text.len;
     row->col[row->n++] = col;
@@ -543,31 +538,28 @@ enum cr_err cr_csv_number(const struct cr_csv *csv, int column, double *out, str
                               field(&csv->head, column));
 }
 
-static enum cr_err row_fault(const struct cr_csv *csv, const struct row *row, int column,
-                             struct cr_error *err, enum cr_err code) {
+static void place_fault(const struct cr_csv *csv, const struct row *row, int column,
+                        struct cr_error *err) {
     bool known = column >= 0 && column < row->n;
     cr_err_place(err, csv->src, row->line, known ? row->col[column] : 1);
-    return code;
 }
 
 enum cr_err cr_csv_fault(const struct cr_csv *csv, int column, struct cr_error *err,
                          enum cr_err code, const char *fmt, ...) {
-    char text[256];
     va_list args;
     va_start(args, fmt);
-    vsnprintf(text, sizeof text, fmt, args);
+    cr_err_vset(err, code, fmt, args);
     va_end(args);
-    cr_err_set(err, code, "%s", text);
-    return row_fault(csv, &csv->row, column, err, code);
+    place_fault(csv, &csv->row, column, err);
+    return code;
 }
 
 enum cr_err cr_csv_head_fault(const struct cr_csv *csv, int column, struct cr_error *err,
                               enum cr_err code, const char *fmt, ...) {
-    char text[256];
     va_list args;
     va_start(args, fmt);
-    vsnprintf(text, sizeof text, fmt, args);
+    cr_err_vset(err, code, fmt, args);
     va_end(args);
-    cr_err_set(err, code, "%s", text);
-    return row_fault(csv, &csv->head, column, err, code);
+    place_fault(csv, &csv->head, column, err);
+    return code;
 }

@@ -23,16 +23,20 @@ static void fill(char *to, size_t size, const char *fmt, va_list ap) {
     cr_show(raw, to, size);
 }
 
-enum cr_err cr_err_set(struct cr_error *err, enum cr_err code, const char *fmt, ...) {
-    if (err == NULL) {
-        return code;
+enum cr_err cr_err_vset(struct cr_error *err, enum cr_err code, const char *fmt, va_list args) {
+    if (err != NULL) {
+        memset(err, 0, sizeof *err);
+        err->code = code;
+        fill(err->text, sizeof err->text, fmt, args);
     }
-    memset(err, 0, sizeof *err);
-    err->code = code;
-    va_list ap;
-    va_start(ap, fmt);
-    fill(err->text, sizeof err->text, fmt, ap);
-    va_end(ap);
+    return code;
+}
+
+enum cr_err cr_err_set(struct cr_error *err, enum cr_err code, const char *fmt, ...) {
+    va_list args;
+    va_start(args, fmt);
+    cr_err_vset(err, code, fmt, args);
+    va_end(args);
     return code;
 }
 

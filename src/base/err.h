@@ -5,6 +5,8 @@
 #ifndef CR_BASE_ERR_H
 #define CR_BASE_ERR_H
 
+#include <stdarg.h>
+
 #if defined(__GNUC__)
 #define CR_MUST_CHECK        __attribute__((warn_unused_result))
 #define CR_PRINTF(fmt, args) __attribute__((format(printf, fmt, args)))
@@ -54,6 +56,8 @@ struct cr_error {
  * and src are made fit to show (base/show.h), and cut between two characters. */
 enum cr_err cr_err_set(struct cr_error *err, enum cr_err code, const char *fmt, ...)
     CR_PRINTF(3, 4);
+enum cr_err cr_err_vset(struct cr_error *err, enum cr_err code, const char *fmt, va_list args)
+    CR_PRINTF(3, 0);
 
 /* Set the hint of a filled-in error (nullable). */
 void cr_err_hint(struct cr_error *err, const char *fmt, ...) CR_PRINTF(2, 3);

@@ -1,6 +1,7 @@
 /* Holds whole tables of texts. While they are read a field is its place in one growing text. */
 #include "base/records.h"
 
+#include "base/grow.h"
 #include "base/str.h"
 
 #include <math.h>
@@ -13,19 +14,13 @@ struct gather {
     struct cr_str text;
     size_t *at;
     int *line;
-    size_t n, room; /* fields */
-    int rows, lines;
+    int n, room;     /* fields */
+    int rows, lines; /* rows, and the room of line */
 };
 
 static bool add(struct gather *g, const char *field) {
-    if (g->n == g->room) {
-        size_t more = g->room > 0 ? 2 * g->room : 1024;
-        size_t *at = realloc(g->at, more * sizeof *at);
-        if (at == NULL) {
-            return false;
-        }
-        g->at = at;
-        g->room = more;
+    if (!cr_grow(&g->at, &g->room, g->n, sizeof *g->at)) {
+        return false;
     }
     g->at[g->n++] = g->text.len;
     cr_str_addn(&g->text, field, strlen(field) + 1);
@@ -33,14 +28,8 @@ static bool add(struct gather *g, const char *field) {
 }
 
 static bool add_line(struct gather *g, int line) {
-    if (g->rows == g->lines) {
-        int more = g->lines > 0 ? 2 * g->lines : 256;
-        int *lines = realloc(g->line, (size_t)more * sizeof *lines);
-        if (lines == NULL) {
-            return false;
-        }
-        g->line = lines;
-        g->lines = more;
+    if (!cr_grow(&g->line, &g->lines, g->rows, sizeof *g->line)) {
+        return false;
     }
     g->line[g->rows++] = line;
     return true;
@@ -82,12 +71,12 @@ enum cr_err cr_records_read(const struct cr_csv_opts *opts, struct cr_records *o
     out->line = g.line;
     out->rows = code == CR_ERR_OK ? g.rows : 0;
     if (code == CR_ERR_OK) {
-        out->column = malloc(g.n * sizeof *out->column);
+        out->column = malloc((size_t)g.n * sizeof *out->column);
         if (out->column == NULL) {
             code = cr_err_set(err, CR_ERR_MEMORY, "no memory for a table");
         }
     }
-    for (size_t i = 0; code == CR_ERR_OK && i < g.n; i++) {
+    for (int i = 0; code == CR_ERR_OK && i < g.n; i++) {
         out->column[i] = g.text.s + g.at[i];
     }
     free(g.at);

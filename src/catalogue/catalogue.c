@@ -2,6 +2,7 @@
 #include "catalogue/catalogue_priv.h"
 
 #include "base/file.h"
+#include "base/grow.h"
 #include "base/records.h"
 
 #include <dirent.h>
@@ -72,13 +73,9 @@ static enum cr_err read_car(const struct cr_records *r, int row, struct cr_car *
 }
 
 static enum cr_err add_table(struct cr_catalogue *c, const char *path, struct cr_error *err) {
-    struct cr_records **more = realloc(c->table, ((size_t)c->tables + 1) * sizeof *more);
-    if (more == NULL) {
-        return cr_err_set(err, CR_ERR_MEMORY, "no memory for the catalogue");
-    }
-    c->table = more;
     struct cr_records *r = calloc(1, sizeof *r);
-    if (r == NULL) {
+    if (r == NULL || !cr_grow(&c->table, &c->table_size, c->tables, sizeof *c->table)) {
+        free(r);
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for the catalogue");
     }
     c->table[c->tables++] = r;
@@ -91,13 +88,10 @@ static enum cr_err add_table(struct cr_catalogue *c, const char *path, struct cr
     if (code != CR_ERR_OK) {
         return code;
     }
-    struct cr_car *cars = realloc(c->car, ((size_t)c->n + (size_t)r->rows + 1) * sizeof *cars);
-    if (cars == NULL) {
-        return cr_err_set(err, CR_ERR_MEMORY, "no memory for the catalogue");
-    }
-    c->car = cars;
     for (int i = 0; i < r->rows && code == CR_ERR_OK; i++) {
-        code = read_car(r, i, &c->car[c->n], err);
+        code = cr_grow(&c->car, &c->size, c->n, sizeof *c->car)
+                   ? read_car(r, i, &c->car[c->n], err)
+                   : cr_err_set(err, CR_ERR_MEMORY, "no memory for the catalogue");
         c->n += code == CR_ERR_OK;
     }
     return code;

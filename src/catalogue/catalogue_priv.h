@@ -8,9 +8,9 @@ struct cr_records;
 
 struct cr_catalogue {
     struct cr_records **table; /* own the texts */
-    int tables;
+    int tables, table_size;
     struct cr_car *car;
-    int n;
+    int n, size;
 };
 
 #endif

@@ -1,5 +1,7 @@
 /* crumple merge: the parts of a stack that was spread over machines, put in order again. */
 #include "cli/cli.h"
+
+#include "base/grow.h"
 #include "cli/part.h"
 #include "cli/sink.h"
 
@@ -38,7 +40,7 @@ struct merge {
     int paths;
     FILE **file;
     struct entry *entry;
-    size_t n, size;
+    int n, size;
     char *line; /* the last one read */
     size_t line_size;
     long failed, missing;
@@ -53,14 +55,8 @@ static enum cr_err wrong(const char *path, long line, const char *text, struct c
 }
 
 static enum cr_err add(struct merge *m, const struct entry *e, struct cr_error *err) {
-    if (m->n == m->size) {
-        size_t size = m->size > 0 ? 2 * m->size : 1024;
-        struct entry *more = realloc(m->entry, size * sizeof *more);
-        if (more == NULL) {
-            return cr_err_set(err, CR_ERR_MEMORY, "no memory to index results");
-        }
-        m->entry = more;
-        m->size = size;
+    if (!cr_grow(&m->entry, &m->size, m->n, sizeof *m->entry)) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory to index results");
     }
     m->entry[m->n++] = *e;
     return CR_ERR_OK;
@@ -189,7 +185,7 @@ static void tell_missing(struct merge *m) {
     struct cr_str list = {0};
     long next = 0, scenes = m->opt->scenes;
     int gaps = 0;
-    for (size_t i = 0; i < m->n || (i == m->n && next < scenes); i++) {
+    for (int i = 0; i < m->n || (i == m->n && next < scenes); i++) {
         long here = i < m->n ? m->entry[i].index : scenes;
         if (here > next) {
             m->missing += here - next;
@@ -208,7 +204,7 @@ static enum cr_err write_all(struct merge *m, struct cr_sink *sink, bool *gone,
                              struct cr_error *err) {
     enum cr_err code = CR_ERR_OK;
     int lonely = 0;
-    for (size_t i = 0; i < m->n && code == CR_ERR_OK && !*gone; i++) {
+    for (int i = 0; i < m->n && code == CR_ERR_OK && !*gone; i++) {
         const struct entry *e = &m->entry[i];
         if (i > 0 && e->index == e[-1].index) {
             code = check_twice(m, e - 1, e, err);
@@ -231,7 +227,7 @@ static enum cr_err merge(struct merge *m, struct cr_sink *sink, struct cr_error 
         code = index_part(m, i, err);
     }
     if (code == CR_ERR_OK && m->n > 0) {
-        qsort(m->entry, m->n, sizeof *m->entry, by_index);
+        qsort(m->entry, (size_t)m->n, sizeof *m->entry, by_index);
     }
     if (code == CR_ERR_OK && to_file) {
         code = cr_part_find(&part, m->opt->out, NULL, err);

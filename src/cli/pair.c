@@ -1,6 +1,7 @@
 /* Computes what changes between the two scenes of a pair, with and without a safety system. */
 #include "cli/pair.h"
 
+#include "base/grow.h"
 #include "base/json.h"
 #include "base/number.h"
 #include "base/stats.h"
@@ -49,14 +50,8 @@ static struct pair *find(struct cr_pair_set *set, const char *name) {
             return &set->pair[i];
         }
     }
-    if (set->n == set->size) {
-        int size = set->size ? 2 * set->size : 16;
-        struct pair *more = realloc(set->pair, (size_t)size * sizeof *more);
-        if (!more) {
-            return NULL;
-        }
-        set->pair = more;
-        set->size = size;
+    if (!cr_grow(&set->pair, &set->size, set->n, sizeof *set->pair)) {
+        return NULL;
     }
     struct pair *p = &set->pair[set->n++];
     *p = (struct pair){.home = -1};
@@ -222,7 +217,7 @@ struct series {
 struct all {
     const struct cr_pair_set *set;
     struct series *series;
-    int n;
+    int n, size;
     bool failed;
 };
 
@@ -237,10 +232,8 @@ static void add_difference(struct all *all, const char *id, const char *key, con
         i++;
     }
     if (i == all->n) {
-        struct series *more = realloc(all->series, (size_t)(i + 1) * sizeof *more);
         double *x = calloc((size_t)all->set->n, sizeof *x);
-        all->series = more != NULL ? more : all->series;
-        if (more == NULL || x == NULL) {
+        if (x == NULL || !cr_grow(&all->series, &all->size, i, sizeof *all->series)) {
             free(x);
             all->failed = true;
             return;

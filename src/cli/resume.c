@@ -5,6 +5,7 @@
 #include "cli/resume.h"
 
 #include "base/file.h"
+#include "base/grow.h"
 #include "base/json.h"
 
 #include <cjson/cJSON.h>
@@ -72,14 +73,8 @@ static bool is_usable(const cJSON *json, const struct cr_model_lib *lib,
 }
 
 static enum cr_err add(struct cr_resume *r, const struct entry *e, struct cr_error *err) {
-    if (r->n == r->size) {
-        int size = r->size ? 2 * r->size : 256;
-        struct entry *more = realloc(r->entry, (size_t)size * sizeof *more);
-        if (!more) {
-            return cr_err_set(err, CR_ERR_MEMORY, "no memory to index earlier results");
-        }
-        r->entry = more;
-        r->size = size;
+    if (!cr_grow(&r->entry, &r->size, r->n, sizeof *r->entry)) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory to index earlier results");
     }
     r->entry[r->n++] = *e;
     return CR_ERR_OK;

@@ -1,6 +1,7 @@
 /* A stack as a study: counts, and quantiles by group. */
 #include "cli/study_priv.h"
 
+#include "base/grow.h"
 #include "base/stats.h"
 
 #include <cjson/cJSON.h>
@@ -74,15 +75,10 @@ static int group_of(struct cr_study *s, const cJSON *record) {
             return i;
         }
     }
-    char **more = realloc(s->group, (size_t)(s->groups + 1) * sizeof *more);
-    s->group = more != NULL ? more : s->group;
-    char *copy = malloc(strlen(label) + 1);
-    if (more == NULL || copy == NULL) {
-        free(copy);
+    if (!cr_grow(&s->group, &s->group_size, s->groups, sizeof *s->group) ||
+        (s->group[s->groups] = strdup(label)) == NULL) {
         return -1;
     }
-    strcpy(copy, label);
-    s->group[s->groups] = copy;
     return s->groups++;
 }
 
@@ -97,16 +93,9 @@ static const char *column(const struct cr_study *s, int i) {
 }
 
 static bool grow(struct cr_study *s) {
-    if (s->rows < s->size) {
-        return true;
-    }
-    int size = s->size > 0 ? 2 * s->size : 256;
-    double *value = realloc(s->value, (size_t)size * (size_t)columns(s) * sizeof *value);
-    s->value = value != NULL ? value : s->value;
-    int *of = realloc(s->of, (size_t)size * sizeof *of);
-    s->of = of != NULL ? of : s->of;
-    s->size = value != NULL && of != NULL ? size : s->size;
-    return value != NULL && of != NULL;
+    int size = s->size; /* of both arrays, which grow together */
+    return cr_grow(&s->value, &size, s->rows, (size_t)columns(s) * sizeof *s->value) &&
+           cr_grow(&s->of, &s->size, s->rows, sizeof *s->of);
 }
 
 /* what the first solved record has not got, none will have */

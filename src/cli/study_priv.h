@@ -14,7 +14,7 @@ struct cr_study {
     double *value;               /* [rows * (fields + axes)] */
     int *of;                     /* [rows] group */
     char **group;                /* [groups] labels */
-    int groups, failed, codes;
+    int groups, group_size, failed, codes;
     struct {
         char word[32];
         int n;

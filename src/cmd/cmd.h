@@ -311,8 +311,8 @@ struct cr_candidate {
     char end;   /* what follows it: ' ', '=' is part of word, '\0' for a folder or key */
 };
 struct cr_completion {
-    int start, end; /* bytes of the line that the word takes the place of */
-    int n;
+    int start, end;            /* bytes of the line that the word takes the place of */
+    int n, size;               /* candidates, and room for so many */
     struct cr_candidate *item; /* owned */
 };
 /* Candidates for the word at byte `point` of the line: commands, names, keys not yet given, enum

@@ -97,7 +97,7 @@ struct cr_session {
     char data_dir[CR_PATH_MAX], autosave[CR_PATH_MAX];
     char recovered[CR_PATH_MAX]; /* autosave of a session that is gone, taken over; "" if none */
     struct cr_state **state;     /* undo stack; state[now] is the present */
-    int states, now;
+    int states, state_size, now;
     long last_rev, saved_rev, result_rev, failed_rev, compiled_rev;
     struct cr_model_lib *models;
     struct cr_irf_set *irf;

@@ -1,6 +1,7 @@
 /* Completion: what may stand at the cursor, from the command table and the live session. */
 #include "cmd/cmd_priv.h"
 
+#include "base/grow.h"
 #include "base/show.h"
 #include "catalogue/catalogue.h"
 
@@ -24,12 +25,10 @@ static void add(struct cursor *c, const char *word, const char *help, char end) 
     if (strncmp(word, c->word, strlen(c->word)) != 0) {
         return;
     }
-    struct cr_candidate *bigger = realloc(out->item, (size_t)(out->n + 1) * sizeof *bigger);
-    if (bigger == NULL) {
+    if (!cr_grow(&out->item, &out->size, out->n, sizeof *out->item)) {
         c->failed = true;
         return;
     }
-    out->item = bigger;
     struct cr_candidate item = {strdup(word), strdup(help != NULL ? help : ""), end};
     out->item[out->n++] = item;
     c->failed = c->failed || item.word == NULL || item.help == NULL;

@@ -1,6 +1,8 @@
 /* The state of a session and its history: undo is a stack of whole states. */
 #include "cmd/cmd_priv.h"
 
+#include "base/grow.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -60,14 +62,9 @@ static void forget_oldest(struct cr_session *s) {
 
 enum cr_err cr_session_commit(struct cr_session *s, struct cr_state *draft, const char *command,
                               struct cr_error *err) {
-    /* never smaller: what had been undone is still in it */
-    int size = s->states > s->now + 2 ? s->states : s->now + 2;
-    struct cr_state **bigger = realloc(s->state, (size_t)size * sizeof *bigger);
+    bool room = cr_grow(&s->state, &s->state_size, s->now + 1, sizeof *s->state);
     char *text = command != NULL ? strdup(command) : NULL;
-    if (bigger != NULL) {
-        s->state = bigger;
-    }
-    if (bigger == NULL || (command != NULL && text == NULL)) {
+    if (!room || (command != NULL && text == NULL)) {
         free(text);
         cr_state_free(draft);
         return cr_err_set(err, CR_ERR_MEMORY, "out of memory");

@@ -1,6 +1,8 @@
 /* A canvas remembers what is drawn on it until it is written. */
 #include "figure/canvas_priv.h"
 
+#include "base/grow.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -46,37 +48,21 @@ void cr_canvas_origin(struct cr_canvas *c, double x, double y) {
     c->y0 = y;
 }
 
-/* room for one more; NULL when memory is out, which is remembered */
-static void *grow(struct cr_canvas *c, void *list, int n, int *size, size_t each) {
-    if (n < *size) {
-        return list;
-    }
-    int more = *size > 0 ? 2 * *size : 64;
-    void *bigger = realloc(list, (size_t)more * each);
-    if (bigger == NULL) {
+static struct cr_item *add_item(struct cr_canvas *c, enum cr_act act) {
+    if (!cr_grow(&c->item, &c->item_size, c->items, sizeof *c->item)) {
         c->failed = true;
         return NULL;
     }
-    *size = more;
-    return bigger;
-}
-
-static struct cr_item *add_item(struct cr_canvas *c, enum cr_act act) {
-    struct cr_item *list = grow(c, c->item, c->items, &c->item_size, sizeof *list);
-    if (list == NULL) {
-        return NULL;
-    }
-    c->item = list;
-    list[c->items] = (struct cr_item){.act = act};
-    return &list[c->items++];
+    c->item[c->items] = (struct cr_item){.act = act};
+    return &c->item[c->items++];
 }
 
 static void add_step(struct cr_canvas *c, const struct cr_step *step) {
-    struct cr_step *list = grow(c, c->step, c->steps, &c->step_size, sizeof *list);
-    if (list != NULL) {
-        c->step = list;
-        list[c->steps++] = *step;
+    if (!cr_grow(&c->step, &c->step_size, c->steps, sizeof *c->step)) {
+        c->failed = true;
+        return;
     }
+    c->step[c->steps++] = *step;
 }
 
 void cr_canvas_move(struct cr_canvas *c, double x, double y) {

@@ -141,17 +141,6 @@ enum cr_err cr_import_add(struct cr_import *im, const char *id, enum cr_kind kin
     return CR_ERR_OK;
 }
 
-void cr_import_sizeless(struct cr_import *im, struct cr_participant *p) {
-    static const char note[] = "no sizes in the file: of the usual type where no map tells them";
-    int n;
-    const struct cr_key *row = cr_scene_keys(CR_KEYS_PARTICIPANT, &n);
-    const struct cr_key *type = cr_scene_key_find(CR_KEYS_PARTICIPANT, "type", CR_FOR_VEHICLE);
-    p->given |= UINT64_C(1) << (type - row);
-    if (strstr(cr_str_get(&im->at->note), note) == NULL) {
-        cr_import_note(im, "%s", note);
-    }
-}
-
 /* ---- rows ---- */
 
 static void choose_origin(struct cr_import_case *c, struct cr_vec2 pos) {
@@ -164,7 +153,8 @@ static void choose_origin(struct cr_import_case *c, struct cr_vec2 pos) {
 /* The row of the CG in the file's digits: half a tenth of a millimetre, of a 1/10,000 degree. */
 static struct cr_waypoint tidy(const struct cr_import_case *c, const struct cr_import_part *part,
                                const struct cr_waypoint *row) {
-    struct cr_waypoint out = {.t = cr_round_decimals(row->t, 6)};
+    /* of times of a calendar, 1.7e9 s, a double has no more digits */
+    struct cr_waypoint out = {.t = cr_round_decimals(row->t, fabs(row->t) < 1e8 ? 6 : 5)};
     double x = row->pos.x - c->origin.x + part->shift * cos(row->heading);
     double y = row->pos.y - c->origin.y + part->shift * sin(row->heading);
     out.pos = cr_vec2(cr_round_decimals(x, 4), cr_round_decimals(y, 4));
@@ -177,7 +167,7 @@ static enum cr_err check_row(const struct cr_import_part *part, const struct cr_
                              struct cr_error *err) {
     bool finite = isfinite(row->t) && isfinite(row->pos.x) && isfinite(row->pos.y) &&
                   isfinite(row->heading) && isfinite(row->speed);
-    if (!finite || fabs(row->t) > 1e8 || fabs(row->pos.x) > 1e8 || fabs(row->pos.y) > 1e8 ||
+    if (!finite || fabs(row->t) >= 1e10 || fabs(row->pos.x) > 1e8 || fabs(row->pos.y) > 1e8 ||
         fabs(row->heading) > 1e6 || fabs(row->speed) > 1e6) {
         return cr_err_set(err, CR_ERR_RANGE,
                           "participant \"%.60s\": time, place, heading or speed is missing or "

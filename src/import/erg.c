@@ -135,11 +135,7 @@ static enum cr_err add_car(struct carmaker *cm, const char *id, const cJSON *own
     struct moving *m = &cm->car[cm->n++];
     snprintf(m->id, sizeof m->id, "%.127s", id);
     enum cr_err code = find_channels(cm, m, own, err);
-    code = code == CR_ERR_OK ? cr_import_add(cm->im, id, CR_KIND_VEHICLE, &m->p, err) : code;
-    if (code == CR_ERR_OK) {
-        cr_import_sizeless(cm->im, m->p);
-    }
-    return code;
+    return code == CR_ERR_OK ? cr_import_add(cm->im, id, CR_KIND_VEHICLE, &m->p, err) : code;
 }
 
 /* the car, and what has a place under "Traffic."; or those that a map names */

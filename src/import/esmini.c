@@ -62,7 +62,6 @@ static enum cr_err dat_row(struct cr_import *im, const struct cr_csv *csv, const
             cr_err_place(err, im->shown, cr_csv_line(csv), 0);
             return code;
         }
-        cr_import_sizeless(im, p);
     }
     code = cr_import_row(im, p, &row, err);
     if (code != CR_ERR_OK) {

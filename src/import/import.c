@@ -6,10 +6,12 @@
 #include "base/json.h"
 
 #include <cjson/cJSON.h>
+#include <dirent.h>
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -112,11 +114,66 @@ static enum cr_err read_head(const char *path, const char *shown, struct cr_impo
     return CR_ERR_OK;
 }
 
-static enum cr_err choose_format(const struct cr_import *im, const struct cr_import_head *head,
-                                 const struct format **out, struct cr_error *err) {
-    *out = im->opts->format > 0 ? &formats[im->opts->format - 1] : NULL;
-    for (int i = 0; i < FORMATS && *out == NULL; i++) {
-        *out = formats[i].is(head) ? &formats[i] : NULL;
+static const struct format *recognised(const struct cr_import_head *head) {
+    for (int i = 0; i < FORMATS; i++) {
+        if (formats[i].is(head)) {
+            return &formats[i];
+        }
+    }
+    return NULL;
+}
+
+/* neither hidden nor what goes with another file: descriptions of ERG, channels (.001) of EV5 */
+static int stands_alone(const struct dirent *entry) {
+    const char *name = entry->d_name, *dot = strrchr(name, '.');
+    return name[0] != '.' && (dot == NULL || (strcasecmp(dot, ".info") != 0 &&
+                                              dot[1 + strspn(dot + 1, "0123456789")] != '\0'));
+}
+
+/* A folder that is of no format by itself: the one file in it that is. How many there are. */
+static int look_inside(struct cr_import *im, struct cr_import_head *head,
+                       char text[CR_IMPORT_HEAD + 1], const struct format **format) {
+    struct dirent **entry;
+    int files = 0, n = scandir(im->path, &entry, stands_alone, cr_file_by_bytes);
+    for (int i = 0; i < n; i++) {
+        struct cr_import_head inner;
+        char one[CR_INSIDE_MAX];
+        const struct format *f = NULL;
+        snprintf(one, sizeof one, "%.1023s/%.255s", im->path, entry[i]->d_name);
+        if (read_head(one, one, &inner, text, NULL) == CR_ERR_OK && !inner.folder) {
+            f = recognised(&inner);
+        }
+        if (f != NULL && ++files == 1) {
+            *format = f;
+            memcpy(im->inside, one, sizeof one);
+        }
+        free(entry[i]);
+    }
+    if (n >= 0) {
+        free(entry);
+    }
+    if (files == 1) {
+        head->folder = false;
+        im->path = im->inside;
+        im->shown = im->unpacked != NULL ? im->shown : im->inside;
+    }
+    return files;
+}
+
+static enum cr_err choose_format(struct cr_import *im, struct cr_import_head *head,
+                                 char text[CR_IMPORT_HEAD + 1], const struct format **out,
+                                 struct cr_error *err) {
+    int files = 0;
+    *out = im->opts->format > 0 ? &formats[im->opts->format - 1] : recognised(head);
+    if (*out == NULL && head->folder) {
+        files = look_inside(im, head, text, out);
+    }
+    if (files > 1) {
+        cr_err_set(err, CR_ERR_NAME, "a folder with several files that import knows");
+        cr_err_place(err, im->shown, 0, 0);
+        cr_err_hint(err, "name those that are meant%s",
+                    im->unpacked != NULL ? ", once the archive is unpacked" : "");
+        return CR_ERR_NAME;
     }
     if (*out == NULL) {
         cr_err_set(err, CR_ERR_SYNTAX, "no format that import knows");
@@ -127,7 +184,22 @@ static enum cr_err choose_format(const struct cr_import *im, const struct cr_imp
     return *out != NULL ? CR_ERR_OK : CR_ERR_SYNTAX;
 }
 
-static enum cr_err import(struct cr_import *im, cJSON **map, struct cr_error *err) {
+/* An archive is hashed as it is; then what lies in it takes its place. */
+static enum cr_err open_archive(struct cr_import *im, struct cr_import_head *head,
+                                char text[CR_IMPORT_HEAD + 1], struct cr_unpacked *unpacked,
+                                struct cr_error *err) {
+    enum cr_err code = cr_import_also(im, im->path, err);
+    code = code == CR_ERR_OK ? cr_import_unpack(im, unpacked, err) : code;
+    if (code == CR_ERR_OK) {
+        im->unpacked = unpacked;
+        im->path = unpacked->root;
+        code = read_head(im->path, im->shown, head, text, err);
+    }
+    return code;
+}
+
+static enum cr_err import(struct cr_import *im, cJSON **map, struct cr_unpacked *unpacked,
+                          struct cr_error *err) {
     struct cr_import_head head;
     const struct format *format = NULL;
     char *text = malloc(CR_IMPORT_HEAD + 1);
@@ -137,7 +209,10 @@ static enum cr_err import(struct cr_import *im, cJSON **map, struct cr_error *er
     enum cr_err code = read_map(im->opts->map, map, err);
     im->map = *map;
     code = code == CR_ERR_OK ? read_head(im->path, im->shown, &head, text, err) : code;
-    code = code == CR_ERR_OK ? choose_format(im, &head, &format, err) : code;
+    if (code == CR_ERR_OK && cr_import_is_zip(&head)) {
+        code = open_archive(im, &head, text, unpacked, err);
+    }
+    code = code == CR_ERR_OK ? choose_format(im, &head, text, &format, err) : code;
     code = code == CR_ERR_OK && !head.folder ? cr_import_also(im, im->path, err) : code;
     free(text);
     if (code == CR_ERR_OK) {
@@ -179,6 +254,7 @@ static enum cr_err spool(char path[32], struct cr_error *err) {
 enum cr_err cr_import_file(struct cr_import_opts *opts, const char *path,
                            struct cr_import_count *count, struct cr_error *err) {
     struct cr_import im = {.opts = opts, .path = path, .shown = path, .count = count};
+    struct cr_unpacked unpacked = {.n = 0};
     struct cr_error own;
     char copy[32] = "";
     cJSON *map = NULL;
@@ -189,13 +265,14 @@ enum cr_err cr_import_file(struct cr_import_opts *opts, const char *path,
         im.path = copy;
         im.shown = "standard input";
     }
-    code = code == CR_ERR_OK ? import(&im, &map, err) : code;
+    code = code == CR_ERR_OK ? import(&im, &map, &unpacked, err) : code;
     if (copy[0] != '\0') {
         unlink(copy);
     }
-    if (code != CR_ERR_OK && strcmp(err->src, im.path) == 0) {
-        cr_err_place(err, im.shown, err->line, err->col);
+    if (code != CR_ERR_OK) {
+        cr_import_place(&im, err);
     }
+    cr_import_unpacked_fini(&unpacked);
     cr_str_fini(&im.files);
     cJSON_Delete(map);
     return code;

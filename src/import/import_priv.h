@@ -42,6 +42,23 @@ struct cr_import_case {
     struct cJSON *extra;
 };
 
+/* What an archive was unpacked into, and what it is about: the folder, or the one thing in it. */
+struct cr_unpacked {
+    char dir[40], root[1024];
+    char **made; /* files and folders, in the order they came; owned */
+    int n;
+};
+bool cr_import_is_zip(const struct cr_import_head *head);
+/* Unpack im->path; to be given back in any case, which takes the files away. Errors: SYNTAX for
+ * what is no whole archive, is encrypted or leads out of it, RANGE for too much in it, IO, MEMORY,
+ * INTERRUPTED. */
+CR_MUST_CHECK enum cr_err cr_import_unpack(struct cr_import *im, struct cr_unpacked *to,
+                                           struct cr_error *err);
+void cr_import_unpacked_fini(struct cr_unpacked *unpacked);
+
+/* The place of an error as the user knows it: not that of a copy or of what was unpacked. */
+void cr_import_place(const struct cr_import *im, struct cr_error *err);
+
 /* One of the files of cr_import_files. */
 CR_MUST_CHECK enum cr_err cr_import_file(struct cr_import_opts *opts, const char *path,
                                          struct cr_import_count *count, struct cr_error *err);

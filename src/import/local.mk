@@ -23,5 +23,6 @@ libimport_a_SOURCES = \
 	src/import/sumo.c \
 	src/import/xml.c src/import/xml.h src/import/xml_node.c \
 	src/import/xosc.c src/import/xosc_catalogue.c src/import/xosc_entity.c src/import/xosc_motion.c \
-	src/import/xosc_path.c src/import/xosc_priv.h src/import/xosc_story.c src/import/xosc_value.c
-libimport_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS) $(NETTLE_CFLAGS) $(EXPAT_CFLAGS) $(SQLITE3_CFLAGS)
+	src/import/xosc_path.c src/import/xosc_priv.h src/import/xosc_story.c src/import/xosc_value.c \
+	src/import/zip.c
+libimport_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS) $(NETTLE_CFLAGS) $(EXPAT_CFLAGS) $(SQLITE3_CFLAGS) $(LIBZIP_CFLAGS)

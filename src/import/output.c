@@ -22,6 +22,9 @@ void cr_import_format(struct cr_import *im, const char *fmt, ...) {
 enum cr_err cr_import_also(struct cr_import *im, const char *path, struct cr_error *err) {
     char hex[CR_HASH_SIZE];
     const char *slash = strrchr(path, '/');
+    if (im->unpacked != NULL) {
+        return CR_ERR_OK; /* the archive has its hash, and all is in it */
+    }
     enum cr_err code = cr_hash_file(path, hex, err);
     if (code != CR_ERR_OK) {
         return code;
@@ -35,6 +38,17 @@ enum cr_err cr_import_also(struct cr_import *im, const char *path, struct cr_err
         cr_hash_hex(im->files.s, im->files.len, im->sha256);
     }
     return CR_ERR_OK;
+}
+
+void cr_import_place(const struct cr_import *im, struct cr_error *err) {
+    size_t n = im->unpacked != NULL ? strlen(im->unpacked->dir) : 0;
+    char place[sizeof err->src + CR_SOURCE_MAX];
+    if (n > 0 && strncmp(err->src, im->unpacked->dir, n) == 0) {
+        snprintf(place, sizeof place, "%.255s%s", im->shown, err->src + n);
+        cr_err_place(err, place, err->line, err->col);
+    } else if (strcmp(err->src, im->path) == 0) {
+        cr_err_place(err, im->shown, err->line, err->col);
+    }
 }
 
 bool cr_import_wants(const struct cr_import *im, const char *id) {
@@ -53,9 +67,10 @@ static enum cr_err write_error(struct cr_import *im, const struct cr_error *faul
                                struct cr_str *line, struct cr_error *err) {
     const struct cr_result_opts form = {0};
     struct cr_error told = *fault;
-    if (told.src[0] == '\0' || strcmp(told.src, im->path) == 0) {
+    if (told.src[0] == '\0') {
         cr_err_place(&told, im->shown, told.line, told.col);
     }
+    cr_import_place(im, &told);
     cJSON *json = cr_result_error_tree(im->at->name, &told, &form);
     cJSON *source = cr_tree_object(json, "source");
     cr_tree_text(source, "format", im->format);

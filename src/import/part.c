@@ -61,8 +61,8 @@ bool cr_import_lay_over(cJSON *to, const cJSON *from) {
     return true;
 }
 
-/* A vehicle of which nothing is known that would tell its type has the one that "auto" takes, and a
- * note says so. */
+/* A vehicle of which neither file nor map tells what its type goes by has the one that "auto"
+ * takes, and a note says so. */
 static void need_type(struct cr_import *im, const struct cr_import_part *part, cJSON *json) {
     static const char *const tell[] = {"type",     "car",         "mass_kg", "kerb_mass_kg",
                                        "length_m", "wheelbase_m", "height_m"};
@@ -72,7 +72,7 @@ static void need_type(struct cr_import *im, const struct cr_import_part *part, c
         }
     }
     cr_tree_text(json, "type", "auto");
-    cr_import_note(im, "nothing tells the type of %s", part->p.id);
+    cr_import_note(im, "nothing tells size or type of %s", part->p.id);
 }
 
 /* A scene of the participant alone beside a wall, as a tree; what the reader gave and the map. */

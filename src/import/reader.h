@@ -9,6 +9,7 @@
  * 2. A row X(NAME) in CR_FORMAT_LIST below, ahead of those that would take it too (csv is last).
  * 3. Its file in src/import/local.mk; a library it needs behind a switch of configure.ac. Without
  *    the library the reader still recognises the format and says what was left out of the build.
+ *    (An archive is unpacked before, zip.c: a reader sees a folder.)
  * 4. A sample in tests/data/import/ with the lines that come out of it (tests/cli/import.sh), a
  *    fuzz corpus tests/fuzz/corpus/import/NAME*, a paragraph in man/crumple-import.1.
  *
@@ -60,7 +61,7 @@ struct cr_import_head {
     const char *text; /* first bytes, terminated, "" of a folder; may hold zeros */
     size_t len;
 };
-enum { CR_IMPORT_HEAD = 65536, CR_IMPORT_PARTS_MAX = 10000 };
+enum { CR_IMPORT_HEAD = 65536, CR_IMPORT_PARTS_MAX = 10000, CR_INSIDE_MAX = 1300 };
 
 struct cr_import {
     struct cr_import_opts *opts;
@@ -69,6 +70,8 @@ struct cr_import {
     const struct cJSON *map;   /* the user's map, NULL without one */
     struct cr_import_case *at; /* the case that has begun, NULL between cases */
     /* the rest is the framework's */
+    const struct cr_unpacked *unpacked; /* NULL: no archive */
+    char inside[CR_INSIDE_MAX];         /* path, of a file in a folder */
     struct cr_import_count *count;
     char format[CR_SOURCE_MAX];
     char sha256[CR_HASH_SIZE]; /* of the one file, or of the lines in `files` */
@@ -107,8 +110,6 @@ CR_MUST_CHECK enum cr_err cr_import_end(struct cr_import *im, const struct cr_er
  * for an id of a scene (letters, digits, _ and -) is replaced. Errors: DUPLICATE, RANGE, MEMORY. */
 CR_MUST_CHECK enum cr_err cr_import_add(struct cr_import *im, const char *id, enum cr_kind kind,
                                         struct cr_participant **out, struct cr_error *err);
-/* For a vehicle of whose size and mass the file says nothing: "type": "auto", with a note. */
-void cr_import_sizeless(struct cr_import *im, struct cr_participant *p);
 /* The one that was added under that id of the source, NULL if there is none. */
 struct cr_participant *cr_import_find(const struct cr_import *im, const char *id);
 

@@ -55,6 +55,30 @@ static enum cr_err trim(struct cr_import *im, struct cr_error *err) {
     return code;
 }
 
+/* Times of a calendar or of a recording of hours count from the first second that is kept: those of
+ * a scene end at 10000 s. */
+static void near_zero(struct cr_import *im) {
+    struct cr_import_case *c = im->at;
+    double first = INFINITY, furthest = 0;
+    for (int i = 0; i < c->parts; i++) {
+        const struct cr_import_part *part = c->part[i];
+        if (part->n > part->first) {
+            first = fmin(first, part->row[part->first].t);
+            furthest = fmax(furthest, fabs(part->row[part->n - 1].t));
+        }
+    }
+    if (fmax(furthest, isfinite(first) ? fabs(first) : 0) <= 9000) {
+        return;
+    }
+    first = floor(first);
+    for (int i = 0; i < c->parts; i++) {
+        for (int k = c->part[i]->first; k < c->part[i]->n; k++) {
+            c->part[i]->row[k].t = cr_round_decimals(c->part[i]->row[k].t - first, 6);
+        }
+    }
+    cr_import_note(im, "times less %.0f s", first);
+}
+
 static enum cr_err need_two(const struct cr_import *im, struct cr_error *err) {
     const struct cr_import_case *c = im->at;
     if (c->parts >= 2) {
@@ -184,6 +208,7 @@ enum cr_err cr_import_scene(struct cr_import *im, struct cr_str *line, struct cr
     if (code != CR_ERR_OK) {
         return code;
     }
+    near_zero(im);
     if (c->origin.x != 0 || c->origin.y != 0) {
         cr_import_note(im, "places less (%.0f, %.0f) m", c->origin.x, c->origin.y);
     }

@@ -156,7 +156,6 @@ static enum cr_err lookup(struct sumo *s, const char *id, struct cr_participant 
         free(copy);
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for a vehicle");
     }
-    cr_import_sizeless(s->im, *out);
     s->guess = s->n;
     s->seen[s->n++] = (struct seen){copy, *out};
     return CR_ERR_OK;

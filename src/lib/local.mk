@@ -31,7 +31,7 @@ CLEANFILES += $(CR_LIB_FILE) $(CR_LIB_SONAME) libcrumple.so
 $(CR_LIB_FILE): $(CR_LIB_LIBS)
 	$(AM_V_CCLD)$(CC) $(AM_CFLAGS) $(CFLAGS) $(AM_LDFLAGS) $(LDFLAGS) -shared \
 	    -Wl,-soname,$(CR_LIB_SONAME) -o $@ -Wl,--whole-archive liblib.a -Wl,--no-whole-archive \
-	    $(CR_LIB_LIBS) $(CJSON_LIBS) $(NETTLE_LIBS) $(EXPAT_LIBS) $(SQLITE3_LIBS) $(LIBS)
+	    $(CR_LIB_LIBS) $(CJSON_LIBS) $(NETTLE_LIBS) $(CR_IMPORT_LIBS) $(LIBS)
 	$(AM_V_at)$(LN_S) -f $@ $(CR_LIB_SONAME) && $(LN_S) -f $@ libcrumple.so
 install-exec-hook:
 	$(MKDIR_P) '$(DESTDIR)$(libdir)'
@@ -44,6 +44,8 @@ endif
 # python has no compiler to ask; without it the file goes where the first python3 would look
 dist_python_DATA = bindings/crumple.py
 dist_pkgdata_DATA = bindings/crumple.R
+libdocdir = $(docdir)
+dist_libdoc_DATA = share/doc/programs.md
 
 # a user of what is installed, as C and, where there is a compiler for it, as C++
 installcheck-local:

@@ -79,13 +79,8 @@ static int participant(const struct cr_result *r, const char *id, size_t len) {
 }
 
 static int quantity(const char *name) {
-    static const char *const keys[CR_QUANTITIES] = {
-#define X(constant, key, unit, factor) key,
-        CR_QUANTITY_LIST(X)
-#undef X
-    };
     for (int i = 0; i < CR_QUANTITIES; i++) {
-        if (strcmp(keys[i], name) == 0) {
+        if (strcmp(cr_quantity_key((enum cr_quantity)i), name) == 0) {
             return i;
         }
     }

@@ -3,12 +3,13 @@
 
 #include "model/model_priv.h"
 
+#include "base/csv.h"
 #include "base/number.h"
 #include "base/str.h"
 #include "base/vec.h"
 
+#include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 void cr_voxels_csv(const struct cr_voxels *voxels, struct cr_str *out) {
@@ -17,7 +18,9 @@ void cr_voxels_csv(const struct cr_voxels *voxels, struct cr_str *out) {
     struct cr_voxels_field field[CR_VOXELS_FIELDS];
     int fields = cr_voxels_fields(&v, count, field);
     v.pdof = cr_round12(cr_deg(v.pdof));
-    cr_str_addf(out, "# crumple_voxels,1\n# name,%s\n", v.name);
+    cr_str_add(out, "# crumple_voxels,1\n# name,");
+    cr_str_csv(out, v.name);
+    cr_str_add(out, "\n");
     for (int i = 0; i < fields; i++) {
         cr_str_addf(out, "# %s", field[i].key);
         for (int k = 0; k < (v.flat ? field[i].at_least : field[i].n); k++) {
@@ -46,6 +49,7 @@ void cr_voxels_csv(const struct cr_voxels *voxels, struct cr_str *out) {
 struct csv {
     const char *src, *p; /* p: start of the present line */
     int line;
+    double *fill, *energy; /* of the model, while they are filled in */
     struct cr_error *err;
 };
 
@@ -65,26 +69,6 @@ static void next_line(struct csv *c) {
     c->line++;
 }
 
-/* Numbers separated by commas up to the end of the line; returns how many, -1 for a fault. */
-static int numbers(const char *p, double *out, int most) {
-    for (int n = 0;; n++) {
-        char *end = NULL;
-        p += strspn(p, " \t");
-        double x = strchr("+-.0123456789", *p) != NULL ? strtod(p, &end) : 0;
-        if (end == NULL || end == p || n == most) {
-            return -1;
-        }
-        out[n] = x;
-        p = end + strspn(end, " \t\r");
-        if (*p == '\n' || *p == '\0') {
-            return n + 1;
-        }
-        if (*p++ != ',') {
-            return -1;
-        }
-    }
-}
-
 static const struct cr_voxels_field *find(const struct cr_voxels_field *f, int n, const char *key) {
     for (int i = 0; i < n; i++) {
         if (strcmp(f[i].key, key) == 0) {
@@ -94,32 +78,42 @@ static const struct cr_voxels_field *find(const struct cr_voxels_field *f, int n
     return NULL;
 }
 
-/* One header line "# key,value,...". */
-static enum cr_err read_head_line(const struct csv *c, struct cr_voxels *v,
-                                  const struct cr_voxels_field *field, int fields, bool *seen) {
-    char key[40];
-    const char *p = c->p + 1 + strspn(c->p + 1, " \t");
-    size_t n = strcspn(p, ",\n");
-    snprintf(key, sizeof key, "%.*s", (int)(n < 39 ? n : 39), p);
-    p += p[n] == ',' ? n + 1 : n;
-    if (strcmp(key, "name") == 0) {
-        snprintf(v->name, sizeof v->name, "%.*s", (int)strcspn(p, "\r\n\"\\"), p);
-        return CR_ERR_OK;
-    }
+/* The fields of one header line "# key,value,...". */
+static enum cr_err take_head_line(const struct csv *c, const struct cr_csv *row,
+                                  struct cr_voxels *v, const struct cr_voxels_field *field,
+                                  int fields, bool *seen) {
+    const char *key = cr_csv_name(row, 0), *name = cr_csv_name(row, 1);
     const struct cr_voxels_field *f = find(field, fields, key);
+    int got = cr_csv_columns(row) - 1;
+    if (strcmp(key, "name") == 0) {
+        snprintf(v->name, sizeof v->name, "%.*s", (int)strcspn(name, "\"\\"), name);
+    }
     if (f == NULL) { /* crumple_voxels, or a remark */
         return CR_ERR_OK;
     }
-    double x[4];
-    int got = numbers(p, x, f->n);
-    if (got < f->at_least) {
-        return fail(c, CR_ERR_MODEL, key, "wrong count of numbers");
-    }
-    for (int i = 0; i < got; i++) {
-        *f->at[i] = x[i];
+    bool good = got >= f->at_least && got <= f->n;
+    for (int i = 0; i < got && good; i++) {
+        good = cr_csv_scan(cr_csv_name(row, i + 1), cr_csv_comma(row), f->at[i]);
     }
     seen[f - field] = true;
-    return CR_ERR_OK;
+    return good ? CR_ERR_OK : fail(c, CR_ERR_MODEL, f->key, "wrong count of numbers");
+}
+
+static enum cr_err read_head_line(const struct csv *c, struct cr_voxels *v,
+                                  const struct cr_voxels_field *field, int fields, bool *seen) {
+    const struct cr_csv_opts opts = {
+        .path = c->src, .text = c->p + 1, .len = strcspn(c->p + 1, "\n")};
+    struct cr_csv *row;
+    enum cr_err code = cr_csv_open(&opts, &row, NULL);
+    if (code == CR_ERR_MEMORY) {
+        return cr_err_set(c->err, code, "no memory for a voxel model");
+    }
+    if (code != CR_ERR_OK) { /* a remark */
+        return CR_ERR_OK;
+    }
+    code = take_head_line(c, row, v, field, fields, seen);
+    cr_csv_close(row);
+    return code;
 }
 
 static enum cr_err read_head(struct csv *c, struct cr_voxels *v) {
@@ -147,25 +141,62 @@ static enum cr_err read_head(struct csv *c, struct cr_voxels *v) {
     return CR_ERR_OK;
 }
 
-static enum cr_err read_row(const struct csv *c, const struct cr_voxels *v, double *fill,
-                            double *energy) {
-    double x[5];
-    int k = v->flat ? 2 : 3;
-    const int most[] = {v->nx, v->ny, v->nz};
-    if (numbers(c->p, x, k + 2) != k + 2) {
-        return fail(c, CR_ERR_SYNTAX, "",
-                    v->flat ? "a row is ix,iy,fill,energy_J" : "a row is ix,iy,iz,fill,energy_J");
+/* ix, iy, iz, fill, energy_J */
+enum { INDICES = 3, FILL = INDICES, ENERGY, COLUMNS };
+
+static enum cr_err take_row(struct csv *c, const struct cr_voxels *v, const struct cr_csv *csv,
+                            const int column[COLUMNS]) {
+    double x[COLUMNS] = {0};
+    const int most[INDICES] = {v->nx, v->ny, v->nz};
+    c->line = cr_csv_line(csv);
+    for (int i = 0; i < COLUMNS; i++) {
+        if (column[i] >= 0 && !cr_csv_scan(cr_csv_cell(csv, column[i]), cr_csv_comma(csv), &x[i])) {
+            return fail(c, CR_ERR_SYNTAX, "", "a row is numbers, one in each column");
+        }
     }
     size_t at = 0;
-    for (int i = k - 1; i >= 0; i--) {
+    for (int i = INDICES - 1; i >= 0; i--) {
         if (!(x[i] >= 0 && x[i] < most[i] && x[i] == floor(x[i]))) {
             return fail(c, CR_ERR_RANGE, "", "voxel index outside of count");
         }
         at = at * (size_t)most[i] + (size_t)x[i];
     }
-    fill[at] = x[k];
-    energy[at] = x[k + 1];
+    c->fill[at] = x[FILL];
+    c->energy[at] = x[ENERGY];
     return CR_ERR_OK;
+}
+
+/* What is wrong is told in words of our own: those of the file may be of one that is no model. */
+static enum cr_err read_rows(struct csv *c, const struct cr_voxels *v) {
+    static const char *const names[COLUMNS] = {"ix", "iy", "iz", "fill", "energy_J"};
+    const struct cr_csv_opts opts = {
+        .path = c->src, .text = c->p, .len = strlen(c->p), .line = c->line};
+    struct cr_error why = {0};
+    struct cr_csv *csv = NULL;
+    int column[COLUMNS];
+    bool row = true;
+    enum cr_err code = cr_csv_open(&opts, &csv, &why);
+    for (int i = 0; i < COLUMNS; i++) {
+        bool needed = i != INDICES - 1 || !v->flat;
+        column[i] = code == CR_ERR_OK && needed ? cr_csv_find(csv, names[i]) : -1;
+        if (code != CR_ERR_MEMORY && column[i] < 0 && needed) {
+            cr_csv_close(csv);
+            return fail(c, CR_ERR_SYNTAX, "",
+                        v->flat ? "a line of column names is wanted: ix,iy,fill,energy_J"
+                                : "a line of column names is wanted: ix,iy,iz,fill,energy_J");
+        }
+    }
+    while (code == CR_ERR_OK && row) {
+        code = cr_csv_next(csv, &row, &why);
+        if (code != CR_ERR_OK && code != CR_ERR_MEMORY) {
+            c->line = why.line;
+            code = fail(c, CR_ERR_SYNTAX, "", "a row is numbers, one in each column");
+        } else if (code == CR_ERR_OK && row) {
+            code = take_row(c, v, csv, column);
+        }
+    }
+    cr_csv_close(csv);
+    return code == CR_ERR_MEMORY ? cr_err_set(c->err, code, "no memory for a voxel model") : code;
 }
 
 enum cr_err cr_voxels_read_csv(const char *text, const char *src, struct cr_arena *arena,
@@ -178,23 +209,15 @@ enum cr_err cr_voxels_read_csv(const char *text, const char *src, struct cr_aren
         return code;
     }
     size_t n = (size_t)out->nx * (size_t)out->ny * (size_t)out->nz;
-    double *fill = cr_arena_take(arena, n, 8), *energy = cr_arena_take(arena, n, 8);
-    if (fill == NULL || energy == NULL) {
+    out->fill = c.fill = cr_arena_take(arena, n, 8);
+    out->energy = c.energy = cr_arena_take(arena, n, 8);
+    if (c.fill == NULL || c.energy == NULL) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for %zu voxels", n);
     }
-    if (strncmp(c.p, "ix,", 3) != 0) {
-        return fail(&c, CR_ERR_SYNTAX, "", "a line of column names that begins with ix is wanted");
+    code = read_rows(&c, out);
+    if (code != CR_ERR_OK) {
+        return code;
     }
-    for (next_line(&c); *c.p != '\0' && code == CR_ERR_OK; next_line(&c)) {
-        if (*c.p != '\n' && *c.p != '\r') {
-            code = read_row(&c, out, fill, energy);
-            if (code != CR_ERR_OK) {
-                return code;
-            }
-        }
-    }
-    out->fill = fill;
-    out->energy = energy;
     c.line = 0; /* what is wrong now is about the whole */
     return cr_voxels_check_data(out, &fault) ? CR_ERR_OK
                                              : fail(&c, fault.code, fault.key, fault.text);

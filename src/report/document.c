@@ -1,6 +1,8 @@
 /* A paper as a list of blocks. */
 #include "report/document.h"
 
+#include "base/grow.h"
+
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -42,15 +44,9 @@ const char *cr_doc_text(struct cr_document *doc, const char *fmt, ...) {
 }
 
 static struct cr_block *add(struct cr_document *doc, enum cr_block_kind kind) {
-    if (doc->blocks == doc->block_size) {
-        int size = doc->block_size > 0 ? 2 * doc->block_size : 32;
-        struct cr_block *bigger = realloc(doc->block, (size_t)size * sizeof *bigger);
-        if (bigger == NULL) {
-            doc->failed = true;
-            return NULL;
-        }
-        doc->block = bigger;
-        doc->block_size = size;
+    if (!cr_grow(&doc->block, &doc->block_size, doc->blocks, sizeof *doc->block)) {
+        doc->failed = true;
+        return NULL;
     }
     struct cr_block *b = &doc->block[doc->blocks++];
     *b = (struct cr_block){.kind = kind, .text = ""};
@@ -114,15 +110,9 @@ struct cr_doc_row *cr_doc_row(struct cr_document *doc, const char *const *cell) 
     if (b == NULL || b->kind != CR_BLOCK_TABLE || doc->failed) {
         return none;
     }
-    if (b->rows == b->row_size) {
-        int size = b->row_size > 0 ? 2 * b->row_size : 16;
-        struct cr_doc_row *bigger = realloc(b->row, (size_t)size * sizeof *bigger);
-        if (bigger == NULL) {
-            doc->failed = true;
-            return none;
-        }
-        b->row = bigger;
-        b->row_size = size;
+    if (!cr_grow(&b->row, &b->row_size, b->rows, sizeof *b->row)) {
+        doc->failed = true;
+        return none;
     }
     struct cr_doc_row *row = &b->row[b->rows++];
     *row = (struct cr_doc_row){.head = false};

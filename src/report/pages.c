@@ -1,6 +1,8 @@
 /* A paper laid out on pages: lines are folded, tables broken between rows, figures kept whole. */
 #include "report/document.h"
 
+#include "base/grow.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -27,17 +29,9 @@ static struct cr_canvas *page(const struct layout *l) {
 }
 
 static bool new_page(struct layout *l) {
-    if (l->pages == l->size) {
-        int size = l->size > 0 ? 2 * l->size : 8;
-        struct cr_canvas **bigger = realloc(l->page, (size_t)size * sizeof(struct cr_canvas *));
-        if (bigger == NULL) {
-            l->failed = true;
-            return false;
-        }
-        l->page = bigger;
-        l->size = size;
-    }
-    struct cr_canvas *c = l->pages < PAGES_MOST ? cr_canvas_new(l->w, l->h) : NULL;
+    bool room =
+        l->pages < PAGES_MOST && cr_grow(&l->page, &l->size, l->pages, sizeof(struct cr_canvas *));
+    struct cr_canvas *c = room ? cr_canvas_new(l->w, l->h) : NULL;
     if (c == NULL) {
         l->failed = true;
         return false;

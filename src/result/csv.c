@@ -151,15 +151,10 @@ static void impacts(const struct cr_result *r, struct cr_str *out) {
 }
 
 static void trace(const struct cr_result *r, struct cr_str *out) {
-    static const char *const quantity_key[CR_QUANTITIES] = {
-#define X(name, key, unit, factor) key,
-        CR_QUANTITY_LIST(X)
-#undef X
-    };
     const struct cr_solution *sol = r->solution;
     cr_str_add(out, "scene,id,t_s");
     for (int q = 0; q < CR_QUANTITIES; q++) {
-        cr_str_addf(out, ",%s", quantity_key[q]);
+        cr_str_addf(out, ",%s", cr_quantity_key((enum cr_quantity)q));
     }
     cr_str_add(out, "\n");
     for (int k = 0; k < sol->samples; k++) {

@@ -196,18 +196,13 @@ static void put_balance(const struct cr_balance *b, cJSON *json) {
 }
 
 static void put_trace(const struct cr_result *r, cJSON *json) {
-    static const char *const quantity_key[CR_QUANTITIES] = {
-#define X(name, key, unit, factor) key,
-        CR_QUANTITY_LIST(X)
-#undef X
-    };
     const struct cr_solution *sol = r->solution;
     cJSON *trace = cr_tree_object(json, "trace");
     cr_tree_put(trace, "t_s", cr_json_numbers(sol->t, sol->samples));
     for (int i = 0; i < sol->bodies; i++) {
         cJSON *p = cr_tree_object(trace, r->resolved.part[i].id);
         for (int q = 0; q < CR_QUANTITIES; q++) {
-            cJSON *list = cr_tree_array(p, quantity_key[q]);
+            cJSON *list = cr_tree_array(p, cr_quantity_key((enum cr_quantity)q));
             for (int k = 0; k < sol->samples; k++) {
                 double x = cr_result_quantity(sol, k, i, (enum cr_quantity)q);
                 cr_tree_push(list,

@@ -232,6 +232,8 @@ enum cr_quantity {
         CR_QUANTITIES
 };
 
+/* Its key in results and tables. */
+const char *cr_quantity_key(enum cr_quantity quantity);
 /* Value of a quantity of a participant in a sample, in the unit of the list (ax, ay and the
  * velocities vx, vy: world for v, vehicle frame of that instant for a). */
 double cr_result_quantity(const struct cr_solution *sol, int sample, int body,

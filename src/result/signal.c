@@ -3,6 +3,7 @@
 
 #include "base/csv.h"
 #include "base/file.h"
+#include "base/grow.h"
 #include "base/units.h"
 #include "base/vec.h"
 
@@ -63,15 +64,9 @@ static enum cr_err find_units(const struct cr_csv *csv, struct columns *c, struc
 }
 
 static enum cr_err add(struct cr_signal *s, int *size, const double row[2]) {
-    if (s->n == *size) {
-        int more = *size ? 2 * *size : 512;
-        /* times and values are interleaved while reading */
-        double *m = realloc(s->memory, 2 * (size_t)more * sizeof *m);
-        if (!m) {
-            return CR_ERR_MEMORY;
-        }
-        s->memory = m;
-        *size = more;
+    /* times and values are interleaved while reading */
+    if (!cr_grow(&s->memory, size, s->n, 2 * sizeof *s->memory)) {
+        return CR_ERR_MEMORY;
     }
     s->memory[2 * s->n] = row[0];
     s->memory[2 * s->n + 1] = row[1];

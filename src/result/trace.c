@@ -1,6 +1,15 @@
 /* The quantities of a time series by name and unit. */
 #include "result/result.h"
 
+const char *cr_quantity_key(enum cr_quantity quantity) {
+    static const char *const keys[CR_QUANTITIES] = {
+#define X(name, key, unit, factor) key,
+        CR_QUANTITY_LIST(X)
+#undef X
+    };
+    return keys[quantity];
+}
+
 static const double factors[CR_QUANTITIES] = {
 #define X(name, key, unit, factor) factor,
     CR_QUANTITY_LIST(X)

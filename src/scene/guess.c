@@ -1,6 +1,7 @@
 /* Type and mass of a vehicle that gives neither: from the catalogue, else from its dimensions. */
 #include "scene/scene_priv.h"
 
+#include "base/grow.h"
 #include "base/number.h"
 #include "catalogue/catalogue.h"
 
@@ -21,11 +22,9 @@ enum cr_err cr_scene_assume(struct cr_assuming *how, const char *id, const char 
     if (a == NULL) {
         return CR_ERR_OK;
     }
-    void *keys = realloc(a->key, ((size_t)a->n + 1) * sizeof *a->key);
-    a->key = keys != NULL ? keys : a->key;
-    void *from = realloc(a->from, ((size_t)a->n + 1) * sizeof *a->from);
-    a->from = from != NULL ? from : a->from;
-    if (keys == NULL || from == NULL) {
+    int size = a->size; /* of both arrays, which grow together */
+    if (!cr_grow(&a->key, &size, a->n, sizeof *a->key) ||
+        !cr_grow(&a->from, &a->size, a->n, sizeof *a->from)) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory to resolve the scene");
     }
     snprintf(a->from[a->n], sizeof *a->from, "%s", how->from);

@@ -261,7 +261,7 @@ CR_MUST_CHECK enum cr_err cr_scene_assign(struct cr_scene *scene, const char *te
  * rule of its own, "a row of the catalogue" for what the car has. */
 enum { CR_FROM_MAX = 192 };
 struct cr_assumed {
-    int n;
+    int n, size; /* keys, and room for so many */
     char (*key)[CR_NAME_MAX + 32];
     char (*from)[CR_FROM_MAX];
     double mass_spread[CR_BODY_MAX]; /* relative standard deviation of an assumed mass, 0: given */

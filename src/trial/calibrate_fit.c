@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* scatter from car to car: of the dynamic and of the residual depth, m (stiffness.md 1.3, 2) */
+/* scatter from car to car: of the dynamic and of the residual depth, m [CRUSH-SCATTER] */
 static const double sd_dynamic = 0.06, sd_residual = 0.065;
 /* how far a type may lie from the mean of all before its tests say so: of 1/w, relative; of the
  * springback, m; of the flank, as a number of tests */

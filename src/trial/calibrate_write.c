@@ -81,7 +81,7 @@ static void add_calibration(const struct cr_calibration_fit fit[2], struct cr_st
     add_fit(&fit[0], "front", "frontal_wall.csv, frontal_wall_pulse.csv (NHTSA)", out);
     cr_str_add(out, ",\n");
     char side[96];
-    snprintf(side, sizeof side, "side_pole.csv (NHTSA); damaged area %.3f m2: stiffness.md 3.1",
+    snprintf(side, sizeof side, "side_pole.csv (NHTSA); damaged area %.3f m2 [POLE-AREA]",
              cr_test_pole_area);
     add_fit(&fit[1], "side", side, out);
     cr_str_add(out, ",\n    \"rear\": { \"basis\": \"assumption\", \"tests\": 0, \"borrowed\": 0,\n"

@@ -7,9 +7,10 @@ data=$SRC/tests/data/import
 # sample NAME OPTION...: the lines of tests/data/import/NAME.jsonl
 sample() {
     want=$data/$1.jsonl
+    name=$1
     shift
     run import "$@"
-    same "import $(basename "$1"): status 0" "$status" 0
+    same "import of $name: status 0" "$status" 0
     printf '%s\n' "$out" | diff - "$want" >"$tmp/diff"
     same "and the scenes that must come out" $? 0
     explain <"$tmp/diff"
@@ -31,4 +32,5 @@ refused() {
 . "$SRC/tests/cli/import_tests.sh"
 . "$SRC/tests/cli/import_pcm.sh"
 . "$SRC/tests/cli/import_edr.sh"
+. "$SRC/tests/cli/import_zip.sh"
 finish

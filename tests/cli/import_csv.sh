@@ -61,6 +61,14 @@ else
     skip "a long file in little memory" "sanitizers reserve more"
 fi
 
+# in seconds of a calendar it is the same crash; what is said of it but that is the same
+awk -F, -v OFS=, 'NR > 1 { $1 = sprintf("%.1f", $1 + 1764400000) } 1' "$data/long.csv" \
+    >"$tmp/calendar.csv"
+run import "$tmp/calendar.csv"
+same "times of a calendar count from the first second that is kept" \
+    "$(printf '%s\n' "$out" | sed "$parts")" "$(sed "$parts" "$data/long.jsonl")"
+has "and it is noted" "$out" 'times less 1764400000 s'
+
 # participants side by side, and a point of reference of the map's
 cat >"$tmp/wide.csv" <<'END'
 t [s];xA [m];yA [m];hA [deg];vA [km/h];xB [m];yB [m];hB [deg];vB [km/h]

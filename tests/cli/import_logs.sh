@@ -21,11 +21,7 @@ refused "log with a text for a number" 1 "text.csv:9:[0-9]+: error: 'fast'" "$tm
 
 # one car alone is no crash; with a wall of the user's own it is
 refused "one car alone" 1 'mini.erg: error: a crash needs two participants' "$data/mini.erg"
-echo '{ "objects": { "wall": { "shape": "wall", "position_m": [9, 0], "heading_deg": 180 } } }' \
-    >"$tmp/wall.json"
-run import --map "$tmp/wall.json" "$data/mini.erg"
-same "and before a wall it is one: status 0" "$status" 0
-has "with its motion" "$out" '"id":"Car".*"trajectory":\[\{"t_s":0.004,"x_m":.*"id":"wall"'
+sample mini-erg --map "$data/wall-map.json" "$data/mini.erg"
 
 run import "$data/two.erg.info"
 same "the description leads to the records" \

@@ -7,10 +7,9 @@ else
     parts='s/.*"participants"//'
     sample pcm5 "$data/pcm5.db"
     for folder in pcm5 pcm4; do
-        run import "$data/$folder"
+        sample "$folder-folder" "$data/$folder"
         same "folder of CSV, $folder: the same participants" \
             "$(printf '%s\n' "$out" | sed "$parts")" "$(sed "$parts" "$data/pcm5.jsonl")"
-        has "and its generation" "$out" "\"format\":\"PCM v${folder#pcm}\""
     done
     for column in participant_data:CASEID participant_data:PARTID participant_data:PARTTYPE \
         dynamics:CASEID dynamics:PARTID dynamics:TIME dynamics:POSX dynamics:POSY \

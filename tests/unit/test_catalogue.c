@@ -1,10 +1,13 @@
-/* Cars by name: words in any order, year and body, what is missed or not unique; and that every row
- * of the shipped table is a car that can be crashed. */
+/* Cars by name: words in any order, year and body, what is missed or not unique; that every row of
+ * the shipped table is a car that can be crashed; and that what the scene fills in for a car of
+ * which little is known is what was measured of others. */
 #include "test.h"
 
+#include "base/records.h"
 #include "catalogue/catalogue.h"
 #include "result/result.h"
 
+#include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -159,12 +162,100 @@ static void every_row_solves_against_a_wall(void **state) {
     free(all);
 }
 
+/* a vehicle of that type, kg and m, NaN for what is left to the rules; as the scene fills it in */
+static struct cr_participant resolved(const char *type, double mass, double length,
+                                      double wheelbase) {
+    char text[400], size[80] = "";
+    struct cr_scene scene;
+    struct cr_error err = {0};
+    if (length > 0) {
+        snprintf(size, sizeof size, "\"length_m\":%g,\"wheelbase_m\":%g,", length, wheelbase);
+    }
+    int len = snprintf(text, sizeof text,
+                       "{\"crumple\":1,\"participants\":[{\"id\":\"A\",\"kind\":\"vehicle\","
+                       "\"type\":\"%s\",\"mass_kg\":%g,%s\"position_m\":[0,0]},{\"id\":\"W\","
+                       "\"kind\":\"object\",\"shape\":\"wall\",\"position_m\":[5,0]}]}",
+                       type, mass, size);
+    if (cr_scene_parse(text, (size_t)len, "row", &scene, &err) != CR_ERR_OK ||
+        cr_scene_resolve(&scene, lib, NULL, &err) != CR_ERR_OK) {
+        fail_msg("%s: %s", type, err.text);
+    }
+    struct cr_participant p = scene.part[0];
+    cr_scene_fini(&scene);
+    return p;
+}
+
+struct errors {
+    int n;
+    double sum, squares;
+};
+
+static void count(struct errors *e, double rule, double measured) {
+    if (measured > 0) {
+        double x = rule / measured - 1;
+        e->n++;
+        e->sum += x;
+        e->squares += x * x;
+    }
+}
+
+/* mean and standard deviation of the errors of a rule stay below */
+static void check_errors(const struct errors *e, const char *what, int least, double mean,
+                         double sd) {
+    double m = e->sum / e->n, s = sqrt(e->squares / e->n - m * m);
+    if (e->n < least || !(fabs(m) < mean) || !(s < sd)) {
+        fail_msg("%s: n %d, mean error %.3f, standard deviation %.3f", what, e->n, m, s);
+    }
+}
+
+/* [YAW-INERTIA]: measured cars and light trucks of 1997 and 1998 */
+static void inertia_is_that_of_measured_vehicles(void **state) {
+    struct cr_records r = {0};
+    struct errors of[2] = {{0}};
+    struct cr_error err;
+    (void)state;
+    assert_int_equal(cr_records_load(in_tree("tests/data/inertia.csv"), &r, &err), CR_ERR_OK);
+    for (int i = 0; i < r.rows; i++) {
+        static const char *const name[] = {"mass_kg", "length_m", "wheelbase_m",
+                                           "yaw_inertia_kgm2"};
+        const char *type = cr_records_text(&r, i, "type");
+        double x[4];
+        for (int k = 0; k < 4; k++) {
+            assert_int_equal(cr_records_number(&r, i, name[k], &x[k], &err), CR_ERR_OK);
+        }
+        count(&of[strcmp(type, "suv") == 0], resolved(type, x[0], x[1], x[2]).yaw_inertia, x[3]);
+    }
+    cr_records_fini(&r);
+    check_errors(&of[0], "yaw inertia of cars", 6, 0.01, 0.03);
+    check_errors(&of[1], "yaw inertia of light trucks", 22, 0.03, 0.07);
+}
+
+/* [CG-HEIGHT], [TRACK-MASS]: against those of the catalogue, which the rules were not made of */
+static void heights_and_tracks_are_those_of_measured_cars(void **state) {
+    (void)state;
+    for (int t = 0; t < CR_TYPES; t++) {
+        struct errors height = {0}, track = {0};
+        for (int i = 0; i < cr_catalogue_cars(cars); i++) {
+            const struct cr_car *car = cr_catalogue_car(cars, i);
+            if (strcmp(car->type, cr_type_word((enum cr_type)t)) == 0 && car->curb > 0) {
+                struct cr_participant p = resolved(car->type, car->curb + CR_CAR_DRIVER, 0, 0);
+                count(&height, p.cg_height, car->cg_height);
+                count(&track, p.track, car->track);
+            }
+        }
+        check_errors(&height, "CG height", 5, 0.05, 0.07);
+        check_errors(&track, "track", 9, 0.05, 0.05);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(one_car_by_many_words),
         cmocka_unit_test(what_is_not_one_car),
         cmocka_unit_test(make_then_model_then_year),
         cmocka_unit_test(every_row_solves_against_a_wall),
+        cmocka_unit_test(inertia_is_that_of_measured_vehicles),
+        cmocka_unit_test(heights_and_tracks_are_those_of_measured_cars),
     };
     return cmocka_run_group_tests(tests, open_cars, close_cars);
 }

@@ -172,8 +172,37 @@ static const struct bad bad_file[] = {
     {"csv", CSV_HEAD "ix,iy,fill,energy_J\n0,0,1,\n1,0,1,5\n", CR_ERR_SYNTAX, 13, "a row is"},
     {"csv", CSV_HEAD "ix,iy,fill,energy_J\n4,0,1,5\n", CR_ERR_RANGE, 13, "index"},
     {"csv", CSV_HEAD "0,0,1,5\n", CR_ERR_SYNTAX, 12, "column names"},
+    {"csv", CSV_HEAD "ix,iy,fill\n0,0,1\n", CR_ERR_SYNTAX, 12, "column names"},
+    {"csv", CSV_HEAD "ix,iy,fill,energy_J\n0,0,1,5\n0,1,1\n", CR_ERR_SYNTAX, 14, "a row is"},
+    {"csv", "# edge_m,1,2\nix,iy\n", CR_ERR_MODEL, 1, "wrong count"},
     {"csv", "# edge_m,1\nix,iy\n", CR_ERR_MISSING, 2, "missing"},
 };
+
+/* as a spreadsheet of another country saves it, its columns in another order: the same model */
+static void test_csv_of_a_spreadsheet(void **state) {
+    static const char *const text[] = {
+        CSV_HEAD "# name,\"a, b\"\nix,iy,fill,energy_J\n1,0,0.5,5.25\n3,1,1,7\n",
+        "# edge_m;1;;\r\n# count;4;2;\r\n# origin_m;-2;-1;\r\n# mass_kg;1000,0\r\n# length_m;4\r\n"
+        "# width_m;2\r\n# height_m;1,5\r\n# wheelbase_m;2,5\r\n# track_m;1,5\r\n# a remark\r\n"
+        "# front_overhang_m;0,8\r\n# cg_behind_front_axle_m;1,2\r\n# name;a, b\r\n\r\n"
+        "energy_J;fill;iy;ix\r\n5,25;0,5;0;1\r\n7;\"1\";1;3\r\n"};
+    struct cr_arena arena = {0};
+    struct cr_voxels v[2];
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        write_text("test_voxels_sheet.tmp.csv", text[i], strlen(text[i]));
+        assert_int_equal(cr_voxels_read("test_voxels_sheet.tmp.csv", &arena, &v[i], NULL, NULL),
+                         CR_ERR_OK);
+        assert_string_equal(v[i].name, "a, b");
+        check_near(v[i].energy[1], 5.25, 0);
+        check_near(v[i].fill[1], 0.5, 0);
+        check_near(v[i].energy[7], 7, 0);
+        check_near(v[i].dims.wheelbase, 2.5, 0);
+    }
+    check_same(&v[0], &v[1]);
+    remove("test_voxels_sheet.tmp.csv");
+    cr_arena_free(&arena);
+}
 
 static void test_refused(void **state) {
     (void)state;
@@ -249,9 +278,13 @@ static void test_too_many(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_volume_sums_to_plan),  cmocka_unit_test(test_files_bit_exact),
-        cmocka_unit_test(test_own_model_stretched),  cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_no_words_of_the_file), cmocka_unit_test(test_too_many),
+        cmocka_unit_test(test_volume_sums_to_plan),
+        cmocka_unit_test(test_files_bit_exact),
+        cmocka_unit_test(test_own_model_stretched),
+        cmocka_unit_test(test_csv_of_a_spreadsheet),
+        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_no_words_of_the_file),
+        cmocka_unit_test(test_too_many),
     };
     return cmocka_run_group_tests(tests, open_lib, close_lib);
 }
