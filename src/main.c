@@ -115,7 +115,7 @@ static int tell_help(int argc, char **argv) {
     }
     snprintf(line, sizeof line, "help %.200s", argv[1][0] != '-' ? argv[1] : "help");
     char *commands[] = {argv[0], e, line, NULL};
-    return cr_repl_main(3, commands, cr_data_dir(data, sizeof data), cr_expert_order);
+    return cr_repl_main(3, commands, cr_data_dir(data, sizeof data), "", cr_expert_order);
 }
 
 static int unknown(const char *what, const char *given) {
@@ -181,10 +181,11 @@ static int complete(int argc, char **argv) {
 
 static int interactive(int argc, char **argv, const struct cr_repl_start *start) {
     const char *why = cr_tui_refusal();
-    char state[1024], data[4096];
-    const char *data_dir = cr_data_dir(data, sizeof data);
+    char state[1024], data[4096], cars[4096];
+    const char *data_dir = cr_data_dir(data, sizeof data), *own = cr_own_cars(cars, sizeof cars);
     if (why == NULL) {
         const struct cr_tui_start screen = {.data_dir = data_dir,
+                                            .cars_dir = own,
                                             .state_dir = cr_repl_state_dir(state, sizeof state),
                                             .ascii = start->ascii,
                                             .color = start->color,
@@ -199,12 +200,12 @@ static int interactive(int argc, char **argv, const struct cr_repl_start *start)
     } else if (cr_repl_one_scene(argc, argv)) {
         return cr_cli_run(argc, argv); /* nobody is there to look at it */
     }
-    return cr_repl_main(argc, argv, data_dir, cr_expert_order);
+    return cr_repl_main(argc, argv, data_dir, own, cr_expert_order);
 }
 
 /* files, scenes, -e and what belongs to them */
 static int session(int argc, char **argv) {
-    char data[4096];
+    char data[4096], cars[4096];
     struct cr_repl_start start;
     if (cr_repl_wants_screen(argc, argv, cr_data_dir(data, sizeof data), &start)) {
         int status = interactive(argc, argv, &start);
@@ -213,7 +214,8 @@ static int session(int argc, char **argv) {
     }
     return cr_repl_one_scene(argc, argv)
                ? cr_cli_run(argc, argv)
-               : cr_repl_main(argc, argv, cr_data_dir(data, sizeof data), cr_expert_order);
+               : cr_repl_main(argc, argv, cr_data_dir(data, sizeof data),
+                              cr_own_cars(cars, sizeof cars), cr_expert_order);
 }
 
 int main(int argc, char **argv) {

@@ -23,6 +23,8 @@ update-examples: crumple$(EXEEXT)
 update-golden: crumple$(EXEEXT) $(golden_pictures)
 	SRC='$(abs_srcdir)' CRUMPLE='$(abs_builddir)/crumple$(EXEEXT)' LC_ALL=C.UTF-8 \
 	    TERM=xterm-256color $(SHELL) $(srcdir)/tests/golden/cmd/run.sh update
+	SRC='$(abs_srcdir)' CRUMPLE='$(abs_builddir)/crumple$(EXEEXT)' LC_ALL=C.UTF-8 \
+	    $(SHELL) $(srcdir)/tests/tui/lessons.sh update
 .PHONY: update-golden update-pictures
 
 # the table of the validation page, 1 minute; to be reviewed

@@ -73,7 +73,10 @@ void cr_arena_free(struct cr_arena *arena) {
 
 void cr_arena_keep(void) {
 #ifdef HAVE_MALLOPT
-    enum { KEPT = 64 << 20, MAPPED = 16 << 20 }; /* bytes: above these the kernel gets it back */
+    enum {
+        KEPT = 64 << 20,
+        MAPPED = 16 << 20
+    }; /* bytes: above these the kernel gets memory back */
     mallopt(M_TRIM_THRESHOLD, KEPT);
     mallopt(M_MMAP_THRESHOLD, MAPPED);
 #endif

@@ -79,7 +79,7 @@ static bool is_separator(const struct cr_csv *c, int byte) {
     return c->sep != '\0' ? byte == c->sep : byte == ',' || byte == ';' || byte == '\t';
 }
 
-/* a line of remarks or without content; it is passed over */
+/* Whether a line is a remark or empty: such lines are passed over. */
 static bool pass_over(struct cr_csv *c) {
     while (peek(c) == ' ') {
         c->p++;
@@ -230,7 +230,7 @@ static bool all_empty(const struct row *row, int from) {
 
 /* ---- the head of a table ---- */
 
-/* byte order mark, and what is no text that can be read */
+/* Passes over a byte order mark and refuses UTF-16. */
 static enum cr_err check_encoding(struct cr_csv *c, struct cr_error *err) {
     if (!fill(c)) {
         return CR_ERR_OK;
@@ -414,7 +414,7 @@ int cr_csv_find(const struct cr_csv *csv, const char *name) {
     return -1;
 }
 
-/* names what there is instead of a column */
+/* The hint of an unknown column: the nearest name, else all names. */
 static void hint_names(const struct cr_csv *csv, const char *name, struct cr_error *err) {
     const char **names = calloc((size_t)csv->head.n, sizeof *names);
     struct cr_str list = {0};

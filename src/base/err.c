@@ -16,7 +16,7 @@ static const struct {
 #undef X
 };
 
-/* texts quote what was read and typed: they are made fit to show here, where all of them pass */
+/* Texts quote files and input: they are made fit to show here, where all of them pass. */
 static void fill(char *to, size_t size, const char *fmt, va_list ap) {
     char raw[1024];
     vsnprintf(raw, sizeof raw, fmt, ap);

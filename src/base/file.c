@@ -171,7 +171,7 @@ void cr_file_keep_mode(int fd, const char *path) {
         umask(mask);
         mode = 0666 & ~mask;
     }
-    /* a file system without modes may refuse; the data are no less whole for it */
+    /* A file system without modes may refuse; the data are whole all the same. */
     if (fchmod(fd, mode) != 0) {
         errno = 0;
     }
@@ -182,7 +182,7 @@ enum cr_err cr_file_sync_folder(const char *path, struct cr_error *err) {
     char folder[4096];
     cr_file_dir(path, folder, sizeof folder);
     int fd = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (fd < 0) { /* one may write in a folder without being allowed to read it */
+    if (fd < 0) { /* a folder may be writable without being readable */
         return CR_ERR_OK;
     }
     int failed = fsync(fd) != 0 && errno != EINVAL && errno != EROFS;
@@ -235,7 +235,7 @@ static int name_it(int fd, const char *path, char tmp[TEMPORARY_SIZE]) {
     return -1;
 }
 
-/* write and make lasting what a temporary file is to hold; closes nothing */
+/* Writes the content of a temporary file down to the disk; the file stays open. */
 static int fill(int fd, const char *path, const char *text, size_t n) {
     cr_file_keep_mode(fd, path);
     return write_all(fd, text, n) != 0 || fsync(fd) != 0 ? -1 : 0;
@@ -296,7 +296,7 @@ enum cr_err cr_file_write(const char *path, const char *text, size_t n, struct c
     if (cr_file_in_place(path)) {
         return write_in_place(path, text, n, err);
     }
-    /* a link stays one: what it leads to is replaced */
+    /* A link stays a link: the file it leads to is replaced. */
     struct stat st;
     char *target = lstat(path, &st) == 0 && S_ISLNK(st.st_mode) ? realpath(path, NULL) : NULL;
     enum cr_err code = write_whole(target != NULL ? target : path, text, n, err);

@@ -158,7 +158,7 @@ static enum cr_err scan_number(struct scan *s) {
     return CR_ERR_OK;
 }
 
-/* true, false, null, and a good word for what people write instead */
+/* Reads true, false and null, and names them to who wrote True, None or nan. */
 static enum cr_err scan_word(struct scan *s) {
     static const char *const words[] = {"true", "false", "null"};
     size_t start = s->at, end = start;

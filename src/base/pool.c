@@ -30,7 +30,7 @@ static void *take(struct pool *p, long *number) {
     }
     bool over = p->over;
     pthread_mutex_unlock(&p->lock);
-    /* the input may be a slow pipe: results must come out while this waits for it */
+    /* The input may be a slow pipe: results must come out while this thread waits for input. */
     if (!over) {
         item = p->work->take(p->work->user);
     }
@@ -63,7 +63,7 @@ static void *worker(void *arg) {
     return NULL;
 }
 
-/* hand out what is done in order until all workers have ended */
+/* Hands out finished results in order until all workers have ended. */
 static void give_all(struct pool *p) {
     pthread_mutex_lock(&p->lock);
     for (;;) {

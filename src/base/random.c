@@ -20,7 +20,7 @@ enum cr_err cr_random_latin(uint64_t seed, int n, int dims, double *u, struct cr
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for the draws");
     }
     for (int d = 0; d < dims; d++) {
-        for (int i = 0; i < n; i++) { /* shuffled as it is filled */
+        for (int i = 0; i < n; i++) { /* the column is shuffled while it is filled */
             int at = (int)(cr_random_unit(&seed) * (i + 1));
             order[i] = at < i ? order[at] : i;
             order[at] = i;

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* fields as offsets, because the text moves as it grows */
+/* Fields are offsets into the text, because the text moves as it grows. */
 struct gather {
     struct cr_str text;
     size_t *at;
@@ -94,7 +94,7 @@ enum cr_err cr_records_load(const char *path, struct cr_records *out, struct cr_
 
 void cr_records_fini(struct cr_records *records) {
     free(records->text);
-    free(records->column); /* and cell with it */
+    free(records->column); /* cell points into the same block */
     free(records->line);
     memset(records, 0, sizeof *records);
 }

@@ -31,6 +31,15 @@ static const struct {
     {"cg_height_m", offsetof(struct cr_car, cg_height), 0.2, 2},
 };
 
+bool cr_car_in_range(const char *column, double x) {
+    for (size_t i = 0; i < sizeof columns / sizeof columns[0]; i++) {
+        if (strcmp(columns[i].name, column) == 0) {
+            return x >= columns[i].lo && x <= columns[i].hi;
+        }
+    }
+    return false;
+}
+
 static enum cr_err read_numbers(const struct cr_records *r, int row, struct cr_car *car,
                                 struct cr_error *err) {
     double years[2];
@@ -102,7 +111,8 @@ static int is_table(const struct dirent *entry) {
     return n > 4 && entry->d_name[0] != '.' && strcmp(entry->d_name + n - 4, ".csv") == 0;
 }
 
-static enum cr_err add_folder(struct cr_catalogue *c, const char *dir, struct cr_error *err) {
+static enum cr_err add_folder(struct cr_catalogue *c, const char *dir, bool own,
+                              struct cr_error *err) {
     struct dirent **entry = NULL;
     enum cr_err code = CR_ERR_OK;
     int n = scandir(dir, &entry, is_table, cr_file_by_bytes);
@@ -114,7 +124,11 @@ static enum cr_err add_folder(struct cr_catalogue *c, const char *dir, struct cr
     for (int i = 0; i < n; i++) {
         struct cr_str path = {0};
         cr_str_addf(&path, "%s/%s", dir, entry[i]->d_name);
+        int first = c->n;
         code = code == CR_ERR_OK ? add_table(c, cr_str_get(&path), err) : code;
+        for (int k = first; k < c->n; k++) {
+            c->car[k].own = own;
+        }
         cr_str_fini(&path);
         free(entry[i]);
     }
@@ -130,7 +144,7 @@ enum cr_err cr_catalogue_open(const char *const *dir, int n, struct cr_catalogue
     }
     enum cr_err code = CR_ERR_OK;
     for (int i = n - 1; i >= 0 && code == CR_ERR_OK; i--) {
-        code = dir[i] != NULL && dir[i][0] != '\0' ? add_folder(c, dir[i], err) : code;
+        code = dir[i] != NULL && dir[i][0] != '\0' ? add_folder(c, dir[i], i > 0, err) : code;
     }
     if (code == CR_ERR_OK && c->tables == 0) {
         cr_err_set(err, CR_ERR_MISSING, "there is no catalogue of cars");

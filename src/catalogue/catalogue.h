@@ -20,6 +20,7 @@ struct cr_car {
     double length, width, height, wheelbase, track, cg_behind_front_axle, cg_height;
     const char *file; /* name of its table */
     int line;         /* in it */
+    bool own;         /* of another folder than the first */
 };
 
 /* What a driver adds to the kerb mass, kg. */
@@ -41,10 +42,10 @@ const struct cr_car *cr_catalogue_car(const struct cr_catalogue *catalogue, int 
  * matter. No words: all. */
 int cr_catalogue_search(const struct cr_catalogue *catalogue, const char *words, int *found);
 
-/* The one car of these words. Where they leave several, those whose whole model was named go before
- * the others, and the usual body (sedan, hatchback, SUV, van, pickup) before coupe, convertible and
- * wagon if no body was named. Errors: NAME with the nearest names or with what tells the rest
- * apart. */
+/* The one car of these words. Where they leave several, those of the user's own tables and those
+ * whose whole model was named go before the others, and the usual body (sedan, hatchback, SUV, van,
+ * pickup) before coupe, convertible and wagon if no body was named. Errors: NAME with the nearest
+ * names or with what tells the rest apart. */
 CR_MUST_CHECK enum cr_err cr_catalogue_find(const struct cr_catalogue *catalogue, const char *words,
                                             const struct cr_car **out, struct cr_error *err);
 
@@ -58,5 +59,15 @@ void cr_car_name(const struct cr_car *car, struct cr_str *out);
 void cr_catalogue_complete(const struct cr_catalogue *catalogue, const char *words,
                            const char *begin, void (*next)(void *user, const char *word, bool year),
                            void *user);
+
+/* Registers whose tables can be made tables of the catalogue. */
+#define CR_CATALOGUE_FORMS "cvs|rdw|eea"
+
+/* A table of a register (its index in CR_CATALOGUE_FORMS) as the text of a table of the catalogue,
+ * appended to out; rows of one make, model and size are one. cars: how many there are. Errors: IO,
+ * SYNTAX, TYPE with line and column, MISSING for a column or where no car is left, EXPENSIVE,
+ * MEMORY. */
+CR_MUST_CHECK enum cr_err cr_catalogue_convert(const char *path, int form, struct cr_str *out,
+                                               int *cars, struct cr_error *err);
 
 #endif

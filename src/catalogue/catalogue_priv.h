@@ -13,4 +13,7 @@ struct cr_catalogue {
     int n, size;
 };
 
+/* Whether a car can have that in a column of the tables; false for NaN. */
+bool cr_car_in_range(const char *column, double x);
+
 #endif

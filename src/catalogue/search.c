@@ -154,6 +154,11 @@ static bool model_is_whole(const struct cr_car *car, const struct words *w) {
     return said == part.n;
 }
 
+static bool is_own(const struct cr_car *car, const struct words *w) {
+    (void)w;
+    return car->own;
+}
+
 static bool is_usual(const struct cr_car *car, const struct words *w) {
     (void)w;
     static const char *const special[] = {"Coupe", "Convertible", "Wagon"};
@@ -242,6 +247,7 @@ enum cr_err cr_catalogue_find(const struct cr_catalogue *c, const char *words,
         code = unknown(c, words, err);
     }
     n = n > 1 ? prefer(c, found, n, &w, model_is_whole) : n;
+    n = n > 1 ? prefer(c, found, n, &w, is_own) : n;
     n = n > 1 ? prefer(c, found, n, &w, is_usual) : n;
     if (n == 1) {
         *out = &c->car[found[0]];

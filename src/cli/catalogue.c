@@ -8,17 +8,23 @@
 
 #include <cjson/cJSON.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
 
-#define FORMATS "text|json|csv"
-enum { TEXT, JSON, CSV };
+#define FORMATS "text|json|csv|" CR_CATALOGUE_FORMS
+enum { TEXT, JSON, CSV, REGISTER };
 
 static const char about[] =
     "Lists the cars of the catalogue that all words fit: parts of make, model and body, a year,\n"
     "a length (4.25m); no word lists all. A scene takes one with \"car\": \"golf 2015\", a "
     "command\n"
-    "with vehicle A car=\"golf 2015\". Exit status: 0 there are some; 1 there is none; 2 usage\n"
-    "or file system; 3 a table is invalid.\n";
+    "with vehicle A car=\"golf 2015\". import makes a table of your own out of that of a "
+    "register,\n"
+    "cvs (Transport Canada), rdw (Netherlands) or eea (European Union), whose cars go before the\n"
+    "others. Exit status: 0 there are some; 1 there is none; 2 usage or file system; 3 a table is\n"
+    "invalid.\n";
 
 static void number(struct cr_str *out, const char *before, double x, int decimals) {
     cr_str_add(out, before);
@@ -31,8 +37,10 @@ static void add_text(const struct cr_car *car, struct cr_str *out) {
     struct cr_str name = {0};
     cr_car_name(car, &name);
     out->failed = out->failed || name.failed;
-    cr_str_addf(out, "%-44.44s %-13s %5.0f kg  %.3f x %.3f m  %s\n", cr_str_get(&name), car->type,
-                car->curb, car->length, car->width, car->source);
+    cr_str_addf(out, "%-44.44s %-13s %5.0f kg  ", cr_str_get(&name), car->type, car->curb);
+    number(out, "", car->length, 3);
+    number(out, " x ", car->width, 3);
+    cr_str_addf(out, " m  %s\n", car->source);
     cr_str_fini(&name);
 }
 
@@ -122,11 +130,68 @@ static enum cr_err list(const char *words, int format, const char *path, struct 
     return code;
 }
 
+/* each folder on the way to a file of the user's, as XDG asks: 0700 */
+static void make_folders(char *path) {
+    for (char *p = strchr(path + 1, '/'); p != NULL; p = strchr(p + 1, '/')) {
+        *p = '\0';
+        mkdir(path, 0700); /* that it cannot be made is told by who writes the file */
+        *p = '/';
+    }
+}
+
+static enum cr_err import(const char *file, int form, const char *path, struct cr_error *err) {
+    static const char *const word[] = {"cvs", "rdw", "eea"};
+    char folder[4096], own[4200];
+    struct cr_str text = {0};
+    int cars;
+    if (path == NULL) {
+        if (cr_own_cars(folder, sizeof folder)[0] == '\0') {
+            return cr_err_set(err, CR_ERR_IO, "there is no home for a table: say -o FILE");
+        }
+        snprintf(own, sizeof own, "%s/%s.csv", folder, word[form]);
+    }
+    enum cr_err code = cr_catalogue_convert(file, form, &text, &cars, err);
+    if (code == CR_ERR_OK && path == NULL) {
+        make_folders(own);
+    }
+    code = code == CR_ERR_OK ? cr_cli_emit(path != NULL ? path : own, &text, err) : code;
+    if (code == CR_ERR_OK && path == NULL) {
+        printf("%d cars in %s\n", cars, own);
+    }
+    cr_str_fini(&text);
+    return code;
+}
+
+/* import FILE, or words to look for */
+static enum cr_err choose(char *const *word, int n, int format, const char *path,
+                          struct cr_error *err) {
+    struct cr_str words = {0};
+    if (n == 2 && strcmp(word[0], "import") == 0) {
+        return format >= REGISTER
+                   ? import(word[1], format - REGISTER, path, err)
+                   : cr_err_set(err, CR_ERR_USAGE, "import needs --format=%s", CR_CATALOGUE_FORMS);
+    }
+    if (format >= REGISTER) {
+        return cr_err_set(err, CR_ERR_USAGE, "--format=%s is for: catalogue import FILE",
+                          CR_CATALOGUE_FORMS);
+    }
+    for (int i = 0; i < n; i++) {
+        cr_str_addf(&words, "%s%s", i > 0 ? " " : "", word[i]);
+    }
+    enum cr_err code = list(cr_str_get(&words), format, path, err);
+    cr_str_fini(&words);
+    return code;
+}
+
 int cr_cli_catalogue(int argc, char **argv) {
     int format = TEXT, operands;
     const char *path = NULL;
     const struct cr_option table[] = {
-        {.name = "format", .letter = 'f', .arg = FORMATS, .number = &format, .help = "form (text)"},
+        {.name = "format",
+         .letter = 'f',
+         .arg = FORMATS,
+         .number = &format,
+         .help = "form (text); of import: what FILE is"},
         {.name = "output",
          .letter = 'o',
          .arg = "FILE",
@@ -134,22 +199,16 @@ int cr_cli_catalogue(int argc, char **argv) {
          .help = "write to FILE, whole or not at all"},
     };
     const struct cr_usage usage = {.word = "catalogue",
-                                   .operands = "[WORD ...]",
+                                   .operands = "[WORD ...] | import FILE",
                                    .about = about,
                                    .option = table,
                                    .options = sizeof table / sizeof *table,
                                    .most = -1};
     struct cr_error err = {0};
-    struct cr_str words = {0};
     int status = cr_cli_options(&usage, argc, argv, &operands);
     if (status >= 0) {
         return status;
     }
     cr_cli_catch();
-    for (int i = 1; i <= operands; i++) {
-        cr_str_addf(&words, "%s%s", i > 1 ? " " : "", argv[i]);
-    }
-    status = list(cr_str_get(&words), format, path, &err) == CR_ERR_OK ? 0 : cr_cli_fail(&err);
-    cr_str_fini(&words);
-    return status;
+    return choose(argv + 1, operands, format, path, &err) == CR_ERR_OK ? 0 : cr_cli_fail(&err);
 }

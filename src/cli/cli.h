@@ -5,6 +5,9 @@
 /* Folder of models/ and share/: $CRUMPLE_DATA, the source tree of a build, or the installed one.
  * Returns "" and leaves buf empty if none has what is needed. */
 const char *cr_data_dir(char *buf, int size);
+/* Folder of the user's own tables of cars, $XDG_DATA_HOME/crumple/catalogue, which need not be
+ * there; "" where there is no home. */
+const char *cr_own_cars(char *buf, int size);
 
 /* `crumple run ...` and so on: argv[0] is the word itself. Return the exit status of the program
  * (crumple(1)). */

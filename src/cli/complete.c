@@ -13,7 +13,7 @@ struct line {
     int n;
     char **word;
     const char *last;           /* the text to complete: a word, or the value of an option */
-    const struct cr_option *of; /* whose value it is; NULL: a word of its own */
+    const struct cr_option *of; /* option whose value is completed; NULL: a word of its own */
     const char *head;           /* what stands before the value in the last word, "--format=" */
     size_t head_len;
     struct cr_str *out;

@@ -21,7 +21,7 @@ static const char about[] =
     "energy, centre of energy and CDC, with a partner to delta-v and closing speed; every number\n"
     "with the interval that holds 95 %. See crumple(1) for the file.\n";
 
-/* all that one file takes */
+/* Everything that the work on one file holds in memory. */
 struct work {
     const struct options *opt;
     struct cr_cli_shared shared;
@@ -55,7 +55,7 @@ static enum cr_err write_case(struct work *w, struct cr_error *err) {
     return code;
 }
 
-/* the vehicles as a scene leaves them, beside what was measured */
+/* The vehicles with the defaults of a scene, beside their measured damage. */
 static enum cr_err compare(struct work *w, struct cr_error *err) {
     struct cr_scene scene;
     struct cr_result *result = NULL;

@@ -49,7 +49,7 @@ static enum cr_err solve(const char *path, const struct options *opt, cJSON **ou
     return code;
 }
 
-/* a result as it is, a scene solved */
+/* A file may hold a result, which is taken as it is, or a scene, which is solved. */
 static enum cr_err open_side(const char *path, const struct options *opt, cJSON **out,
                              struct cr_error *err) {
     char *text = NULL;

@@ -170,7 +170,7 @@ static int next_char(struct cr_feed *f) {
     return c;
 }
 
-/* the character that was read last is not taken yet; lines are counted when it is */
+/* Gives the last character back: a line is counted only when its end is taken. */
 static void put_back(struct cr_feed *f) {
     f->in.from--;
     f->line -= f->in.piece[f->in.from] == '\n';
@@ -180,7 +180,7 @@ static bool blank(int c) {
     return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
 
-/* first character that is not blank, put back; the line counter stands on it */
+/* The first character that is not blank; it stays to be read, and the line counter is at it. */
 static int skip_blanks(struct cr_feed *f) {
     int c;
     do {
@@ -306,7 +306,7 @@ static bool open_folder(struct cr_feed *f, const char *path, struct cr_feed_item
                                     "their names must end in .json, .jsonl or .ndjson");
 }
 
-/* open what comes next; false at the end or with a fault */
+/* Opens the next input; false at the end or with a fault. */
 static bool open_next(struct cr_feed *f, struct cr_feed_item *out, bool *end) {
     *end = false;
     if (f->next_entry < f->entries) {
@@ -339,7 +339,7 @@ static bool give(struct cr_feed *f, struct cr_str *text, int line, int col,
         bool long_text = text->len >= TEXT_MAX;
         cr_str_fini(text);
         free(out->src);
-        f->in.end = f->in.end || long_text; /* what follows is in the middle of it */
+        f->in.end = f->in.end || long_text; /* the next byte lies in the middle of a record */
         f->in.from = long_text ? f->in.to : f->in.from;
         f->given += long_text && f->given >= 0;
         return fault(out, f->src, long_text ? CR_ERR_EXPENSIVE : CR_ERR_MEMORY,
@@ -399,7 +399,7 @@ static bool next_document(struct cr_feed *f, struct cr_feed_item *out) {
     return give(f, &text, line, 1, out);
 }
 
-/* nothing may follow the array, and it must have an end; reads the rest of the file */
+/* Reads the rest of the file: the array must end, and nothing may follow. */
 static bool end_array(struct cr_feed *f, int c, struct cr_feed_item *out) {
     const char *text = "the array has no end";
     if (broken(f) || f->given < 0) {

@@ -143,7 +143,7 @@ static enum cr_err solve(const struct cr_scene *scene, const struct options *opt
     if (code == CR_ERR_OK) {
         code = cr_mc_run(&study, &how, ctx, &mc, err);
     }
-    /* what was drawn until ^C is written too; the status still says that it is not all */
+    /* The draws until ^C are written too; the status still says that draws are missing. */
     if (mc != NULL && mc->done > 1) {
         struct cr_error other;
         enum cr_err wrote = write_mc(mc, opt, text, code == CR_ERR_OK ? err : &other);

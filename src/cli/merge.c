@@ -124,7 +124,7 @@ static enum cr_err read_entry(struct merge *m, const struct entry *e, struct cr_
     return CR_ERR_OK;
 }
 
-/* the same scene twice is fine where it says the same */
+/* The same scene may stand in two files if both results are the same. */
 static enum cr_err check_twice(struct merge *m, const struct entry *a, const struct entry *b,
                                struct cr_error *err) {
     enum cr_err code = read_entry(m, a, err);

@@ -65,7 +65,7 @@ static struct row row_of(const struct cr_model_papers *papers, enum cr_type type
     r.borrowed = isfinite(borrowed) ? (int)borrowed : 0;
     r.mpe = number(cal, "depth_mpe_percent");
     r.sd = number(cal, "depth_sd_percent");
-    const char *what = "assumption: one curve for all types, chosen with 72 rear crashes in view";
+    const char *what = "assumption: one curve for all types, chosen with 81 rear crashes in view";
     if (r.face[0] != 'r') {
         what = r.face[0] == 'f' ? "rigid walls, 23 to 57 km/h" : "poles, 75 deg, 32 km/h";
     }

@@ -42,7 +42,7 @@ void cr_pair_free(struct cr_pair_set *set) {
     }
 }
 
-/* a pair by name, made if it is new; NULL without memory */
+/* The pair of a name; a new name makes a new pair. NULL without memory. */
 static struct pair *find(struct cr_pair_set *set, const char *name) {
     /* the two scenes of a pair mostly stand together */
     for (int i = set->n - 1; i >= 0; i--) {

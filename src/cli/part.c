@@ -77,7 +77,7 @@ enum cr_err cr_part_find(struct cr_part *part, const char *path, struct cr_optio
     return code;
 }
 
-/* what is there already may hold results that were not in the file it resumed */
+/* The part that is there already may hold results that the resumed file lacks. */
 static enum cr_err set_aside(struct cr_part *part, struct cr_error *err) {
     struct cr_str to = {0};
     struct stat st;

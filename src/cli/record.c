@@ -44,7 +44,7 @@ static cJSON *label(cJSON *tree, long index, const char *name, const char *pair)
     }
     while (done && (item = cJSON_DetachItemFromArray(tree, 0)) != NULL) {
         char *key = item->string;
-        item->string = NULL; /* else it is freed when the new one is set */
+        item->string = NULL; /* append() sets the key anew and must not free it */
         done = append(out, key, item);
         cJSON_free(key);
     }

@@ -199,7 +199,7 @@ bool cr_resume_line(struct cr_resume *r, const char hash[CR_HASH_SIZE], struct c
         ok = n > 0;
         done += ok ? (size_t)n : 0;
     }
-    /* the file may have been written to since it was indexed */
+    /* Somebody may have written to the file since it was indexed. */
     ok = ok && buf[e->len - 1] == '\n' && memchr(buf, '\n', e->len) == buf + e->len - 1 &&
          cr_json_check(buf, e->len, NULL, NULL) == CR_ERR_OK && names(buf, e->len, hash);
     if (ok) {

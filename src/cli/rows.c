@@ -184,7 +184,7 @@ static void csv_text(const char *s, struct cr_str *out) {
     if (s == NULL) {
         return;
     }
-    /* what begins like a formula is quoted, so that spreadsheets take it as text */
+    /* A text that begins like a formula is quoted, so that spreadsheets take it as text. */
     if (strpbrk(s, ",\"\r\n") == NULL && (s[0] == '\0' || strchr("=+-@", s[0]) == NULL)) {
         cr_str_add(out, s);
         return;

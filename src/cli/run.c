@@ -104,7 +104,7 @@ static enum cr_err run(const char *path, const struct run_options *opt, struct c
     if (code != CR_ERR_OK && strcmp(err->src, "-") == 0) {
         cr_err_place(err, name, err->line, err->col);
     }
-    /* until here ^C ends the program at once, also while it waits for input */
+    /* Until here ^C ends the program at once, also while the program waits for input. */
     cr_cli_catch();
     if (code == CR_ERR_OK) {
         code = cr_cli_override(&scene, &opt->set, err);

@@ -1,4 +1,5 @@
 /* Models and risk functions that all words of the command line share, opened once, and ^C. */
+#include "cli/cli.h"
 #include "cli/word.h"
 
 #include <signal.h>
@@ -76,6 +77,9 @@ enum cr_err cr_cli_open(struct cr_cli_shared *shared, enum cr_cli_recipes recipe
     enum cr_err code = cr_cli_data("models", path, sizeof path, err);
     if (code == CR_ERR_OK) {
         code = cr_model_lib_open(path, &shared->models, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_model_own_cars(shared->models, cr_own_cars(path, sizeof path), err);
     }
     if (code == CR_ERR_OK && recipes == CR_CLI_ALL) {
         code = cr_model_need_all(shared->models, err);

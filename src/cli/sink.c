@@ -120,7 +120,7 @@ static enum cr_err add_row(const struct cr_sink *s, const cJSON *record, struct 
     return CR_ERR_OK;
 }
 
-/* the head of a table, once, and what had to wait for it */
+/* Writes the head of a table once, then the rows that had to wait for the head. */
 static enum cr_err begin_table(struct cr_sink *s, struct cr_str *text, struct cr_error *err) {
     const cJSON *record;
     enum cr_err code = CR_ERR_OK;

@@ -22,7 +22,7 @@ static double span(const struct cr_study *s, int axis) {
     return hi > lo ? hi - lo : 1;
 }
 
-/* two strokes for each point, parted by what is no number */
+/* Two strokes for each point, with a NaN between them, so that no line joins them. */
 static void crosses(const struct cr_study *s, double *x, double *y) {
     const double dx = arm * span(s, 0), dy = 2.4 * arm * span(s, 1), none = (double)NAN;
     for (int i = 0; i < s->rows; i++) {

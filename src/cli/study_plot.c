@@ -13,7 +13,7 @@ double cr_study_axis(const struct cr_study *s, int row, int axis) {
     return s->value[row * (fields + s->axes) + fields + axis];
 }
 
-/* points: between any two stands what is no number, so that no line joins them */
+/* Points: a NaN stands between any two, so that no line joins them. */
 static enum cr_err points(const struct cr_study *s, const struct cr_look *look, int width,
                           struct cr_str *out, struct cr_error *err) {
     struct cr_cells cells;

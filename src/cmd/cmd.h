@@ -153,6 +153,7 @@ struct cr_measure;
 struct cr_report_order;
 struct cr_session_opts {
     const char *data_dir;  /* folder of models/ and share/; "" if there is none */
+    const char *cars_dir;  /* folder of the user's own tables of cars, NULL or "": none */
     const char *state_dir; /* folder for the autosave, NULL: none is kept */
     bool ask;              /* quit asks when changes are unsaved */
     int max_seconds;   /* of processor time for one solve, 0: any; somebody at a prompt has ^C */

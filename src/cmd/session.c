@@ -265,7 +265,8 @@ enum cr_err cr_session_need_models(struct cr_session *s, struct cr_error *err) {
         return code;
     }
     cr_file_part(s->data_dir, "irf", path, sizeof path);
-    code = cr_irf_load(path, &s->irf, err);
+    code = cr_model_own_cars(s->models, s->opts.cars_dir, err);
+    code = code == CR_ERR_OK ? cr_irf_load(path, &s->irf, err) : code;
     if (code != CR_ERR_OK) { /* a result without them would miss what other runs have */
         cr_model_lib_free(s->models);
         s->models = NULL;

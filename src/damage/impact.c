@@ -57,7 +57,7 @@ void cr_crush_match(const struct cr_crush_car *known, const struct cr_crush_rule
     double energy = by->energy * pow(own.energy / cr_crush_known, by->power);
     /* from all of the rise gone to deeper than any car; more depth is more energy */
     double lo = -rules->rise[cr_crush_end(guessed->m.face)], hi = 2;
-    for (int i = 0; i < 40; i++) {
+    for (int i = 0; i < 22; i++) { /* to a micrometre */
         double middle = (lo + hi) / 2;
         *(energy_at(guessed, rules, middle) < energy ? &lo : &hi) = middle;
     }

@@ -27,8 +27,12 @@ static void map_number(struct cr_canvas *c, const struct cr_heat_map *m, const d
         snprintf(text, sizeof text, "%.*f", m->decimals, value);
     }
     face.size = fmin(small_size, at[3] - 2);
-    if (cr_text_width(&face, text) < at[2] - 1 && face.size >= 4) {
-        cr_canvas_text(c, at[0] + at[2] / 2, at[1] + at[3] / 2 + 0.36 * face.size, &face, text);
+    double wide = cr_text_width(&face, text), x = at[0] + at[2] / 2, y = at[1] + at[3] / 2;
+    if (wide < at[2] - 1 && face.size >= 4) {
+        /* the lines of equal values stop at it */
+        cr_canvas_rect(c, x - wide / 2 - 1, y - face.size / 2, wide + 2, face.size);
+        cr_canvas_paint(c, &(struct cr_paint){.fill = map_ink(value, range), .line = CR_NO_INK});
+        cr_canvas_text(c, x, y + 0.36 * face.size, &face, text);
     }
 }
 

@@ -155,7 +155,7 @@ static void labels(const struct cr_sheet *s) {
         }
         struct cr_box at = place(s, i, w, 11, taken, n);
         cr_canvas_text(s->canvas, at.x, at.y + 9, &face, text);
-        taken[n++] = at;
+        taken[n++] = (struct cr_box){at.x - 6, at.y, at.w + 12, at.h}; /* words stay apart */
     }
 }
 

@@ -1,13 +1,21 @@
-/* Files in a folder by their names in any case: exports differ in it. */
+/* Files in a folder by their names in any case: exports differ in it; names for what lasts as long
+ * as an import. */
 #include "import/import_priv.h"
 
 #include <dirent.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 #include <sys/stat.h>
 
 enum { ENTRIES_MAX = 100000 };
+
+void cr_import_temp(char path[CR_TEMP_MAX]) {
+    const char *dir = getenv("TMPDIR");
+    bool usable = dir != NULL && dir[0] == '/' && strlen(dir) < CR_TEMP_MAX - 30;
+    snprintf(path, CR_TEMP_MAX, "%s/crumple-import-XXXXXX", usable ? dir : "/tmp");
+}
 
 bool cr_import_file_in(const char *folder, const char *name, char *path, size_t size) {
     DIR *dir = opendir(folder);

@@ -226,14 +226,14 @@ static enum cr_err import(struct cr_import *im, cJSON **map, struct cr_unpacked 
 
 /* Standard input goes into a file, so that it can be recognised, hashed and read; it has a name
  * only until it is open. */
-static enum cr_err spool(char path[32], struct cr_error *err) {
+static enum cr_err spool(char path[CR_TEMP_MAX], struct cr_error *err) {
     char piece[1 << 16];
     size_t n;
-    snprintf(path, 32, "/tmp/crumple-import-XXXXXX");
+    cr_import_temp(path);
     int fd = mkstemp(path);
     FILE *file = fd >= 0 ? fdopen(fd, "wb") : NULL;
     if (file == NULL) {
-        return io_fault("standard input", "make a copy of it in /tmp", err);
+        return io_fault("standard input", "make a copy of it", err);
     }
     bool done = true;
     size_t room = (size_t)CR_FILE_MAX_MB << 20;
@@ -248,7 +248,7 @@ static enum cr_err spool(char path[32], struct cr_error *err) {
         cr_err_hint(err, "name the file, which may have any size");
         return CR_ERR_IO;
     }
-    return done ? CR_ERR_OK : io_fault("standard input", "make a copy of it in /tmp", err);
+    return done ? CR_ERR_OK : io_fault("standard input", "make a copy of it", err);
 }
 
 enum cr_err cr_import_file(struct cr_import_opts *opts, const char *path,
@@ -256,7 +256,7 @@ enum cr_err cr_import_file(struct cr_import_opts *opts, const char *path,
     struct cr_import im = {.opts = opts, .path = path, .shown = path, .count = count};
     struct cr_unpacked unpacked = {.n = 0};
     struct cr_error own;
-    char copy[32] = "";
+    char copy[CR_TEMP_MAX] = "";
     cJSON *map = NULL;
     enum cr_err code = CR_ERR_OK;
     err = err != NULL ? err : &own;

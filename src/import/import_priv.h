@@ -42,9 +42,13 @@ struct cr_import_case {
     struct cJSON *extra;
 };
 
+/* A name for mkstemp and mkdtemp in $TMPDIR or /tmp. */
+enum { CR_TEMP_MAX = 256 };
+void cr_import_temp(char path[CR_TEMP_MAX]);
+
 /* What an archive was unpacked into, and what it is about: the folder, or the one thing in it. */
 struct cr_unpacked {
-    char dir[40], root[1024];
+    char dir[CR_TEMP_MAX], root[1024];
     char **made; /* files and folders, in the order they came; owned */
     int n;
 };

@@ -180,9 +180,9 @@ enum cr_err cr_import_unpack(struct cr_import *im, struct cr_unpacked *to, struc
         zip_error_fini(&text);
         return code;
     }
-    snprintf(to->dir, sizeof to->dir, "/tmp/crumple-import-XXXXXX");
+    cr_import_temp(to->dir);
     if (mkdtemp(to->dir) == NULL) {
-        code = io_fault(&u, "in /tmp", strerror(errno), err);
+        code = io_fault(&u, to->dir, strerror(errno), err);
         to->dir[0] = '\0';
     }
     u.limit = limit_of(im->path);

@@ -41,7 +41,7 @@ static void add_layer(struct row *row, const struct cr_barrier_block *b) {
     row->gap = fmin(row->gap, b->x[0]);
 }
 
-/* energy per metre of width that a row takes when it is pressed from the barrier's front to d */
+/* Energy per metre of width of a row that is pressed from the barrier's front to depth d. */
 static double row_energy(const struct cr_barrier *b, const struct row *row, double d) {
     double left = d - row->gap, energy = 0;
     for (int i = 0; i < row->n && left > 0; i++) {
@@ -154,7 +154,7 @@ enum cr_err cr_barrier_grid(const struct cr_barrier *b, double voxel, const doub
     return CR_ERR_OK;
 }
 
-/* a strength, or the two between which it rises over the layer's depth */
+/* Reads one strength, or two between which the strength rises over the layer's depth. */
 static void read_strength(struct cr_model_json *j, const cJSON *o, double out[2]) {
     const cJSON *x = cJSON_GetObjectItemCaseSensitive(o, "strength_MPa");
     if (cJSON_IsArray(x)) {

@@ -339,7 +339,7 @@ static enum cr_err substitute(const struct cr_model_lib *lib, const struct cr_mo
         return code;
     }
     double top = q->dims.height;
-    /* the top cells of the body are not whole ones: the roof and all above it are one end */
+    /* The top cells of the body are not whole: the roof and all above the roof are one end. */
     const double z[2] = {height_of(&stretch, top, q->z_lo), height_of(&stretch, top, q->z_hi)};
     pthread_mutex_lock(&lib->cache->lock);
     code = plan_of(r, &lib->cache->kept[q->type], z, &scratch, &plan, err);

@@ -209,7 +209,7 @@ static void print_values(const struct pen *p) {
 
 /* ---- axes ---- */
 
-/* decimals with which all values of an axis stand where they are, to a hundredth of a step */
+/* decimals with which all values of an axis stand where they are, to a fiftieth of a step */
 static int digits_of(const double *at, int n) {
     double gap = n > 1 ? (at[n - 1] - at[0]) / (n - 1) : fabs(at[0]);
     for (int digits = 0; digits < 5; digits++) {
@@ -217,7 +217,7 @@ static int digits_of(const double *at, int n) {
         for (int i = 0; i < n; i++) {
             off = fmax(off, fabs(round(at[i] * scale) / scale - at[i]));
         }
-        if (off <= 0.01 * gap) {
+        if (off <= 0.02 * gap) {
             return digits;
         }
     }

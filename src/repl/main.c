@@ -134,7 +134,7 @@ static void greet(struct cr_session *s, const char *state_dir) {
     (void)s;
 }
 
-int cr_repl_main(int argc, char **argv, const char *data_dir,
+int cr_repl_main(int argc, char **argv, const char *data_dir, const char *cars_dir,
                  enum cr_err (*report)(const struct cr_report_order *order, struct cr_error *err)) {
     struct cr_repl_options o;
     struct cr_error err;
@@ -144,14 +144,14 @@ int cr_repl_main(int argc, char **argv, const char *data_dir,
     if (status != 0) {
         return status;
     }
-    bool tty = isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
-    bool prompt = tty && (o.prompt || o.sources == 0);
+    bool prompt = isatty(STDIN_FILENO) && isatty(STDOUT_FILENO) && (o.prompt || o.sources == 0);
     struct cr_terminal t = {.progress = isatty(STDERR_FILENO) != 0};
     int max_seconds = o.max_seconds > 0 || prompt ? o.max_seconds : CR_MAX_SECONDS;
     if (prompt) {
         cr_repl_state_dir(state_dir, sizeof state_dir);
     }
     struct cr_session_opts opts = {.data_dir = data_dir,
+                                   .cars_dir = cars_dir,
                                    .state_dir = state_dir[0] != '\0' ? state_dir : NULL,
                                    .ask = prompt,
                                    .max_seconds = max_seconds,

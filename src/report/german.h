@@ -146,9 +146,9 @@ static const struct {
     {"Risk functions, SHA-256", "Risikofunktionen, SHA-256"},
     {"Scene", "Szene"},
     {"Scene, SHA-256", "Szene, SHA-256"},
-    {"Seen from above, to scale; x to the east, y to the north, in m. Colours show the "
+    {"Seen from above, to scale; x to the east, y to the north. Colours show the "
      "EES of a face that is crushed down to that voxel.",
-     "Draufsicht, maßstäblich; x nach Osten, y nach Norden, in m. Die Farben zeigen "
+     "Draufsicht, maßstäblich; x nach Osten, y nach Norden. Die Farben zeigen "
      "die EES einer Seite, die bis zu diesem Voxel eingedrückt ist."},
     {"Setting", "Einstellung"},
     {"Source: Breitlauch et al., A novel method for the automated simulation of various "

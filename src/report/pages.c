@@ -41,9 +41,13 @@ static bool new_page(struct layout *l) {
     return true;
 }
 
+static double bottom(const struct layout *l) {
+    return l->h - MARGIN - FOOT + 18;
+}
+
 /* a new page unless so much room is left */
 static bool need(struct layout *l, double h) {
-    return l->y + h <= l->h - MARGIN - FOOT + 18 || new_page(l);
+    return l->y + h <= bottom(l) || new_page(l);
 }
 
 /* ---- lines ---- */
@@ -221,12 +225,18 @@ static double figure_scale(const struct layout *l, const struct cr_block *b) {
     return fmin(1, fmin(inner(l) / cr_canvas_w(b->figure), most / cr_canvas_h(b->figure)));
 }
 
+/* the least of that at which its words can still be read */
+static double least_height(const struct layout *l, const struct cr_block *b) {
+    return 0.8 * figure_scale(l, b) * cr_canvas_h(b->figure) + CAPTION;
+}
+
 static void figure(struct layout *l, const struct cr_block *b) {
     struct cr_type_face face = {.size = 8.5, .ink = INK_DIM};
-    double k = figure_scale(l, b), h = k * cr_canvas_h(b->figure);
-    if (!need(l, h + CAPTION)) {
+    if (!need(l, least_height(l, b))) {
         return;
     }
+    double left = bottom(l) - l->y - CAPTION, high = cr_canvas_h(b->figure);
+    double k = fmin(figure_scale(l, b), left / high), h = k * high;
     cr_canvas_place(page(l), b->figure, MARGIN, l->y, k);
     l->y += h;
     struct cr_block caption = {.kind = CR_BLOCK_TEXT, .text = b->text};
@@ -255,9 +265,11 @@ static double with_first(const struct layout *l, int block) {
         return 4 + (b->rows > 0 ? row_height(b, 0, w) : 0) +
                (b->rows > 1 ? row_height(b, 1, w) : 0);
     case CR_BLOCK_FIGURE:
-        return figure_scale(l, b) * cr_canvas_h(b->figure) + CAPTION;
-    default:
-        return 40;
+        return least_height(l, b);
+    default: { /* a text stays with the figure that it is about */
+        bool figure = block + 1 < l->doc->blocks && b[1].kind == CR_BLOCK_FIGURE;
+        return 40 + (figure ? least_height(l, b + 1) : 0);
+    }
     }
 }
 

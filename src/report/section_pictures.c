@@ -52,7 +52,7 @@ enum cr_err cr_section_pictures(struct cr_paper *p, struct cr_error *err) {
     enum cr_err code = CR_ERR_OK;
     cr_doc_add(p->doc, CR_BLOCK_HEADING, W(p, "5 The crash in pictures"));
     cr_doc_add(p->doc, CR_BLOCK_TEXT,
-               W(p, "Seen from above, to scale; x to the east, y to the north, in m. Colours show "
+               W(p, "Seen from above, to scale; x to the east, y to the north. Colours show "
                     "the EES of a face that is crushed down to that voxel."));
     for (size_t i = 0; i < sizeof all / sizeof all[0] && code == CR_ERR_OK; i++) {
         code = draw(p, all[i].picture, &source, W(p, all[i].caption), err);

@@ -4,6 +4,7 @@
 #include "base/str.h"
 #include "base/units.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,9 +16,43 @@ static const char *unit_of(const char *head) {
     return cr_units_shown(CR_UNITS_US, unit, NULL, NULL) != unit ? unit : NULL;
 }
 
-/* a cell that is nothing but a number, in the unit of its row or column */
-static const char *number(struct cr_document *doc, const char *cell, const char *unit) {
+/* Converts a number with so many decimals; one that was put in is exact to four digits at least,
+ * however few it was typed with. */
+static double convert(const char *unit, double x, bool input, int *decimals) {
+    cr_units_shown(CR_UNITS_US, unit, &x, decimals);
+    int least = input && x != 0 ? 3 - (int)floor(log10(fabs(x))) : 0;
+    *decimals = *decimals > least ? *decimals : least;
+    return x;
+}
+
+/* "[2.3,0.7]": the commas separate in every language */
+static const char *list(struct cr_document *doc, const char *cell, const char *unit, bool input) {
+    struct cr_str out = {0};
+    for (const char *p = cell; *p != '\0';) {
+        char *end;
+        double x = strtod(p, &end);
+        if (end == p) {
+            cr_str_addn(&out, p++, 1);
+            continue;
+        }
+        const char *point = memchr(p, '.', (size_t)(end - p));
+        int decimals = point != NULL ? (int)(end - point - 1) : 0;
+        x = convert(unit, x, input, &decimals);
+        cr_str_addf(&out, "%.*f", decimals, x);
+        p = end;
+    }
+    doc->failed = doc->failed || out.failed;
+    const char *kept = cr_doc_keep(doc, cr_str_get(&out));
+    cr_str_fini(&out);
+    return kept;
+}
+
+/* a cell that is nothing but a number or a list, in the unit of its row or column */
+static const char *number(struct cr_document *doc, const char *cell, const char *unit, bool input) {
     char plain[64], *end;
+    if (cell[0] == '[') {
+        return list(doc, cell, unit, input);
+    }
     snprintf(plain, sizeof plain, "%.60s", cell);
     char *comma = doc->comma ? strchr(plain, ',') : NULL;
     if (comma != NULL) {
@@ -29,7 +64,7 @@ static const char *number(struct cr_document *doc, const char *cell, const char 
     }
     const char *point = strchr(plain, '.');
     int decimals = point != NULL ? (int)strlen(point + 1) : 0;
-    cr_units_shown(CR_UNITS_US, unit, &x, &decimals);
+    x = convert(unit, x, input, &decimals);
     return cr_doc_text(doc, "%.*f", decimals, x);
 }
 
@@ -53,9 +88,11 @@ static const char *head(struct cr_document *doc, const char *text, const char *u
 static void row(struct cr_document *doc, const struct cr_block *b, struct cr_doc_row *r,
                 const struct cr_doc_row *top, const char *unit_head) {
     const char *of_row = r->cell[0] != NULL ? unit_of(r->cell[0]) : NULL;
+    bool input = false;
     for (int i = 0; i < b->columns && of_row == NULL; i++) { /* a column of units */
         if (top->cell[i] != NULL && strcmp(top->cell[i], unit_head) == 0 && r->cell[i] != NULL) {
             of_row = unit_of(r->cell[i]);
+            input = true;
             r->cell[i] = cr_units_shown(CR_UNITS_US, r->cell[i], NULL, NULL);
         }
     }
@@ -63,7 +100,7 @@ static void row(struct cr_document *doc, const struct cr_block *b, struct cr_doc
         const char *unit = top->cell[i] != NULL ? unit_of(top->cell[i]) : NULL;
         unit = unit != NULL ? unit : i > 0 ? of_row : NULL;
         if (r->cell[i] != NULL && unit != NULL) {
-            r->cell[i] = number(doc, r->cell[i], unit);
+            r->cell[i] = number(doc, r->cell[i], unit, input);
         }
         if (r->cell[i] != NULL) {
             r->cell[i] = words(doc, r->cell[i]);

@@ -71,6 +71,11 @@ static const struct {
      "% und % streifen einander (% kJ Reibung, % kJ Verformung): die EES stimmt bestenfalls auf 20 "
      "%; "
      "mit halbem Voxel vergleichen"},
+    {"% and % rub against each other for % s from % s on: that is no crash pulse, and what their "
+     "tyres do in that time is in its delta-v",
+     "% und % reiben % s lang aneinander, von % s an: das ist kein Kollisionspuls, und was die "
+     "Reifen "
+     "in dieser Zeit tun, steckt in seinem Delta-v"},
     {"%: % g in a plastic phase of % ms is no crash pulse: take its delta-v, not its "
      "accelerations",
      "%: % g in einer plastischen Phase von % ms ist kein Kollisionspuls: Delta-v verwenden, "

@@ -163,12 +163,12 @@ static void put_contacts(const struct cr_result *r, cJSON *json) {
         cr_tree_text(one, "a", r->resolved.part[c->a].id);
         cr_tree_text(one, "b", r->resolved.part[c->b].id);
         cr_json_put(one, "begin_s", c->t_begin);
-        /* what still rubs when all has come to rest has parted */
-        bool open = c->stop == CR_STOP_NONE && !r->solution->interrupted;
-        double end = r->solution->t[r->solution->samples - 1];
-        cr_json_put(one, "plastic_end_s", open ? end : c->t_plastic_end);
-        cr_json_put(one, "elastic_end_s", open ? end : c->t_elastic_end);
-        cr_json_put(one, "end_s", open ? end : c->t_end);
+        /* what still rubs, or springs back, when all has come to rest has parted */
+        bool closed = !r->solution->interrupted, open = c->stop == CR_STOP_NONE && closed;
+        double end = closed ? r->solution->t[r->solution->samples - 1] : (double)NAN;
+        cr_json_put(one, "plastic_end_s", isfinite(c->t_plastic_end) ? c->t_plastic_end : end);
+        cr_json_put(one, "elastic_end_s", isfinite(c->t_elastic_end) ? c->t_elastic_end : end);
+        cr_json_put(one, "end_s", isfinite(c->t_end) ? c->t_end : end);
         cr_tree_text(one, "stop", cr_stop_word(open ? CR_STOP_SEPARATION : c->stop));
         cr_json_put(one, "closing_kmh", cr_kmh(c->closing));
         cr_json_put(one, "restitution", c->restitution);

@@ -8,6 +8,9 @@
 
 /* a plastic phase shorter than this with more than that is no crash pulse, s and m/s2 */
 static const double spike_time = 0.015, spike_acceleration = 60 * CR_G;
+/* A crash pulse lasts 0.05 to 0.25 s; bodies that press on each other for longer than this rub
+ * while they roll on side by side, s (our choice). */
+static const double rubs_time = 0.5;
 /* share of the energy outside the contact from which its split is more model than measurement */
 static const double much_induced = 0.5;
 /* Friction by the deformation from which a crash grazes. Of 240 random crashes, solved again with
@@ -132,8 +135,20 @@ static void check_grazing(struct cr_result *r, const struct cr_impact *k) {
     }
 }
 
+static void check_rubbing(struct cr_result *r, const struct cr_impact *k) {
+    double pulse = fmax(k->of[0].pulse, k->of[1].pulse);
+    if (pulse > rubs_time) {
+        cr_result_warn(
+            r, "rubbing",
+            "%s and %s rub against each other for %.1f s from %.2f s on: that is no crash "
+            "pulse, and what their tyres do in that time is in its delta-v",
+            r->resolved.part[k->body[0]].id, r->resolved.part[k->body[1]].id, pulse, k->t_begin);
+    }
+}
+
 static void check_impact(struct cr_result *r, const struct cr_impact *k) {
     check_through(r, k);
+    check_rubbing(r, k);
     check_grazing(r, k);
     double left = approach_at_end(r, k);
     if (k->stop == CR_STOP_NO_OVERLAP && left > still_approaching) {

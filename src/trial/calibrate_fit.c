@@ -71,7 +71,7 @@ void cr_calibration_fini(struct cr_calibration_data *data) {
     *data = (struct cr_calibration_data){.tests = {0}};
 }
 
-/* solve test i of a set as a vehicle of the type; what comes out goes to f->sim */
+/* Solves test i of a set as a vehicle of the type; the result goes to f->sim. */
 static enum cr_err solve(const struct cr_calibration *f, const struct cr_test_set *of, int i,
                          enum cr_type type, struct cr_error *err) {
     const struct cr_test *t = of->item[i];
@@ -221,7 +221,7 @@ static double median_of(const struct cr_calibration *f, int what) {
     return cr_stats_median(value, n);
 }
 
-/* slope of what a pole drags along, from its depth and the area that it damages */
+/* Slope of the material that a pole drags along, from its depth and the damaged area. */
 static double slope_from(double depth, double area) {
     return depth * depth / (area - pole_width * depth);
 }
@@ -334,7 +334,7 @@ void cr_calibration_drop(struct cr_calibration *f) {
     free(f->own[1]);
 }
 
-/* room for what the tests come to; to be dropped also after an error */
+/* Room for the results of the tests; the caller frees it also after an error. */
 enum cr_err cr_calibration_take(struct cr_calibration *f, struct cr_error *err) {
     double **const array[] = {&f->sim[0], &f->sim[1], &f->sim[2], &f->own[0], &f->own[1]};
     enum cr_err code = CR_ERR_OK;

@@ -85,8 +85,8 @@ static void add_calibration(const struct cr_calibration_fit fit[2], struct cr_st
              cr_test_pole_area);
     add_fit(&fit[1], "side", side, out);
     cr_str_add(out, ",\n    \"rear\": { \"basis\": \"assumption\", \"tests\": 0, \"borrowed\": 0,\n"
-                    "      \"source\": \"one curve for all types, chosen with 72 cars struck from "
-                    "behind in view (NHTSA CISS, recorders)\" }\n  }");
+                    "      \"source\": \"one curve for all types, chosen with 81 cars struck from "
+                    "behind in view (NHTSA CISS, recorders; FMVSS 301)\" }\n  }");
 }
 
 enum cr_err cr_calibration_write(const char *recipe, const struct cr_model_face face[CR_MODEL_ENDS],

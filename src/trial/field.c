@@ -18,25 +18,68 @@ const char *cr_field_kind_word(enum cr_field_kind kind) {
     return kinds[kind];
 }
 
+static struct cr_crush_case case_of(const struct cr_field_row *row, bool guess) {
+    struct cr_crush_case what = row->what;
+    if (guess && what.n == 2) {
+        what.car[1].m.length = what.car[1].m.direct = what.car[1].m.direct_offset = NAN;
+        what.car[1].m.offset = 0;
+        cr_crush_guess(&what.car[0].m, what.car[1].p, &what.car[1].m);
+    }
+    return what;
+}
+
 void cr_field_evaluate(struct cr_field_table *field, const struct cr_crush_rules *rules, bool folds,
                        bool guess) {
     for (int i = 0; i < field->n; i++) {
         struct cr_field_row *row = &field->row[i];
         const struct cr_crush_rules *by = &rules[folds ? row->fold : 0];
+        const struct cr_crush_case what = case_of(row, guess);
         struct cr_crush_impact impact;
-        struct cr_crush_case what = row->what;
-        if (guess && what.n == 2) {
-            what.car[1].m.length = what.car[1].m.direct = what.car[1].m.direct_offset = NAN;
-            what.car[1].m.offset = 0;
-            cr_crush_guess(&what.car[0].m, what.car[1].p, &what.car[1].m);
-        }
         cr_crush_best(&what, by, &impact);
         const struct cr_crush_part *own = &impact.part[0];
         double forward = own->of[CR_DAMAGE_FORWARD].best, right = -own->of[CR_DAMAGE_LEFT].best;
         /* a front's recorder counts what braking takes meanwhile */
         forward -= row->what.car[0].m.face == CR_FACE_FRONT ? by->drag : 0;
         row->value = hypot(isnan(row->forward) ? 0 : forward, isnan(row->right) ? 0 : right);
+        row->lo = row->hi = NAN;
     }
+}
+
+void cr_field_spread(struct cr_field_table *field, const struct cr_crush_rules *rules, bool folds) {
+    for (int i = 0; i < field->n; i++) {
+        struct cr_field_row *row = &field->row[i];
+        struct cr_crush_case what = row->what;
+        struct cr_crush_impact impact;
+        if (cr_crush_solve(&what, &rules[folds ? row->fold : 0], &impact, NULL) == CR_ERR_OK) {
+            const struct cr_crush_value *v = &impact.part[0].of[CR_DAMAGE_DELTA_V];
+            row->lo = row->value * v->lo / v->best;
+            row->hi = row->value * v->hi / v->best;
+        }
+    }
+}
+
+/* less of a front's width than this is an offset */
+static const double offset_width = 0.6;
+
+static bool is_of_kind(const struct cr_field_row *row, int kind) {
+    const struct cr_crush_car *car = &row->what.car[0];
+    if (kind == CR_FIELD_OFFSET) {
+        return car->m.face == CR_FACE_FRONT && car->m.direct < offset_width * car->p->width;
+    }
+    return kind < 0 || (int)row->kind == kind;
+}
+
+double cr_field_inside(const struct cr_field_table *field, int kind, double noise) {
+    int n = 0, inside = 0;
+    for (int i = 0; i < field->n; i++) {
+        const struct cr_field_row *row = &field->row[i];
+        if (is_of_kind(row, kind) && row->hi > row->value) {
+            double half = hypot(log(row->hi / row->value), 1.96 * noise);
+            n++;
+            inside += fabs(log(row->measured / row->value)) <= half;
+        }
+    }
+    return n > 0 ? (double)inside / n : (double)NAN;
 }
 
 static void collect(struct cr_field_stats *s, const double *value, const double *reference,
@@ -49,17 +92,6 @@ static void collect(struct cr_field_stats *s, const double *value, const double 
     }
     s->log_sd = cr_stats_sd(scratch, s->n);
     s->median = 100 * (exp(cr_stats_median(scratch, s->n)) - 1);
-}
-
-/* less of a front's width than this is an offset */
-static const double offset_width = 0.6;
-
-static bool is_of_kind(const struct cr_field_row *row, int kind) {
-    const struct cr_crush_car *car = &row->what.car[0];
-    if (kind == CR_FIELD_OFFSET) {
-        return car->m.face == CR_FACE_FRONT && car->m.direct < offset_width * car->p->width;
-    }
-    return kind < 0 || (int)row->kind == kind;
 }
 
 enum cr_err cr_field_result(const struct cr_field_table *field, int kind, int type,

@@ -47,6 +47,7 @@ struct cr_field_row {
     double smash_forward, smash_right;
     double measured, winsmash; /* over the directions recorded, m/s; winsmash NaN: none */
     double value;              /* of damage, likewise; NaN: not evaluated */
+    double lo, hi;             /* its interval; NaN: none */
 };
 
 struct cr_field_table {
@@ -71,6 +72,11 @@ void cr_field_fini(struct cr_field_table *field);
  * guess: as if nothing had been measured of the partners. */
 void cr_field_evaluate(struct cr_field_table *field, const struct cr_crush_rules *rules, bool folds,
                        bool guess);
+
+/* The intervals of the values, which it does not compute; and the share of the recorders of a kind
+ * that lie within them, widened by the recorder's noise (NaN: there are none). */
+void cr_field_spread(struct cr_field_table *field, const struct cr_crush_rules *rules, bool folds);
+double cr_field_inside(const struct cr_field_table *field, int kind, double noise);
 
 struct cr_field_stats {
     int n;

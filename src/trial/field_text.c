@@ -117,6 +117,10 @@ enum cr_err cr_field_text(const struct cr_field_table *field, const struct cr_fi
         "%.1f km/h\n  of braking. A recorder's own noise is about %.0f %%: no model can be "
         "judged finer per car.\n",
         cr_kmh(rules->drag), 100 * rules->noise);
+    if (!form->guess) {
+        cr_str_addf(out, "  The intervals of 95 %% hold %.0f %% of the recorders.\n",
+                    100 * cr_field_inside(field, -1, rules->noise));
+    }
     if (form->plot) {
         say_plot(field, out);
     }
@@ -165,6 +169,8 @@ static cJSON *row_json(const struct cr_field_row *r) {
     cr_tree_text(o, "face", cr_crush_face_word(r->what.car[0].m.face));
     cr_tree_put(o, "recorder_kmh", number(cr_kmh(r->measured)));
     cr_tree_put(o, "damage_kmh", number(cr_kmh(r->value)));
+    cr_tree_put(o, "damage_low_kmh", number(cr_kmh(r->lo)));
+    cr_tree_put(o, "damage_high_kmh", number(cr_kmh(r->hi)));
     cr_tree_put(o, "winsmash_kmh", number(cr_kmh(r->winsmash)));
     return o;
 }
@@ -179,6 +185,8 @@ enum cr_err cr_field_json(const struct cr_field_table *field, const struct cr_fi
     cr_tree_bool(root, "partners_guessed", form->guess);
     cr_tree_number(root, "left_out_by_filter", field->dropped);
     cr_tree_number(root, "recorder_noise_percent", 100 * rules->noise);
+    cr_tree_put(root, "inside_interval_percent",
+                number(100 * cr_field_inside(field, -1, rules->noise)));
     cJSON *rows = cr_tree_array(root, "rows");
     for (int i = 0; i < field->n; i++) {
         cr_tree_push(rows, row_json(&field->row[i]));

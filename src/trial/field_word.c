@@ -59,6 +59,9 @@ enum cr_err cr_field_validate(const struct cr_field_task *task, struct cr_str *o
                                            .crossed = shipped,
                                            .title = shipped ? "NHTSA CISS" : task->path};
         cr_field_evaluate(&field, shipped ? folds : &rules, shipped, task->guess);
+        if (!task->guess) {
+            cr_field_spread(&field, shipped ? folds : &rules, shipped);
+        }
         code = write_form(&field, task, &form, &rules, out, err);
     }
     if (code == CR_ERR_OK && task->picture != NULL) {

@@ -15,6 +15,7 @@ const char *cr_tui_refusal(void);
 /* How it begins. */
 struct cr_tui_start {
     const char *data_dir;  /* folder of models/ and share/, "" if there is none */
+    const char *cars_dir;  /* folder of the user's own tables of cars, "" if there is none */
     const char *state_dir; /* folder of history and autosave, "" if there is none */
     bool ascii;
     const char *color;              /* "never": none; else what the terminal has */

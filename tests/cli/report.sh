@@ -183,6 +183,14 @@ run report "$tmp/expect.json" --draws=0 --no-tests -o "$tmp/expect.html"
 has "what is no measure is told" "$(cat "$tmp/expect.html")" \
     'class="warning">What the scene says was measured .x_expect. was not compared: .*colour'
 
+# ---- US units: 4.2 m are 13.78 ft, 0.9165 m 3.0069 ft, 50 km/h 31.07 mph ----
+
+run report "$SRC/share/scenes/offset-car.json" --draws=0 --no-tests --units=us -o "$tmp/us.html"
+has "a list is converted like its unit" "$(cat "$tmp/us.html")" \
+    '<td>position_m</td><td>.13\.78,3\.0069.</td><td>ft</td>'
+has "an input keeps four digits" "$(cat "$tmp/us.html")" \
+    '<td>speed_kmh</td><td>31\.07</td><td>mph</td>'
+
 # ---- at the prompt ----
 
 type_scene="vehicle A type=compact mass=1400kg speed=50km/h; object W kind=wall;

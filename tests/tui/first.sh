@@ -35,7 +35,7 @@ shows "as a sheet" "lines, PgUp PgDn; Esc closes"
 keys Escape
 gone "which goes" "Esc closes"
 keys "vehicle new" Enter
-shows "what to type is told as it is typed" "needs a type. type=super-compact"
+shows "what to type is told as it is typed" "needs a type. type=sedan"
 keys C-c "quit!" Enter
 shows "and it ends" "^status 0"
 

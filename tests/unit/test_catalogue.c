@@ -232,6 +232,7 @@ static void inertia_is_that_of_measured_vehicles(void **state) {
 
 /* [CG-HEIGHT], [TRACK-MASS]: against those of the catalogue, which the rules were not made of */
 static void heights_and_tracks_are_those_of_measured_cars(void **state) {
+    int types = 0;
     (void)state;
     for (int t = 0; t < CR_TYPES; t++) {
         struct errors height = {0}, track = {0};
@@ -243,9 +244,13 @@ static void heights_and_tracks_are_those_of_measured_cars(void **state) {
                 count(&track, p.track, car->track);
             }
         }
-        check_errors(&height, "CG height", 5, 0.05, 0.07);
-        check_errors(&track, "track", 9, 0.05, 0.05);
+        if (track.n > 0) { /* a type of cars in the table */
+            check_errors(&height, "CG height", 5, 0.05, 0.07);
+            check_errors(&track, "track", 9, 0.05, 0.05);
+            types++;
+        }
     }
+    assert_true(types >= 6);
 }
 
 int main(void) {

@@ -331,12 +331,15 @@ static void doubts_are_named(void **state) {
     assert_int_equal(has("induced"), 1);
     assert_int_equal(has("through"), 0);
     assert_int_equal(has("grazing"), 0);
+    assert_int_equal(has("rubbing"), 0);
+    k->of[1].pulse = 0.6;
     k->friction = 0.51 * (k->of[0].energy + k->of[1].energy);
     k->of[0].face = CR_FACE_FRONT;
     k->of[0].face_depth_dynamic = 3.9;
     cr_result_quality(result, NULL);
     assert_int_equal(has("through"), 1);
     assert_int_equal(has("grazing"), 1);
+    assert_int_equal(has("rubbing"), 1);
 
     make(); /* the second car drives on into the first one's place */
     touch(0, t_contact, 100, cr_vec2(mass_kg * 1, 0), 0);

@@ -1,6 +1,6 @@
 # the full screen in a terminal
-tui_checks = tests/tui/busy.sh tests/tui/edit.sh tests/tui/ends.sh \
-	tests/tui/monkey.sh tests/tui/screen.sh
+tui_checks = tests/tui/busy.sh tests/tui/edit.sh tests/tui/ends.sh tests/tui/first.sh \
+	tests/tui/lessons.sh tests/tui/monkey.sh tests/tui/screen.sh
 TESTS += $(tui_checks)
 EXTRA_DIST += $(tui_checks) tests/tui/tui.sh tests/tui/monkey.py
 # unit tests of src/tui
@@ -52,6 +52,8 @@ tui_golden = tests/golden/tui/compared-100x30.txt \
 	tests/golden/tui/interrupted-80x24.txt \
 	tests/golden/tui/swept-80x24.txt \
 	tests/golden/tui/other.json \
+	tests/golden/tui/lesson-80x24.txt \
+	tests/golden/tui/lesson-200x50.txt \
 	tests/golden/tui/compare-80x24.txt \
 	tests/golden/tui/compare-200x50.txt \
 	tests/golden/tui/frame-80x24-dark.txt \
