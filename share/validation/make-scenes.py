@@ -154,7 +154,7 @@ def side_mdb():
                     {"T": {"face_depth_m": 0.207, "deformation_area_m2": 0.311}},
                     vehicle("T", type, mass, length_m=length, width_m=width, wheelbase_m=base),
                     {"id": "M", "kind": "object", "shape": "barrier", "barrier": "fmvss214",
-                     "position_m": [round(ahead - 0.838 + 0.01, 3), round(width / 2 + 2.25, 3)],
+                     "position_m": [round(ahead - 0.838 + 0.02, 3), round(width / 2 + 2.27, 3)],
                      "heading_deg": -90, "course_deg": -117, "speed_kmh": 61.9})
 
 

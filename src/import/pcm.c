@@ -4,6 +4,8 @@
 
 #include "import/import_priv.h"
 
+#include <string.h>
+
 #if HAVE_SQLITE3
 #include "base/csv.h"
 #include "import/pcm_csv.h"
@@ -13,7 +15,6 @@
 #include <sqlite3.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* Columns by their names in version 5 and before. X(NAME, table, v5, before, needed) */
 #define PCM_COLUMNS(X)                                                                             \
