@@ -25,6 +25,18 @@ static enum cr_err io_error(struct cr_error *err, const char *path, const char *
 
 /* ---- reading ---- */
 
+/* What is endless is refused: bytes of a device as soon as they are seen not to be text. */
+static enum cr_err endless(const char *buf, size_t used, const char *path, struct cr_error *err) {
+    enum cr_err code = CR_ERR_OK;
+    if (memchr(buf, '\0', used) != NULL) {
+        code = cr_err_set(err, CR_ERR_IO, "this is no text, it has NUL bytes");
+    } else if (used >= (size_t)CR_FILE_MAX_MB << 20) {
+        code = cr_err_set(err, CR_ERR_IO, "more than %d MB", CR_FILE_MAX_MB);
+    }
+    cr_err_place(err, path, 0, 0);
+    return code;
+}
+
 static enum cr_err read_all(int fd, const char *path, char **text, size_t *len,
                             struct cr_error *err) {
     size_t size = 1 << 16, used = 0;
@@ -44,10 +56,10 @@ static enum cr_err read_all(int fd, const char *path, char **text, size_t *len,
         }
         used += (size_t)n;
         if (used == size) {
-            if (size >= (size_t)CR_FILE_MAX_MB << 20) {
+            enum cr_err code = endless(buf, used, path, err);
+            if (code != CR_ERR_OK) {
                 free(buf);
-                errno = EFBIG;
-                return io_error(err, path, "read");
+                return code;
             }
             char *more = realloc(buf, 2 * size + 1);
             if (more == NULL) {

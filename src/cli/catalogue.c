@@ -209,5 +209,6 @@ int cr_cli_catalogue(int argc, char **argv) {
     if (status >= 0) {
         return status;
     }
+    cr_cli_catch();
     return choose(argv + 1, operands, format, path, &err) == CR_ERR_OK ? 0 : cr_cli_fail(&err);
 }

@@ -24,6 +24,7 @@ struct bytes {
     unsigned char piece[1 << 16];
     size_t from, to;
     bool end, stopped; /* stopped: by who was asked */
+    bool binary;       /* a NUL byte comes next: there are no scenes in what follows */
     int error;         /* errno of a read that failed */
 };
 
@@ -137,14 +138,17 @@ static bool fill(struct cr_feed *f) {
     struct pollfd fd = {.fd = in->fd, .events = POLLIN};
     while (!in->end) {
         in->stopped = f->cancel != NULL && f->cancel(f->user) != 0;
-        in->end = in->stopped;
+        in->end = in->stopped || in->binary;
         if (!in->end && poll(&fd, 1, POLL_MS) != 0) {
             ssize_t n = read(in->fd, in->piece, sizeof in->piece);
             in->error = n < 0 && errno != EINTR && errno != EAGAIN ? errno : 0;
             in->end = n == 0 || in->error != 0;
             in->from = 0;
             in->to = n > 0 ? (size_t)n : 0;
-            if (n > 0) {
+            const unsigned char *nul = memchr(in->piece, '\0', in->to);
+            in->binary = nul != NULL;
+            in->to = nul != NULL ? (size_t)(nul - in->piece) : in->to;
+            if (in->to > 0) {
                 return true;
             }
         }
@@ -153,7 +157,7 @@ static bool fill(struct cr_feed *f) {
 }
 
 static bool broken(const struct cr_feed *f) {
-    return f->in.error != 0 || f->in.stopped;
+    return f->in.error != 0 || f->in.stopped || (f->in.binary && f->in.end);
 }
 
 /* next character, counting lines; EOF also for an error of the file */
@@ -406,9 +410,9 @@ static bool end_array(struct cr_feed *f, int c, struct cr_feed_item *out) {
         text = skip_blanks(f) == EOF ? NULL : "text after the end of the array";
     }
     int line = f->line;
-    while (next_char(f) != EOF) {
-    }
     f->given = -1;
+    f->in.end = true;
+    f->in.from = f->in.to;
     if (text == NULL || broken(f)) {
         return false;
     }
@@ -465,6 +469,12 @@ bool cr_feed_next(struct cr_feed *f, struct cr_feed_item *out) {
         }
         if (f->open && f->in.error != 0) {
             cannot(out, f->src, "read", f->in.error);
+            close_file(f);
+            return true;
+        }
+        if (f->open && f->in.binary && f->given >= 0) {
+            fault(out, f->src, CR_ERR_SYNTAX, "a NUL byte: this is no text", NULL);
+            cr_err_place(&out->fault, f->src, f->line, 0);
             close_file(f);
             return true;
         }

@@ -5,6 +5,8 @@
 #include "cli/part.h"
 #include "cli/sink.h"
 
+#include "base/file.h"
+
 #include <cjson/cJSON.h>
 #include <errno.h>
 #include <stdio.h>
@@ -87,10 +89,11 @@ static enum cr_err cannot(const char *what, const char *path, struct cr_error *e
 
 static enum cr_err index_part(struct merge *m, int i, struct cr_error *err) {
     struct entry e = {.file = i};
-    enum cr_err code = CR_ERR_OK;
-    m->file[i] = fopen(m->path[i], "r");
+    /* it is read twice */
+    enum cr_err code = cr_file_check_regular(m->path[i], err);
+    m->file[i] = code == CR_ERR_OK ? fopen(m->path[i], "r") : NULL;
     if (m->file[i] == NULL) {
-        return cannot("open", m->path[i], err);
+        return code == CR_ERR_OK ? cannot("open", m->path[i], err) : code;
     }
     long number = 0;
     for (ssize_t n; code == CR_ERR_OK && (n = getline(&m->line, &m->line_size, m->file[i])) > 0;) {

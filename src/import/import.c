@@ -79,9 +79,14 @@ static enum cr_err read_map(const char *path, cJSON **map, struct cr_error *err)
 /* ---- the file ---- */
 
 static enum cr_err io_fault(const char *shown, const char *what, struct cr_error *err) {
-    cr_err_set(err, CR_ERR_IO, "cannot %s: %s", what, strerror(errno));
+    enum cr_err code = errno == EINTR ? CR_ERR_INTERRUPTED : CR_ERR_IO;
+    if (code == CR_ERR_INTERRUPTED) {
+        cr_err_set(err, code, "interrupted");
+    } else {
+        cr_err_set(err, code, "cannot %s: %s", what, strerror(errno));
+    }
     cr_err_place(err, shown, 0, 0);
-    return CR_ERR_IO;
+    return code;
 }
 
 static enum cr_err read_head(const char *path, const char *shown, struct cr_import_head *head,
@@ -231,10 +236,18 @@ static enum cr_err spool(char path[CR_TEMP_MAX], struct cr_error *err) {
         return io_fault("standard input", "make a copy of it", err);
     }
     bool done = true;
-    while (done && (n = fread(piece, 1, sizeof piece, stdin)) > 0) {
+    size_t room = (size_t)CR_FILE_MAX_MB << 20;
+    while (done && (n = fread(piece, 1, sizeof piece, stdin)) > 0 && n <= room) {
         done = fwrite(piece, 1, n, file) == n;
+        room -= n;
     }
     done = fclose(file) == 0 && done && ferror(stdin) == 0;
+    if (done && n > 0) {
+        cr_err_set(err, CR_ERR_IO, "more than %d MB", CR_FILE_MAX_MB);
+        cr_err_place(err, "standard input", 0, 0);
+        cr_err_hint(err, "name the file, which may have any size");
+        return CR_ERR_IO;
+    }
     return done ? CR_ERR_OK : io_fault("standard input", "make a copy of it", err);
 }
 

@@ -39,6 +39,16 @@ ends "a device for compare" 2 'this is a device' \
     "$crumple" -e 'load pole.json' -e solve -e 'compare /dev/zero'
 (sleep 0.2; cat pole.json) >pipe &
 ends "a pipe with a writer is a stack" 0 '"scene":"pole"' "$crumple" stack pipe
+ends "zeroes without end as a stack" 1 '"code":"syntax","message":"a NUL byte: this is no text"' \
+    "$crumple" stack /dev/zero
+ends "zeroes behind a scene" 1 '"scene":"pole",.*this is no text","where":"standard input:2:"' \
+    sh -c '(tr -d "\n" <pole.json; echo; cat /dev/zero) 2>/dev/null | "$0" stack -j 1 - | tr -d "\n"
+        exit 1' "$crumple"
+ends "zeroes without end as a scene" 2 '/dev/zero: error: this is no text, it has NUL bytes' \
+    "$crumple" run /dev/zero
+ends "lines without end behind an array" 1 'text after the end of the array' \
+    sh -c '(echo "[]"; yes) 2>/dev/null | "$0" stack -' "$crumple"
+ends "a device as the part of a stack" 2 'this is a device' "$crumple" merge /dev/zero
 mkdir -p data/share
 cp -r "$SRC/models" data/ && cp -r "$SRC/share/irf" data/share/ && chmod -R u+w data
 cp "$cases/recipe-nul-hang.json" data/models/sedan.json

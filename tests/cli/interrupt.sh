@@ -76,4 +76,6 @@ moment=0.5
 
 stopped waits run -
 same "^C while reading" "$status" 130
+stopped waits import -
+same "^C while import reads" "$status:$(cat errs)" "130:standard input: error: interrupted"
 finish

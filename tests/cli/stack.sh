@@ -173,6 +173,15 @@ report $? "a link that lies where the part goes is not followed"
 } | head -n 1 >"$tmp/out"
 same "| head ends quietly" "$(cat "$tmp/status"):$(cat "$tmp/errs")" "0:"
 
+for word in catalogue models "schema result" "validate --fast" "run --trace $demo"; do
+    {
+        # shellcheck disable=SC2086
+        "$crumple" $word 2>"$tmp/errs"
+        echo $? >"$tmp/status"
+    } | true
+    same "and so does $word" "$(cat "$tmp/status"):$(cat "$tmp/errs")" "0:"
+done
+
 # pairs
 {
     small 1 50 '"pair":"p",'
