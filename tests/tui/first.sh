@@ -10,8 +10,10 @@ keys "vehicle A speed=62" Enter
 shows "a change is told" "crash.json\*  EDITED"
 keys F2
 shows "F2 saves where it came from" "crash.json  UNSOLVED"
-keys "vehicle A speed=63" Enter F2
-shows "and again" "  crash.json: 2 participants"
+keys "vehicle A speed=63" Enter
+shows "a second change is told" "crash.json\*  EDITED"
+keys F2
+shows "and saved again" "  crash.json: 2 participants"
 gone "nothing is left to be saved" "crash.json\*"
 same "the file has it" "$(grep -c '"speed_kmh":[[:space:]]*63' crash.json)" 1
 keys "solve" Enter
