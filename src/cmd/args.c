@@ -366,8 +366,9 @@ enum cr_err cr_cmd_bind(struct cr_call *call, struct cr_error *err) {
     call->rest = call->tokens->n;
     for (int i = 1; i < call->tokens->n; i++) {
         const struct cr_token *tok = &call->tokens->tok[i];
-        bool known = tok->kind == CR_TOKEN_PAIR && find_key(call->cmd, tok->key, CR_ARG_KEY) >= 0;
-        if (rest && tok->kind != CR_TOKEN_FLAG && !known && next_position(call) < 0) {
+        bool pair = tok->kind == CR_TOKEN_PAIR;
+        bool known = pair && find_key(call->cmd, tok->key, CR_ARG_KEY) >= 0;
+        if (rest && tok->kind != CR_TOKEN_FLAG && !known && (pair || next_position(call) < 0)) {
             call->rest = call->rest < i ? call->rest : i;
             continue;
         }

@@ -307,6 +307,9 @@ static enum cr_err compare_result(struct cr_session *s, const cJSON *other, cons
 }
 
 enum cr_err cr_cmd_compare(struct cr_call *call, struct cr_error *err) {
+    if (call->rest < call->tokens->n || !cr_cmd_given(call, "FILE")) {
+        return cr_cmd_compare_evidence(call, err);
+    }
     char buf[2 * CR_PATH_MAX];
     const char *path =
         cr_session_find_file(call->s, cr_cmd_text(call, "FILE", ""), buf, sizeof buf);

@@ -306,6 +306,8 @@ enum cr_err cr_cmd_may_write(struct cr_call *call, const char *path, struct cr_e
 
 /* compare with a file of a pulse (compare.c); path is where the file was found. */
 enum cr_err cr_cmd_compare_pulse(struct cr_call *call, const char *path, struct cr_error *err);
+/* compare with evidence as it is typed (compare.c): rest.A=12,3m */
+enum cr_err cr_cmd_compare_evidence(struct cr_call *call, struct cr_error *err);
 
 #define X(name) enum cr_err cr_cmd_##name(struct cr_call *call, struct cr_error *err);
 CR_CMD_LIST(X)

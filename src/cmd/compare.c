@@ -1,10 +1,11 @@
-/* compare with a measured pulse: overlay, RMS error and ratings, by the code of crumple validate.
- */
+/* compare with a measured pulse: overlay, RMS error and ratings, by the code of crumple validate;
+ * and with evidence as it is typed. */
 #include "cmd/cmd_priv.h"
 
 #include "base/units.h"
 #include "render/render.h"
 #include "result/compare.h"
+#include "study/fit.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -153,4 +154,63 @@ enum cr_err cr_cmd_compare_pulse(struct cr_call *call, const char *path, struct 
     cr_compare_fini(&c);
     cr_signal_free(&measured);
     return code == CR_ERR_OK ? code : cr_cmd_blame(call, "FILE", code);
+}
+
+static enum cr_err read_evidence(struct cr_call *call, struct cr_fit_evidence *out,
+                                 struct cr_error *err) {
+    const struct cr_tokens *t = call->tokens;
+    enum cr_err code = CR_ERR_OK;
+    for (int i = call->rest; i < t->n && code == CR_ERR_OK; i++) {
+        const struct cr_token *tok = &t->tok[i];
+        if (cr_cmd_is_arg(call, tok) || tok->kind == CR_TOKEN_FLAG) {
+            continue;
+        }
+        call->blame = tok;
+        code = tok->kind == CR_TOKEN_PAIR
+                   ? cr_fit_add(out, &call->s->result->resolved, tok->key, tok->text, err)
+                   : cr_err_set(err, CR_ERR_SYNTAX, "'%.60s' is no EVIDENCE=VALUE", tok->text);
+    }
+    if (code == CR_ERR_OK && out->n == 0) {
+        code = cr_err_set(err, CR_ERR_MISSING, "compare needs a file or what was measured");
+    }
+    if (code == CR_ERR_MISSING || code == CR_ERR_SYNTAX) {
+        cr_err_hint(err, "for example dv.A=43km/h or rest.A=12,3m");
+    }
+    return code;
+}
+
+enum cr_err cr_cmd_compare_evidence(struct cr_call *call, struct cr_error *err) {
+    const struct cr_result *r = call->s->result;
+    struct cr_fit_evidence evidence = {.n = 0};
+    struct cr_str text = {0};
+    double found[CR_FIT_TARGETS], within = cr_cmd_number(call, "within", INFINITY), worst = 0;
+    enum cr_err code = cr_session_need_whole(call->s, err);
+    if (code == CR_ERR_OK) {
+        r = call->s->result;
+        code = read_evidence(call, &evidence, err);
+    }
+    if (code == CR_ERR_OK && cr_cmd_given(call, "FILE")) {
+        return cr_err_set(err, CR_ERR_DUPLICATE, "compare takes a file or what was measured");
+    }
+    if (code == CR_ERR_OK && evidence.to_rest && r->resolved.set.end != CR_END_REST) {
+        cr_err_set(err, CR_ERR_MISSING, "this result ends before the vehicles stand");
+        cr_err_hint(err, "set end=rest; solve");
+        code = CR_ERR_MISSING;
+    }
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    call->blame = NULL;
+    for (int k = 0; k < evidence.n; k++) {
+        const struct cr_fit_target *t = &evidence.target[k];
+        found[k] = cr_fit_found(r, t);
+        worst = fmax(worst, fabs(found[k] - t->value) / t->half);
+    }
+    cr_fit_evidence_text(&evidence, found, &text);
+    cr_session_lines(call->s, &text);
+    cr_str_fini(&text);
+    return worst > within
+               ? cr_err_set(err, CR_ERR_MISSED,
+                            "the largest error is %.1f tolerances, more than %.10g", worst, within)
+               : CR_ERR_OK;
 }

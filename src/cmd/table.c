@@ -275,10 +275,13 @@ static const struct cr_arg explain_args[] = {
 };
 
 static const struct cr_arg compare_args[] = {
-    POSITION("FILE", CR_VALUE_FILE, .words = ".json|.csv",
-             .help = "measured values, or another result"),
+    OPTION("FILE", CR_VALUE_FILE, .words = ".json|.csv",
+           .help = "measured values, or another result"),
+    REST("EVIDENCE=VALUE ...", CR_VALUE_TEXT,
+         .help = "in place of a file, as fit takes it: rest.A=12,3m, dv.B=43+-4km/h, "
+                 "crush.A=12,14,20,22,18,10cm ..."),
     KEY("within", CR_VALUE_NUMBER, .unit = "%", .lo = 0, .hi = 1000,
-        .help = "largest error of a value that passes"),
+        .help = "largest error of a value that passes; of evidence, share of its tolerance"),
     KEY("of", CR_VALUE_NAME, .help = "whose pulse, where more than one moves"),
     KEY("column", CR_VALUE_TEXT, .help = "column of the pulse; else the first beside the time"),
     KEY("axis", CR_VALUE_WORD, .words = "forward|left", .def = "forward", .help = "of the pulse"),

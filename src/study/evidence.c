@@ -161,6 +161,21 @@ enum cr_err cr_fit_add(struct cr_fit_evidence *evidence, const struct cr_scene *
     return m != NULL ? add_measure(evidence, m, part, name, value, err) : unknown(scene, name, err);
 }
 
+double cr_fit_found(const struct cr_result *r, const struct cr_fit_target *t) {
+    const struct cr_severity *s = &r->of[t->participant];
+    int n;
+    if (t->kind == CR_FIT_MEASURE) {
+        double x = cr_measure_get(&cr_measures(&n)[t->index], s);
+        bool angle = cr_measures(&n)[t->index].dim == CR_DIM_ANGLE;
+        return angle ? t->value + remainder(x - t->value, 2 * CR_PI) : x;
+    }
+    if (t->kind == CR_FIT_STATION) {
+        return s->profile[t->index];
+    }
+    const struct cr_sample *end = &r->solution->body[t->participant].rest;
+    return t->kind == CR_FIT_REST_X ? end->pos.x : end->pos.y;
+}
+
 void cr_fit_bounds(const char *key, double now, double *lo, double *hi) {
     /* about the value: half widths, absolute (SI) or of the value; else fixed bounds */
     static const struct {

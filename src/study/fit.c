@@ -36,21 +36,6 @@ static double value_at(const struct cr_study_input *in, double share) {
     return in->lo + share * (in->hi - in->lo);
 }
 
-static double found_of(const struct cr_result *r, const struct cr_fit_target *t) {
-    const struct cr_severity *s = &r->of[t->participant];
-    int n;
-    if (t->kind == CR_FIT_MEASURE) {
-        double x = cr_measure_get(&cr_measures(&n)[t->index], s);
-        bool angle = cr_measures(&n)[t->index].dim == CR_DIM_ANGLE;
-        return angle ? t->value + remainder(x - t->value, 2 * CR_PI) : x;
-    }
-    if (t->kind == CR_FIT_STATION) {
-        return s->profile[t->index];
-    }
-    const struct cr_sample *end = &r->solution->body[t->participant].rest;
-    return t->kind == CR_FIT_REST_X ? end->pos.x : end->pos.y;
-}
-
 /* residuals in standard deviations at a place; false without a result */
 static bool residuals(struct search *s, const double *x, double *found, double *out) {
     struct cr_fit *fit = s->fit;
@@ -75,7 +60,7 @@ static bool residuals(struct search *s, const double *x, double *found, double *
     s->stop = s->stop || code == CR_ERR_INTERRUPTED;
     for (int k = 0; k < fit->evidence.n; k++) {
         const struct cr_fit_target *t = &fit->evidence.target[k];
-        found[k] = code == CR_ERR_OK ? found_of(result, t) : (double)NAN;
+        found[k] = code == CR_ERR_OK ? cr_fit_found(result, t) : (double)NAN;
         out[k] = isfinite(found[k]) ? (found[k] - t->value) * z_95 / t->half : nothing;
     }
     cr_result_free(result);

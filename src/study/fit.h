@@ -30,6 +30,12 @@ struct cr_fit_evidence {
 CR_MUST_CHECK enum cr_err cr_fit_add(struct cr_fit_evidence *evidence, const struct cr_scene *scene,
                                      const char *name, const char *value, struct cr_error *err);
 
+/* What a result has of a measured number, SI; NaN where it has none. */
+double cr_fit_found(const struct cr_result *r, const struct cr_fit_target *target);
+/* Table of measured, tolerance and found; found[k] belongs to target[k]. */
+void cr_fit_evidence_text(const struct cr_fit_evidence *evidence, const double *found,
+                          struct cr_str *out);
+
 struct cr_fit_opts {
     int starts; /* local searches, from the best of a coarse look; 1..20 */
     int solves; /* most in all */

@@ -73,20 +73,24 @@ static void say_verdict(const struct cr_fit *fit, struct cr_str *out) {
     }
 }
 
+void cr_fit_evidence_text(const struct cr_fit_evidence *evidence, const double *found,
+                          struct cr_str *out) {
+    cr_str_addf(out, "%-26s %9s %9s %9s  in tolerances\n", "evidence", "measured", "+-", "found");
+    for (int k = 0; k < evidence->n; k++) {
+        const struct cr_fit_target *t = &evidence->target[k];
+        cr_str_addf(out, "  %-24s %9.*f %9.*f %9.*f  %+5.1f  %s\n", t->name, t->decimals,
+                    in_unit(t->unit, t->value), t->decimals, in_unit(t->unit, t->half), t->decimals,
+                    in_unit(t->unit, found[k]), (found[k] - t->value) / t->half, t->unit->name);
+    }
+}
+
 enum cr_err cr_fit_text(const struct cr_fit *fit, struct cr_str *out, struct cr_error *err) {
     cr_str_addf(out, "best of %d solves", fit->solves);
     cr_str_addf(out, fit->failed > 0 ? ", of which %d have no result\n" : "\n", fit->failed);
     for (int i = 0; i < fit->study.n; i++) {
         say_input(fit, i, out);
     }
-    cr_str_addf(out, "%-26s %9s %9s %9s  in tolerances\n", "evidence", "measured", "+-", "found");
-    for (int k = 0; k < fit->evidence.n; k++) {
-        const struct cr_fit_target *t = &fit->evidence.target[k];
-        cr_str_addf(out, "  %-24s %9.*f %9.*f %9.*f  %+5.1f  %s\n", t->name, t->decimals,
-                    in_unit(t->unit, t->value), t->decimals, in_unit(t->unit, t->half), t->decimals,
-                    in_unit(t->unit, fit->found[k]), (fit->found[k] - t->value) / t->half,
-                    t->unit->name);
-    }
+    cr_fit_evidence_text(&fit->evidence, fit->found, out);
     say_verdict(fit, out);
     return out->failed ? cr_err_set(err, CR_ERR_MEMORY, "no memory for the report") : CR_ERR_OK;
 }
