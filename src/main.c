@@ -115,7 +115,7 @@ static int tell_help(int argc, char **argv) {
     }
     snprintf(line, sizeof line, "help %.200s", argv[1][0] != '-' ? argv[1] : "help");
     char *commands[] = {argv[0], e, line, NULL};
-    return cr_repl_main(3, commands, cr_data_dir(data, sizeof data));
+    return cr_repl_main(3, commands, cr_data_dir(data, sizeof data), cr_expert_order);
 }
 
 static int unknown(const char *what, const char *given) {
@@ -190,7 +190,8 @@ static int interactive(int argc, char **argv, const struct cr_repl_start *start)
                                             .color = start->color,
                                             .max_seconds = start->max_seconds,
                                             .max_megabytes = start->max_megabytes,
-                                            .lines = cr_str_get(&start->lines)};
+                                            .lines = cr_str_get(&start->lines),
+                                            .report = cr_expert_order};
         return cr_tui_main(&screen);
     }
     if (why[0] != '\0') {
@@ -198,7 +199,7 @@ static int interactive(int argc, char **argv, const struct cr_repl_start *start)
     } else if (cr_repl_one_scene(argc, argv)) {
         return cr_cli_run(argc, argv); /* nobody is there to look at it */
     }
-    return cr_repl_main(argc, argv, data_dir);
+    return cr_repl_main(argc, argv, data_dir, cr_expert_order);
 }
 
 /* files, scenes, -e and what belongs to them */
@@ -210,8 +211,9 @@ static int session(int argc, char **argv) {
         cr_str_fini(&start.lines);
         return status;
     }
-    return cr_repl_one_scene(argc, argv) ? cr_cli_run(argc, argv)
-                                         : cr_repl_main(argc, argv, cr_data_dir(data, sizeof data));
+    return cr_repl_one_scene(argc, argv)
+               ? cr_cli_run(argc, argv)
+               : cr_repl_main(argc, argv, cr_data_dir(data, sizeof data), cr_expert_order);
 }
 
 int main(int argc, char **argv) {

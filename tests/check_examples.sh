@@ -127,8 +127,8 @@ programs() {
         /^```text$/ && kind != "" { file = f kind ".out"; kind = ""; next }
         /^```/ { file = "" }
         file != "" { print >file }' "$SRC/share/doc/programs.md"
-    awk '/^```json$/ { on = 1; next } /^```$/ { on = 0 } on { print }' "$SRC/share/doc/programs.md" \
-        >"$tmp/pole.json"
+    awk '/^```json$/ { on = 1; next } /^```$/ { on = 0 } on { print }' \
+        "$SRC/share/doc/programs.md" >"$tmp/pole.json"
     if [ ! -f "$BUILD/libcrumple.so" ] || "$CRUMPLE" --version | grep -q '^sanitizers: [^n]'; then
         skip "programs in C and Python" "no shared library, or one with sanitizers"
     else

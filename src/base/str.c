@@ -107,6 +107,30 @@ void cr_str_xml(struct cr_str *str, const char *text, size_t n) {
     }
 }
 
+static bool digit_at(const char *s, size_t n, size_t i) {
+    return i < n && s[i] >= '0' && s[i] <= '9';
+}
+
+void cr_decimal_comma(char *s, size_t n) {
+    for (size_t i = 1; i < n; i++) {
+        if (s[i] != '.' || !digit_at(s, n, i - 1) || !digit_at(s, n, i + 1)) {
+            continue;
+        }
+        size_t before = i - 1, after = i + 1;
+        while (before > 0 && digit_at(s, n, before - 1)) {
+            before--;
+        }
+        while (digit_at(s, n, after)) {
+            after++;
+        }
+        bool chain = (after < n && s[after] == '.' && digit_at(s, n, after + 1)) ||
+                     (before > 1 && s[before - 1] == '.' && digit_at(s, n, before - 2));
+        if (!chain) {
+            s[i] = ',';
+        }
+    }
+}
+
 void cr_str_clear(struct cr_str *str) {
     str->len = 0;
     if (str->s != NULL) {

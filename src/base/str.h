@@ -32,6 +32,9 @@ void cr_str_fini(struct cr_str *str);
 /* The text, "" while empty; valid until the next change. */
 const char *cr_str_get(const struct cr_str *str);
 
+/* 1.5 becomes 1,5 in n bytes of text; 0.1.0, which has more than one point, is no number. */
+void cr_decimal_comma(char *text, size_t n);
+
 /* Word of the list nearest to `word` in edit distance (transpositions count one), or NULL when
  * none is nearer than about a third of its length. */
 const char *cr_str_nearest(const char *word, const char *const *list, int n);

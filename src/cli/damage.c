@@ -1,6 +1,7 @@
 /* `crumple damage`: EES and delta-v out of measured deformations. */
 #include "cli/cli.h"
 #include "cli/word.h"
+#include "damage/against.h"
 #include "damage/picture.h"
 
 #include <stdio.h>
@@ -11,9 +12,8 @@
 struct options {
     int format;
     bool picture;
-    const char *out;
+    const char *out, *solved;
     struct cr_cli_look look;
-    struct cr_error *err;
 };
 
 static const char about[] =
@@ -21,69 +21,118 @@ static const char about[] =
     "energy, centre of energy and CDC, with a partner to delta-v and closing speed; every number\n"
     "with the interval that holds 95 %. See crumple(1) for the file.\n";
 
-static enum cr_err write_case(const struct cr_crush_case *what,
-                              const struct cr_crush_impact *impact,
-                              const struct cr_crush_rules *rules, const struct cr_crush_look *how,
-                              const struct options *opt, struct cr_str *text) {
-    struct cr_error *err = opt->err;
+/* all that one file takes */
+struct work {
+    const struct options *opt;
+    struct cr_cli_shared shared;
+    struct cr_crush_rules rules;
+    struct cr_crush_file measured;
+    struct cr_crush_case what;
+    struct cr_crush_impact impact;
+    struct cr_crush_against against[CR_CRUSH_CARS];
+    struct cr_arena arena;
+    struct cr_str text;
+};
+
+static enum cr_err write_case(struct work *w, struct cr_error *err) {
+    const struct options *opt = w->opt;
+    int width;
+    struct cr_look look = cr_cli_look_of(&opt->look, opt->out != NULL, &width);
+    const struct cr_crush_look how = {.lib = w->shared.models, .look = &look, .width = width};
     if (opt->format == 1) {
-        return cr_crush_json(what, impact, text, err);
+        return cr_crush_json(&w->what, &w->impact, &w->text, err);
     }
-    enum cr_err code = cr_crush_text(what, impact, text, err);
-    for (int i = 0; i < what->n && opt->picture && code == CR_ERR_OK; i++) {
-        code = cr_crush_picture(&what->car[i], rules, how, text, err);
+    enum cr_err code = cr_crush_text(&w->what, &w->impact, &w->text, err);
+    for (int i = 0; i < w->what.n && code == CR_ERR_OK; i++) {
+        const struct cr_crush_car *car = &w->what.car[i];
+        if (car->against != NULL) {
+            cr_crush_against_text(car->id, &car->m, car->against, &w->text);
+        }
+        if (opt->picture) {
+            code = cr_crush_picture(car, &w->rules, &how, &w->text, err);
+        }
+    }
+    return code;
+}
+
+/* the vehicles as a scene leaves them, beside what was measured */
+static enum cr_err compare(struct work *w, struct cr_error *err) {
+    struct cr_scene scene;
+    struct cr_result *result = NULL;
+    cr_scene_init(&scene);
+    enum cr_err code = cr_scene_load(w->opt->solved, &scene, err);
+    for (int i = 0; i < w->what.n && code == CR_ERR_OK; i++) {
+        if (cr_scene_find(&scene, w->what.car[i].id) == NULL) {
+            cr_err_set(err, CR_ERR_NAME, "the scene has no '%s'", w->what.car[i].id);
+            cr_err_hint(err, "give the vehicles of the damage file the ids of the scene");
+            cr_err_place(err, w->opt->solved, 0, 0);
+            code = CR_ERR_NAME;
+        }
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_result_run(&scene, &w->shared.ctx, &result, err);
+    }
+    for (int i = 0; i < w->what.n && code == CR_ERR_OK; i++) {
+        struct cr_crush_car *car = &w->what.car[i];
+        if (!car->m.guessed) {
+            int body = (int)(cr_scene_find(&scene, car->id) - scene.part);
+            cr_crush_against(result, body, &car->m, &w->against[i]);
+            car->against = &w->against[i];
+        }
+    }
+    cr_result_free(result);
+    cr_scene_fini(&scene);
+    return code;
+}
+
+static enum cr_err work_back(struct work *w, const char *file, struct cr_error *err) {
+    char path[4200];
+    enum cr_err code = cr_cli_data("damage/calibration.json", path, sizeof path, err);
+    if (code == CR_ERR_OK) {
+        code = cr_crush_rules_read(path, &w->rules, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_cli_open(&w->shared, CR_CLI_NEEDED, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_crush_case_open(&w->measured, w->shared.models, &w->arena, &w->what, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_crush_solve(&w->what, &w->rules, &w->impact, err);
+    }
+    if (code != CR_ERR_OK && err->src[0] == '\0') {
+        cr_err_place(err, file, 0, 0);
     }
     return code;
 }
 
 static enum cr_err run(const char *file, const struct options *opt, struct cr_error *err) {
-    char path[4200];
-    struct cr_cli_shared shared = {0};
-    struct cr_crush_rules rules;
-    struct cr_crush_file measured;
-    struct cr_crush_case what;
-    struct cr_crush_impact impact;
-    struct cr_arena arena = {0};
-    struct cr_str text = {0};
-    enum cr_err code = cr_crush_read(file, &measured, err);
+    struct work w = {.opt = opt};
+    enum cr_err code = cr_crush_read(file, &w.measured, err);
     if (code != CR_ERR_OK) {
         return code;
     }
-    code = cr_cli_data("damage/calibration.json", path, sizeof path, err);
-    if (code == CR_ERR_OK) {
-        code = cr_crush_rules_read(path, &rules, err);
+    cr_cli_catch();
+    code = work_back(&w, file, err);
+    if (code == CR_ERR_OK && opt->solved != NULL) {
+        code = compare(&w, err);
     }
     if (code == CR_ERR_OK) {
-        code = cr_cli_open(&shared, CR_CLI_NEEDED, err);
+        code = write_case(&w, err);
     }
     if (code == CR_ERR_OK) {
-        code = cr_crush_case_open(&measured, shared.models, &arena, &what, err);
+        code = cr_cli_emit(opt->out, &w.text, err);
     }
-    if (code == CR_ERR_OK) {
-        code = cr_crush_solve(&what, &rules, &impact, err);
-    }
-    if (code != CR_ERR_OK && err->src[0] == '\0') {
-        cr_err_place(err, file, 0, 0);
-    }
-    if (code == CR_ERR_OK) {
-        int width;
-        struct cr_look look = cr_cli_look_of(&opt->look, opt->out != NULL, &width);
-        const struct cr_crush_look how = {.lib = shared.models, .look = &look, .width = width};
-        code = write_case(&what, &impact, &rules, &how, opt, &text);
-    }
-    if (code == CR_ERR_OK) {
-        code = cr_cli_emit(opt->out, &text, err);
-    }
-    cr_str_fini(&text);
-    cr_arena_free(&arena);
-    cr_crush_file_fini(&measured);
-    cr_cli_close(&shared);
+    cr_str_fini(&w.text);
+    cr_arena_free(&w.arena);
+    cr_crush_file_fini(&w.measured);
+    cr_cli_close(&w.shared);
     return code;
 }
 
 int cr_cli_damage(int argc, char **argv) {
     struct cr_error err = {0};
-    struct options opt = {.err = &err};
+    struct options opt = {.format = 0};
     const struct cr_option table[] = {
         {.name = "format",
          .letter = 'f',
@@ -94,6 +143,11 @@ int cr_cli_damage(int argc, char **argv) {
          .letter = 'p',
          .flag = &opt.picture,
          .help = "the outline over the voxels, from above and from the side"},
+        {.name = "solved",
+         .letter = 's',
+         .arg = "SCENE.json",
+         .text = &opt.solved,
+         .help = "beside what is left of them when that scene is solved"},
         {.name = "output",
          .letter = 'o',
          .arg = "FILE",

@@ -1,6 +1,8 @@
 /* `crumple mc`: one scene solved for many draws of its uncertain inputs. */
 #include "cli/cli.h"
 #include "cli/word.h"
+#include "figure/pictures.h"
+#include "study/charts.h"
 #include "study/study.h"
 
 #include <stdio.h>
@@ -15,7 +17,7 @@ struct options {
     int format, draws, seed, sampling, jobs;
     bool no_scatter, quiet;
     const char *out, *plot;
-    struct cr_option_values set;
+    struct cr_option_values set, pictures;
     struct cr_cli_look look;
     struct cr_cli_budget budget;
 };
@@ -58,6 +60,53 @@ static enum cr_err read_plot(const struct cr_mc *mc, const char *text, struct cr
     return CR_ERR_OK;
 }
 
+/* "[CHART=]FILE" */
+static enum cr_err read_picture(const char *text, enum cr_mc_chart *chart, const char **file,
+                                struct cr_error *err) {
+    static const char *const words[] = {"histogram", "tornado"};
+    const char *equals = strchr(text, '=');
+    size_t n = equals != NULL ? (size_t)(equals - text) : 0;
+    *chart = CR_MC_HISTOGRAM;
+    *file = equals != NULL ? equals + 1 : text;
+    for (int i = 0; i < 2; i++) {
+        if (strlen(words[i]) == n && strncmp(text, words[i], n) == 0) {
+            *chart = (enum cr_mc_chart)i;
+            n = 0;
+        }
+    }
+    if (n > 0) {
+        cr_err_set(err, CR_ERR_USAGE, "--picture: there is no chart '%.*s'", (int)(n < 60 ? n : 60),
+                   text);
+        cr_err_hint(err, "histogram=FILE or tornado=FILE");
+        return CR_ERR_USAGE;
+    }
+    return cr_picture_may_write(*file, err);
+}
+
+/* The pictures that were asked for; without draws only whether they can be drawn. */
+static enum cr_err pictures(const struct options *opt, const struct cr_mc *mc,
+                            struct cr_error *err) {
+    enum cr_err code = CR_ERR_OK;
+    for (int i = 0; i < opt->pictures.n && code == CR_ERR_OK; i++) {
+        enum cr_mc_chart chart;
+        const char *file;
+        struct cr_mc_plot plot;
+        struct cr_canvas *canvas;
+        code = read_picture(opt->pictures.value[i], &chart, &file, err);
+        if (code != CR_ERR_OK || mc == NULL) {
+            continue;
+        }
+        code = read_plot(mc, opt->plot != NULL ? opt->plot : "ees", &plot, err);
+        if (code == CR_ERR_OK) {
+            code = cr_mc_chart(mc, chart, &plot, NULL, &canvas, err);
+        }
+        if (code == CR_ERR_OK) {
+            code = cr_picture_write(canvas, file, mc->study.scene->name, err);
+        }
+    }
+    return code;
+}
+
 static enum cr_err write_mc(const struct cr_mc *mc, const struct options *opt, struct cr_str *text,
                             struct cr_error *err) {
     if (opt->format == FORMAT_JSON) {
@@ -69,10 +118,10 @@ static enum cr_err write_mc(const struct cr_mc *mc, const struct options *opt, s
     int width;
     struct cr_mc_plot plot;
     struct cr_look look = cr_cli_look_of(&opt->look, opt->out != NULL, &width);
+    const struct cr_mc_words words = {.ascii = look.ascii};
     enum cr_err code = opt->plot != NULL ? read_plot(mc, opt->plot, &plot, err) : CR_ERR_OK;
-    return code == CR_ERR_OK
-               ? cr_mc_text(mc, opt->plot != NULL ? &plot : NULL, look.ascii, text, err)
-               : code;
+    return code == CR_ERR_OK ? cr_mc_text(mc, opt->plot != NULL ? &plot : NULL, &words, text, err)
+                             : code;
 }
 
 static enum cr_err solve(const struct cr_scene *scene, const struct options *opt,
@@ -98,6 +147,7 @@ static enum cr_err solve(const struct cr_scene *scene, const struct options *opt
     if (mc != NULL && mc->done > 1) {
         struct cr_error other;
         enum cr_err wrote = write_mc(mc, opt, text, code == CR_ERR_OK ? err : &other);
+        wrote = wrote == CR_ERR_OK ? pictures(opt, mc, code == CR_ERR_OK ? err : &other) : wrote;
         code = code == CR_ERR_OK ? wrote : code;
     }
     cr_mc_free(mc);
@@ -159,6 +209,11 @@ int cr_cli_mc(int argc, char **argv) {
         FLAG("no-scatter", 0, opt.no_scatter, "the stiffness of the vehicles does not vary"),
         NUMBER("jobs", 'j', opt.jobs, 1, 256, "threads (one per processor)"),
         TEXT("plot", 0, "A.RESULT", opt.plot, "result of histogram and ranked inputs (ees)"),
+        {.name = "picture",
+         .letter = 'p',
+         .arg = "[CHART=]FILE",
+         .values = &opt.pictures,
+         .help = "draw FILE.svg, .pdf or .png; CHART is histogram (default) or tornado"},
         CHOICE("format", 'f', FORMATS, opt.format,
                "form of the result (text); csv: a row per draw"),
         TEXT("output", 'o', "FILE", opt.out, "write to FILE, whole or not at all"),
@@ -183,5 +238,7 @@ int cr_cli_mc(int argc, char **argv) {
     if (status >= 0) {
         return status;
     }
-    return run(argv[1], &opt, &err) == CR_ERR_OK ? 0 : cr_cli_fail(&err);
+    enum cr_err code = pictures(&opt, NULL, &err);
+    code = code == CR_ERR_OK ? run(argv[1], &opt, &err) : code;
+    return code == CR_ERR_OK ? 0 : cr_cli_fail(&err);
 }

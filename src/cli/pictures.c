@@ -48,17 +48,7 @@ static enum cr_err read_wanted(const char *value, struct wanted *out, struct cr_
             return unknown(word, err);
         }
     }
-    int format = cr_picture_format_of(out->file);
-    if (format < 0) {
-        cr_err_set(err, CR_ERR_USAGE, "--picture %.150s: the suffix is none of .svg, .pdf, .png",
-                   out->file);
-        cr_err_hint(err, "for example --picture after=crash.svg");
-        return CR_ERR_USAGE;
-    }
-    if (format != CR_FORMAT_SVG && !cr_canvas_has_cairo()) {
-        return cr_canvas_png(NULL, 0, NULL, err); /* says which package is missing */
-    }
-    return CR_ERR_OK;
+    return cr_picture_may_write(out->file, err);
 }
 
 enum cr_err cr_cli_check_pictures(const struct cr_option_values *pictures, struct cr_error *err) {
@@ -84,18 +74,8 @@ static enum cr_err draw(const struct wanted *w, const struct cr_result *result,
         .body = -1,
         .quantity = CR_QUANTITIES};
     struct cr_canvas *canvas;
-    struct cr_str text = {0};
     enum cr_err code = cr_picture_draw(w->picture, &source, &canvas, err);
-    if (code == CR_ERR_OK) {
-        code = cr_picture_text(canvas, (enum cr_picture_format)cr_picture_format_of(w->file),
-                               result->resolved.name, &text, err);
-        cr_canvas_free(canvas);
-    }
-    if (code == CR_ERR_OK) {
-        code = cr_cli_emit(w->file, &text, err);
-    }
-    cr_str_fini(&text);
-    return code;
+    return code == CR_ERR_OK ? cr_picture_write(canvas, w->file, result->resolved.name, err) : code;
 }
 
 enum cr_err cr_cli_pictures(const struct cr_option_values *pictures, const struct cr_result *result,

@@ -1,8 +1,6 @@
 /* Models and risk functions that all words of the command line share, opened once, and ^C. */
 #include "cli/word.h"
 
-#include "base/catch.h"
-
 #include <signal.h>
 #include <string.h>
 #include <time.h>
@@ -19,18 +17,24 @@ static void on_signal(int sig) {
 }
 
 void cr_cli_catch(void) {
+    struct sigaction act = {.sa_handler = on_signal};
+    sigemptyset(&act.sa_mask);
+    /* a second ^C ends the program at once, should it be somewhere that does not poll */
+    struct sigaction again = act;
+    sigaction(SIGALRM, &again, NULL);
+    act.sa_flags = (int)SA_RESETHAND;
     static const int stops[] = {SIGINT, SIGTERM};
-    cr_catch(SIGALRM, on_signal, 0);
     for (int i = 0; i < 2; i++) {
         struct sigaction old;
         /* a background job of a script is started with ^C ignored, and stays so */
         if (sigaction(stops[i], NULL, &old) == 0 && old.sa_handler != SIG_IGN) {
-            /* a second ^C ends the program at once, should it be somewhere that does not poll */
-            cr_catch(stops[i], on_signal, (int)SA_RESETHAND);
+            sigaction(stops[i], &act, NULL);
         }
     }
-    cr_catch(SIGPIPE, SIG_IGN, 0);
-    cr_catch(SIGXFSZ, SIG_IGN, 0);
+    struct sigaction ignore = {.sa_handler = SIG_IGN};
+    sigemptyset(&ignore.sa_mask);
+    sigaction(SIGPIPE, &ignore, NULL);
+    sigaction(SIGXFSZ, &ignore, NULL);
 }
 
 int cr_cli_cancelled(void *unused) {

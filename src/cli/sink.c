@@ -59,9 +59,11 @@ enum cr_err cr_sink_new(const struct cr_sink_options *options, struct cr_sink **
         cr_err_hint(err, "leave out --per impact");
         code = CR_ERR_USAGE;
     }
-    if (code == CR_ERR_OK && options->picture != NULL &&
-        (options->plot == NULL || cr_picture_format_of(options->picture) < 0)) {
-        cr_err_set(err, CR_ERR_USAGE, "--picture is the file of a --plot, as .svg, .pdf or .png");
+    if (code == CR_ERR_OK && options->picture != NULL) {
+        code = cr_picture_may_write(options->picture, err);
+    }
+    if (code == CR_ERR_OK && options->picture != NULL && options->plot == NULL) {
+        cr_err_set(err, CR_ERR_USAGE, "--picture is the file of a --plot");
         cr_err_hint(err, "for example --plot 'x=A.speed_kmh y=A.ees_kmh' --picture plot.svg");
         code = CR_ERR_USAGE;
     }

@@ -1,7 +1,6 @@
 /* The plot of a study as a picture: points as crosses, or a heat map. */
 #include "cli/study_priv.h"
 
-#include "base/file.h"
 #include "figure/pictures.h"
 
 #include <math.h>
@@ -86,25 +85,15 @@ static bool draw_map(const struct cr_study *s, struct cr_canvas *canvas, struct 
 }
 
 enum cr_err cr_study_picture(const struct cr_study *study, const char *path, struct cr_error *err) {
-    int format = cr_picture_format_of(path);
     const struct cr_box box = {EDGE, EDGE, WIDTH - 2 * EDGE, HEIGHT - 2 * EDGE};
     char title[2 * CR_FIELD_SIZE + 16];
-    struct cr_str text = {0};
-    if (format < 0) {
-        cr_err_set(err, CR_ERR_USAGE, "--picture %.100s ends in none of .svg, .pdf, .png", path);
-        return CR_ERR_USAGE;
-    }
     struct cr_canvas *canvas = cr_canvas_new(WIDTH, HEIGHT);
     snprintf(title, sizeof title, "%s over %s", study->axis[study->axes - 1], study->axis[0]);
     bool drawn = canvas != NULL && (study->axes == 3 ? draw_map(study, canvas, box)
                                                      : draw_points(study, canvas, box, title));
-    enum cr_err code =
-        drawn ? cr_picture_text(canvas, (enum cr_picture_format)format, title, &text, err)
-              : cr_err_set(err, CR_ERR_MEMORY, "no memory for a picture");
-    if (code == CR_ERR_OK) {
-        code = cr_file_write(path, cr_str_get(&text), text.len, err);
+    if (!drawn) {
+        cr_canvas_free(canvas);
+        canvas = NULL;
     }
-    cr_canvas_free(canvas);
-    cr_str_fini(&text);
-    return code;
+    return cr_picture_write(canvas, path, title, err);
 }

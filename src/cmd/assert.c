@@ -340,8 +340,9 @@ enum cr_err cr_cmd_compare(struct cr_call *call, struct cr_error *err) {
         cr_err_hint(err, "{\"participants\": [{\"id\": \"A\", \"ees_kmh\": 40.5}]}");
         goto out;
     }
-    code = cr_diff_is_result(json) ? compare_result(call->s, json, path, &worst, err)
-                                   : compare_all(call->s, list, &worst, err);
+    code = cr_diff_is_result(json)
+               ? compare_result(call->s, json, cr_cmd_text(call, "FILE", ""), &worst, err)
+               : compare_all(call->s, list, &worst, err);
     if (code == CR_ERR_OK && worst > 100 * within) {
         code = cr_err_set(err, CR_ERR_MISSED, "the largest error is %.1f %%, more than %.10g %%",
                           worst, 100 * within);

@@ -150,6 +150,7 @@ void cr_command_roff(const struct cr_command *cmd, struct cr_str *out);
 struct cr_session;
 struct cr_measure;
 
+struct cr_report_order;
 struct cr_session_opts {
     const char *data_dir;  /* folder of models/ and share/; "" if there is none */
     const char *state_dir; /* folder for the autosave, NULL: none is kept */
@@ -158,6 +159,8 @@ struct cr_session_opts {
     int max_megabytes; /* of memory for one solve, 0: CR_MAX_MEGABYTES */
     struct cr_look look;
     struct cr_out out;
+    /* makes the expert's report (report/order.h); NULL: nobody does */
+    enum cr_err (*report)(const struct cr_report_order *order, struct cr_error *err);
 };
 
 CR_MUST_CHECK enum cr_err cr_session_new(const struct cr_session_opts *opts,

@@ -171,6 +171,8 @@ double cr_work_max_bytes(const struct cr_session *s);
 /* Progress is due (first after 0.3 s, then ten times a second). */
 bool cr_work_due(struct cr_session *s, double *elapsed);
 int cr_work_cancelled(struct cr_session *s);
+/* Progress of work that is counted, when it is due; non-zero when it is cancelled. */
+int cr_work_count(struct cr_session *s, const char *what, int done, int total);
 void cr_sweep_free(struct cr_sweep *sweep);
 void cr_session_take_sweep(struct cr_session *s, struct cr_sweep *sweep);
 void cr_session_drop_result(struct cr_session *s);

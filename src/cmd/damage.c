@@ -2,8 +2,8 @@
 #include "cmd/cmd_priv.h"
 
 #include "base/file.h"
+#include "damage/against.h"
 #include "damage/picture.h"
-#include "result/deform.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -257,46 +257,24 @@ static enum cr_err work_back(struct cr_call *call, const char *id, struct cr_err
 
 /* ---- against a solve ---- */
 
-/* residual depth of the solve at a place along the face: the line of voxels there */
-static double solved_at(const struct cr_result *r, int body, const struct cr_measured *m,
-                        double at) {
-    const struct cr_deform d = {.grid = cr_result_grid(r, body),
-                                .left = r->solution->body[body].left,
-                                .how = r->solution->body[body].how,
-                                .residual_curve = r->resolved.set.residual_curve == 1};
-    const struct cr_grid *g = d.grid;
-    const struct cr_participant *p = &r->resolved.part[body];
-    bool end = cr_face_is_end(m->face);
-    double middle = p->front_overhang + p->cg_behind_front_axle - p->length / 2;
-    double place = end ? -at : at + middle, from = end ? g->y0 : g->x0;
-    int line = (int)floor((place - from) / g->h), n = cr_face_lines(g, m->face);
-    if (line < 0 || line >= n) {
-        return 0;
-    }
-    /* columns run from left to right and from rear to front */
-    int column = end ? n - 1 - line : line;
-    double depth = cr_deform_column(&d, m->face, column, false);
-    return d.residual_curve ? depth : cr_deform_residual(depth, g->springback[m->face]);
-}
-
 static enum cr_err against_solve(struct cr_call *call, const char *id, struct cr_error *err) {
     struct cr_session *s = call->s;
+    struct cr_crush_against against;
+    struct cr_str text = {0};
     enum cr_err code = cr_session_need_whole(s, err);
     if (code != CR_ERR_OK) {
         return code;
     }
     const struct cr_measured *m = note_of(s->damage, id);
-    int body = (int)(cr_scene_find(&cr_session_now(s)->scene, id) - cr_session_now(s)->scene.part);
-    double sum = 0;
-    cr_say(s, "%s, %s: measured and solved depth, cm", id, cr_crush_face_word(m->face));
-    for (int i = 0; i < m->stations; i++) {
-        double at = m->offset + m->length * ((double)i / (m->stations - 1) - 0.5);
-        double solved = solved_at(s->result, body, m, at), off = solved - m->depth[i];
-        cr_say(s, "  C%-2d at %+5.2f m %6.1f %6.1f  %+6.1f", i + 1, at, 100 * m->depth[i],
-               100 * solved, 100 * off);
-        sum += off * off;
+    if (m->guessed) {
+        cr_err_set(err, CR_ERR_MISSING, "nothing was measured of %s", id);
+        return cr_cmd_blame(call, "NAME", CR_ERR_MISSING);
     }
-    cr_say(s, "  root mean square of the differences %.1f cm", 100 * sqrt(sum / m->stations));
+    struct cr_scene *scene = &cr_session_now(s)->scene;
+    cr_crush_against(s->result, (int)(cr_scene_find(scene, id) - scene->part), m, &against);
+    cr_crush_against_text(id, m, &against, &text);
+    cr_session_lines(s, &text);
+    cr_str_fini(&text);
     return CR_ERR_OK;
 }
 

@@ -119,6 +119,10 @@ static enum cr_err export_result(struct cr_export *x, struct cr_error *err) {
     return result_text(x, false, err);
 }
 
+static enum cr_err export_report(struct cr_export *x, struct cr_error *err) {
+    return x->form == CR_EXPORT_TXT ? export_result(x, err) : cr_export_report(x, err);
+}
+
 static enum cr_err export_pulse(struct cr_export *x, struct cr_error *err) {
     bool numbers = x->form == CR_EXPORT_CSV || x->form == CR_EXPORT_JSON;
     return numbers ? result_text(x, true, err) : cr_export_picture(x, err);
@@ -146,7 +150,7 @@ static const struct {
     {"pulse", BIT_CSV | BIT_JSON | PICTURE, true, true, export_pulse},
     {"steps", BIT_CSV, true, true, export_steps},
     {"sweep", BIT_CSV | PICTURE, false, false, export_sweep},
-    {"report", BIT_TXT, true, true, export_result},
+    {"report", BIT_TXT | 1 << CR_EXPORT_HTML | 1 << CR_EXPORT_PDF, true, true, export_report},
     {"before", PICTURE, false, false, cr_export_picture},
     {"contact", PICTURE, true, false, cr_export_picture},
     {"engagement", PICTURE, true, false, cr_export_picture},
@@ -161,6 +165,7 @@ static const struct {
     {"tornado", PICTURE, false, false, cr_export_mc},
     {"overview", PICTURE, true, true, cr_export_picture},
     {"channels", 1 << CR_EXPORT_MME | 1 << CR_EXPORT_GP, true, true, cr_export_channels},
+    {"motion", BIT_CSV, true, true, cr_export_motion},
     {"body", 1 << CR_EXPORT_VTK | 1 << CR_EXPORT_OBJ, true, true, cr_export_body},
     {"film", 1 << CR_EXPORT_CAST, true, true, cr_export_film},
 };

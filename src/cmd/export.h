@@ -9,6 +9,7 @@
     X(CSV, ".csv")                                                                                 \
     X(JSON, ".json")                                                                               \
     X(TXT, ".txt")                                                                                 \
+    X(HTML, ".html")                                                                               \
     X(SVG, ".svg")                                                                                 \
     X(PDF, ".pdf")                                                                                 \
     X(PNG, ".png")                                                                                 \
@@ -41,8 +42,12 @@ enum cr_err cr_export_sweep(struct cr_export *x, struct cr_error *err);
 /* Histogram or tornado of the last draws (mc). */
 enum cr_err cr_export_mc(struct cr_export *x, struct cr_error *err);
 
+/* The expert's report as HTML or PDF. */
+enum cr_err cr_export_report(struct cr_export *x, struct cr_error *err);
+
 /* ISO-MME channels (beside FILE.mme a folder Channel) or a gnuplot pair; a film; the 3D model. */
 enum cr_err cr_export_channels(struct cr_export *x, struct cr_error *err);
+enum cr_err cr_export_motion(struct cr_export *x, struct cr_error *err);
 enum cr_err cr_export_film(struct cr_export *x, struct cr_error *err);
 enum cr_err cr_export_body(struct cr_export *x, struct cr_error *err);
 

@@ -51,6 +51,17 @@ enum cr_err cr_export_film(struct cr_export *x, struct cr_error *err) {
     return cr_form_cast(x->s->result, 100, 32, &x->text, err);
 }
 
+/* "every 10 ms" is said beside the file: a table has no place for it but its times */
+enum cr_err cr_export_motion(struct cr_export *x, struct cr_error *err) {
+    (void)err;
+    enum cr_axes_of axes = (enum cr_axes_of)cr_cmd_word(x->call, "axes", CR_AXES_ISO);
+    double step = cr_cmd_number(x->call, "every", 0.01);
+    cr_form_motion(x->s->result, axes, step, &x->text);
+    cr_say(x->s, "every %.4g ms, axes of %s", 1e3 * step,
+           axes == CR_AXES_SAE ? "SAE J670" : "ISO 8855");
+    return CR_ERR_OK;
+}
+
 enum cr_err cr_export_body(struct cr_export *x, struct cr_error *err) {
     const struct cr_scene *scene = &x->s->result->resolved;
     const char *id = cr_cmd_text(x->call, "of", x->s->view.selected);

@@ -122,7 +122,8 @@ enum cr_err cr_export_mc(struct cr_export *x, struct cr_error *err) {
         return code;
     }
     plot.measure = (int)(m - cr_measures(&n));
-    code = cr_mc_chart(mc, chart, &plot, NULL, &canvas, err);
+    const struct cr_figure_words words = {.units = x->s->units};
+    code = cr_mc_chart(mc, chart, &plot, &words, &canvas, err);
     if (code == CR_ERR_OK) {
         code = to_text(x, canvas, err);
         cr_canvas_free(canvas);

@@ -12,6 +12,7 @@ libcmd_a_SOURCES = \
 	src/cmd/export.c src/cmd/export.h \
 	src/cmd/export_forms.c \
 	src/cmd/export_picture.c \
+	src/cmd/export_report.c \
 	src/cmd/files.c \
 	src/cmd/fit.c \
 	src/cmd/glossary.c \

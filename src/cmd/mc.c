@@ -125,19 +125,7 @@ static enum cr_err read_inputs(struct cr_call *call, struct cr_study *study, str
 }
 
 static int progress(void *user, int done, int draws) {
-    struct cr_session *s = user;
-    double elapsed;
-    if (cr_work_due(s, &elapsed)) {
-        struct cr_progress p = {.what = "MC",
-                                .share = (double)done / draws,
-                                .done = done,
-                                .total = draws,
-                                .elapsed = elapsed,
-                                .left = done > 0 ? elapsed / done * (draws - done) : (double)NAN,
-                                .time = NAN};
-        s->opts.out.progress(s->opts.out.user, &p);
-    }
-    return cr_work_cancelled(s);
+    return cr_work_count(user, "MC", done, draws);
 }
 
 static enum cr_err read_plot(struct cr_call *call, struct cr_mc_plot *plot, struct cr_error *err) {
@@ -185,7 +173,8 @@ static enum cr_err tell(struct cr_call *call, const struct cr_mc *mc, const stru
                         struct cr_error *err) {
     struct cr_str text = {0};
     bool all = !cr_cmd_given(call, "plot");
-    enum cr_err code = cr_mc_text(mc, all ? NULL : plot, call->s->opts.look.ascii, &text, err);
+    const struct cr_mc_words words = {call->s->units, call->s->opts.look.ascii};
+    enum cr_err code = cr_mc_text(mc, all ? NULL : plot, &words, &text, err);
     if (code == CR_ERR_OK) {
         cr_session_lines(call->s, &text);
         code = write_file(call, mc, err);

@@ -398,12 +398,13 @@ static const struct cr_arg save_args[] = {
 
 static const struct cr_arg export_args[] = {
     POSITION("WHAT", CR_VALUE_STEM,
-             .words = "result|scene|field|pulse|steps|sweep|report|before|contact|engagement|after|"
-                      "energy|damage|side|top|front|risk|histogram|tornado|overview|channels|"
-                      "body|film",
+             .words =
+                 "result|scene|field|pulse|steps|sweep|report|before|contact|engagement|after|"
+                 "energy|damage|side|top|front|risk|histogram|tornado|overview|channels|motion|"
+                 "body|film",
              .help = "what is written; with a suffix (after.svg) it is the file as well"),
     OPTION("FILE", CR_VALUE_FILE,
-           .words = ".csv|.json|.txt|.svg|.pdf|.png|.mme|.gp|.vtk|.obj|.cast",
+           .words = ".csv|.json|.txt|.html|.svg|.pdf|.png|.mme|.gp|.vtk|.obj|.cast",
            .help = "its suffix says how"),
     KEY("of", CR_VALUE_VEHICLE, .help = "vehicle of damage, side, top, front, risk and body"),
     KEY("time", CR_VALUE_TIME, .dim = CR_DIM_TIME, .unit = "ms", .lo = 0, .hi = 60000,
@@ -411,6 +412,17 @@ static const struct cr_arg export_args[] = {
         .help = "of the scene, ms after the first contact"),
     KEY("plot", CR_VALUE_TEXT, .def = "ees of all",
         .help = "result of a sweep or of mc to draw: A.ees, B.delta_v ..."),
+    KEY("axes", CR_VALUE_WORD, .words = "iso8855|sae", .def = "iso8855",
+        .help = "of the motion: y north and counter-clockwise, or y south and clockwise"),
+    KEY("every", CR_VALUE_NUMBER, .dim = CR_DIM_TIME, .unit = "ms", .lo = 0.1, .hi = 10000,
+        .def = "10", .help = "step of the motion"),
+    KEY("lang", CR_VALUE_WORD, .words = "en|de", .def = "en", .help = "language of the report"),
+    KEY("author", CR_VALUE_TEXT, .help = "of the report: who answers for it"),
+    KEY("case", CR_VALUE_TEXT, .help = "of the report: case number"),
+    KEY("draws", CR_VALUE_COUNT, .lo = 0, .hi = 100000, .def = "300",
+        .help = "for the intervals of the report; 0: none"),
+    KEY("tests", CR_VALUE_WORD, .words = "on|off", .def = "on",
+        .help = "crash tests like the crash in the report, solved for comparison"),
     END,
 };
 

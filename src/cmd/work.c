@@ -1,6 +1,7 @@
 /* The clock of long work: when progress is due, and when to look whether the user cancels. */
 #include "cmd/cmd_priv.h"
 
+#include <math.h>
 #include <time.h>
 
 #define FIRST_SHOW 0.3  /* s of work before progress is shown */
@@ -54,4 +55,19 @@ int cr_work_cancelled(struct cr_session *s) {
     }
     s->work_polled = now;
     return s->opts.out.cancel(s->opts.out.user);
+}
+
+int cr_work_count(struct cr_session *s, const char *what, int done, int total) {
+    double elapsed;
+    if (cr_work_due(s, &elapsed)) {
+        struct cr_progress p = {.what = what,
+                                .share = (double)done / total,
+                                .done = done,
+                                .total = total,
+                                .elapsed = elapsed,
+                                .left = done > 0 ? elapsed / done * (total - done) : (double)NAN,
+                                .time = NAN};
+        s->opts.out.progress(s->opts.out.user, &p);
+    }
+    return cr_work_cancelled(s);
 }

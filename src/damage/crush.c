@@ -109,7 +109,7 @@ enum cr_err cr_crush_open(const struct cr_model_lib *lib, const struct cr_partic
     struct cr_scene scene;
     cr_scene_init(&scene);
     set = scene.set;
-    *out = (struct cr_crush_car){.p = p, .m = *measured, .whole_share = 1};
+    *out = (struct cr_crush_car){.p = p, .m = *measured};
     snprintf(out->id, sizeof out->id, "%s", p->id);
     enum cr_err code = cr_crush_check(measured, p, err);
     if (code != CR_ERR_OK) {

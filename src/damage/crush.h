@@ -94,12 +94,20 @@ CR_MUST_CHECK enum cr_err cr_crush_rules_read(const char *path, struct cr_crush_
 
 /* ---- one vehicle ---- */
 
+/* What a solve leaves at the stations (damage/against.h). */
+struct cr_crush_against {
+    int n, within; /* stations, and those of them within the tolerance of the tape */
+    double at[CR_STATIONS_MAX], solved[CR_STATIONS_MAX]; /* m */
+    double rms;                                          /* of the differences, m */
+    double ees, delta_v;                                 /* of the solve, m/s */
+};
+
 struct cr_crush_car {
     char id[CR_NAME_MAX];
     const struct cr_participant *p; /* resolved, borrowed */
     struct cr_measured m;
-    struct cr_grid grid; /* dynamic, of the heights struck */
-    double whole_share;  /* 1: the grid has all layers */
+    struct cr_grid grid;                    /* dynamic, of the heights struck */
+    const struct cr_crush_against *against; /* borrowed; NULL: no solve beside it */
 };
 /* The grid of a vehicle under its PDOF, in the arena. Errors: those of cr_crush_check and of the
  * models. */

@@ -1,5 +1,6 @@
 noinst_LIBRARIES += libdamage.a
 libdamage_a_SOURCES = \
+	src/damage/against.c src/damage/against.h \
 	src/damage/crush.c src/damage/crush.h \
 	src/damage/impact.c \
 	src/damage/measured.c \

@@ -150,6 +150,16 @@ static void add_given(cJSON *to, const char *key, double value, double tolerance
     cr_tree_number(o, "tolerance", tolerance);
 }
 
+static void add_against(cJSON *to, const struct cr_crush_against *against) {
+    cJSON *o = cr_tree_object(to, "solved");
+    cr_tree_number(o, "ees_kmh", cr_kmh(against->ees));
+    cr_tree_number(o, "delta_v_kmh", cr_kmh(against->delta_v));
+    cr_tree_put(o, "at_m", cJSON_CreateDoubleArray(against->at, against->n));
+    cr_tree_put(o, "crush_m", cJSON_CreateDoubleArray(against->solved, against->n));
+    cr_tree_number(o, "rms_m", against->rms);
+    cr_tree_number(o, "within_tolerance", against->within);
+}
+
 static cJSON *part_json(const struct cr_crush_case *what, const struct cr_crush_impact *impact,
                         int i) {
     const struct cr_crush_car *car = &what->car[i];
@@ -173,6 +183,9 @@ static cJSON *part_json(const struct cr_crush_case *what, const struct cr_crush_
         }
     }
     cr_tree_text(o, "cdc", cdc);
+    if (car->against != NULL) {
+        add_against(o, car->against);
+    }
     cJSON *share = cr_tree_object(o, "variance_shares");
     for (int s = 0; s < CR_CRUSH_SOURCES; s++) {
         cr_tree_number(share, sources[s], impact->share[i][s]);

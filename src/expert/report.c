@@ -7,9 +7,11 @@
 #include "expert/recheck.h"
 #include "expert/validity.h"
 #include "report/report.h"
+#include "study/limit.h"
 
 #include "base/file.h"
 #include "base/hash.h"
+#include "base/json.h"
 #include "damage/crush.h"
 
 #include <stdio.h>
@@ -41,7 +43,8 @@ static const char about[] =
 /* everything that a report is made from */
 struct work {
     const struct options *opt;
-    char *text; /* of the file */
+    const struct cr_report_order *order; /* NULL: the command line is it */
+    char *text;                          /* of the file */
     size_t len;
     bool is_result;
     struct cr_scene scene;
@@ -51,6 +54,8 @@ struct work {
     struct cr_mc *mc;
     struct cr_validity validity;
     struct cr_variant variant[VARIANTS];
+    struct cr_expected expected[CR_EXPECTED_MOST];
+    struct cr_error unexpected;
     struct cr_face_measured measured[CR_BODY_MAX];
     struct cr_str verdict;
     struct cr_report_source source;
@@ -87,6 +92,9 @@ static enum cr_err read_input(struct work *w, const char *path, const char *name
 
 static int tell(void *user, int done, int draws) {
     const struct work *w = user;
+    if (w->order != NULL) {
+        return w->order->progress(w->order->user, done, draws);
+    }
     if (!w->opt->quiet && isatty(STDERR_FILENO) && (done % 20 == 0 || done == draws)) {
         fprintf(stderr, "\r%d of %d draws%s", done, draws, done == draws ? "\n" : "");
     }
@@ -200,7 +208,8 @@ static enum cr_err hash_all(struct work *w, struct cr_error *err) {
     return code == CR_ERR_OK ? hash_result(w, err) : code;
 }
 
-static enum cr_err gather(struct work *w, const char *name, struct cr_error *err) {
+static enum cr_err gather(struct work *w, const char *path, const char *name,
+                          struct cr_error *err) {
     enum cr_err code = hash_all(w, err);
     if (code == CR_ERR_OK) {
         code = read_damage(w, err);
@@ -214,6 +223,10 @@ static enum cr_err gather(struct work *w, const char *name, struct cr_error *err
         w->source.mc = w->mc;
     }
     if (code == CR_ERR_OK) {
+        w->source.expects =
+            cr_expected_of(&w->scene, path, &w->shared.ctx, w->expected, &w->unexpected);
+        w->source.expected = w->expected;
+        w->source.unexpected = w->unexpected.code != CR_ERR_OK ? w->unexpected.text : NULL;
         w->source.variants = cr_variants_of(&w->scene, &w->shared.ctx, w->variant, VARIANTS);
         w->source.variant = w->variant;
     }
@@ -260,10 +273,15 @@ static enum cr_err solve(struct work *w, const char *path, const char *name, str
         code = cr_cli_open(&w->shared, CR_CLI_NEEDED, err);
     }
     if (code == CR_ERR_OK) {
-        struct cr_cli_work one;
-        const struct cr_context ctx = cr_cli_context(&w->shared, &w->opt->budget, &one);
-        w->shared.ctx.max_seconds = ctx.max_seconds; /* of each other solve too */
-        w->shared.ctx.max_bytes = ctx.max_bytes;
+        struct cr_study_limit limit;
+        w->shared.ctx.max_seconds = w->opt->budget.seconds; /* of each solve */
+        w->shared.ctx.max_bytes = 1e6 * w->opt->budget.megabytes;
+        if (w->order != NULL) {
+            w->shared.ctx.cancel = w->order->cancel;
+            w->shared.ctx.user = w->order->user;
+        }
+        struct cr_context ctx = cr_study_limited(&w->shared.ctx, &limit);
+        ctx.irf = w->shared.ctx.irf;
         code = cr_result_run(&w->scene, &ctx, &w->result, err);
         if (code != CR_ERR_OK && err->src[0] == '\0' && !w->is_result) {
             cr_scene_locate_file(path, name, err);
@@ -279,8 +297,18 @@ static enum cr_err solve(struct work *w, const char *path, const char *name, str
     snprintf(title, sizeof title, "%s%.100s", cr_words(w->source.lang, "Crash report: "),
              w->result->resolved.name);
     w->source.title = w->source.title != NULL ? w->source.title : title;
-    code = gather(w, name, err);
+    code = gather(w, path, name, err);
     return code == CR_ERR_OK ? write_report(w, err) : code;
+}
+
+static void finish(struct work *w) {
+    cr_mc_free(w->mc);
+    cr_assumed_fini(&w->assumed);
+    cr_str_fini(&w->verdict);
+    cr_result_free(w->result);
+    cr_scene_fini(&w->scene);
+    cr_cli_close(&w->shared);
+    free(w->text);
 }
 
 static enum cr_err report(const char *path, const struct options *opt, const char *command,
@@ -293,18 +321,12 @@ static enum cr_err report(const char *path, const struct options *opt, const cha
     if (code == CR_ERR_OK) {
         code = solve(&w, path, name, err);
     }
-    cr_mc_free(w.mc);
-    cr_assumed_fini(&w.assumed);
-    cr_str_fini(&w.verdict);
-    cr_result_free(w.result);
-    cr_scene_fini(&w.scene);
-    cr_cli_close(&w.shared);
-    free(w.text);
+    finish(&w);
     return code;
 }
 
 /* the line as it was typed, with quotes where a shell needs them */
-static void join(int argc, char **argv, struct cr_str *out) {
+static void join(int argc, const char *const *argv, struct cr_str *out) {
     cr_str_add(out, "crumple");
     for (int i = 0; i < argc; i++) {
         bool plain =
@@ -312,6 +334,72 @@ static void join(int argc, char **argv, struct cr_str *out) {
         cr_str_addf(out, plain ? " %s" : " '%s'", argv[i]);
     }
 }
+
+/* ---- at the prompt ---- */
+
+/* the scene as `save` would write it, read again as its file would be */
+static enum cr_err take_scene(struct work *w, const struct cr_report_order *o,
+                              struct cr_error *err) {
+    struct cr_str text = {0};
+    bool done = cr_json_add(cr_scene_to_json(o->scene, false), true, &text);
+    cr_str_add(&text, "\n");
+    w->text = text.s;
+    w->len = text.len;
+    if (!done || text.failed) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory to write the scene");
+    }
+    enum cr_err code = cr_scene_parse(w->text, w->len, o->from, &w->scene, err);
+    snprintf(w->scene.dir, sizeof w->scene.dir, "%s", o->scene->dir); /* its files lie there */
+    return code;
+}
+
+/* the line that makes the same report of the scene's file */
+static void say_order(const struct cr_report_order *o, struct cr_str *out) {
+    char author[300], case_no[300], draws[40];
+    const char *word[10] = {"report", o->from, "-o", o->path};
+    int n = 4;
+    snprintf(author, sizeof author, "--author=%s", o->author != NULL ? o->author : "");
+    snprintf(case_no, sizeof case_no, "--case=%s", o->case_no != NULL ? o->case_no : "");
+    snprintf(draws, sizeof draws, "--draws=%d", o->draws);
+    const struct {
+        bool said;
+        const char *text;
+    } rest[] = {{o->german, "--lang=de"},    {o->us, "--units=us"},
+                {o->author != NULL, author}, {o->case_no != NULL, case_no},
+                {o->draws != DRAWS, draws},  {o->no_tests, "--no-tests"}};
+    for (size_t i = 0; i < sizeof rest / sizeof rest[0]; i++) {
+        if (rest[i].said) {
+            word[n++] = rest[i].text;
+        }
+    }
+    join(n, word, out);
+}
+
+enum cr_err cr_expert_order(const struct cr_report_order *o, struct cr_error *err) {
+    const struct options opt = {.lang = o->german,
+                                .units = o->us ? CR_UNITS_US : CR_UNITS_SI,
+                                .draws = o->draws,
+                                .seed = 1,
+                                .no_tests = o->no_tests,
+                                .out = o->path,
+                                .head = {.author = o->author, .case_no = o->case_no},
+                                .budget = {o->max_seconds, (int)(1e-6 * o->max_bytes)}};
+    struct work w;
+    struct cr_str command = {0};
+    say_order(o, &command);
+    enum cr_err code = check_out(&opt, err);
+    if (code == CR_ERR_OK) {
+        begin(&w, &opt, cr_str_get(&command));
+        w.order = o;
+        code = take_scene(&w, o, err);
+        code = code == CR_ERR_OK ? solve(&w, o->from, o->from, err) : code;
+        finish(&w);
+    }
+    cr_str_fini(&command);
+    return code;
+}
+
+/* ---- at the command line ---- */
 
 #define TEXT(word, value, to, what)                                                                \
     { .name = word, .arg = value, .text = to, .help = what }
@@ -357,7 +445,7 @@ static int run(struct options *opt, int argc, char **argv) {
     struct cr_error err = {0};
     struct cr_str command = {0};
     int operands;
-    join(argc, argv, &command);
+    join(argc, (const char *const *)argv, &command);
     int status = cr_cli_options(&usage, argc, argv, &operands);
     if (status < 0) {
         enum cr_err code = check_out(opt, &err);

@@ -2,6 +2,7 @@
  * other slices and voxels. */
 #include "expert/validity.h"
 
+#include "base/json.h"
 #include "base/stats.h"
 #include "base/vec.h"
 #include "cli/cli.h"
@@ -62,8 +63,8 @@ static void add_rows(const struct cr_test_list *tests, int run, double *error,
         }
         if (n > 0 && out->rows < CR_VALIDITY_ROWS) {
             struct cr_validity_row *row = &out->row[out->rows++];
-            snprintf(row->what, sizeof row->what, "%s, %s", cr_test_measure_label(shown[k]),
-                     cr_test_measure_unit(shown[k]));
+            row->what = cr_test_measure_label(shown[k]);
+            row->unit = cr_test_measure_unit(shown[k]);
             row->n = n;
             row->bias = cr_stats_mean(error, n);
             row->sd = cr_stats_sd(error, n);
@@ -72,22 +73,18 @@ static void add_rows(const struct cr_test_list *tests, int run, double *error,
     }
 }
 
-static void two_measures(const struct cr_test *t, int run, struct cr_validity_test *out) {
+static void first_measures(const struct cr_test *t, int run, struct cr_validity_test *out) {
     static const enum cr_measure shown[] = {CR_MEASURE_DELTA_V, CR_MEASURE_DEPTH, CR_MEASURE_AREA,
                                             CR_MEASURE_EES};
-    int n = 0;
-    for (size_t k = 0; k < sizeof shown / sizeof shown[0] && n < 2; k++) {
+    for (size_t k = 0; k < sizeof shown / sizeof shown[0]; k++) {
         double want = t->reference[shown[k]], got = t->of[run].value[shown[k]];
-        size_t a = strlen(out->measured), b = strlen(out->computed);
-        if (!isfinite(want) || !isfinite(got)) {
-            continue;
+        if (isfinite(want) && isfinite(got) && out->values < CR_VALIDITY_VALUES) {
+            int i = out->values++;
+            out->value[i].what = cr_test_measure_label(shown[k]);
+            out->value[i].unit = cr_test_measure_unit(shown[k]);
+            out->value[i].measured = want;
+            out->value[i].computed = got;
         }
-        const char *gap = n++ > 0 ? "; " : "";
-        const char *label = cr_test_measure_label(shown[k]), *unit = cr_test_measure_unit(shown[k]);
-        snprintf(out->measured + a, sizeof out->measured - a, "%s%s %.3g %s", gap, label, want,
-                 unit);
-        snprintf(out->computed + b, sizeof out->computed - b, "%s%s %.3g %s", gap, label, got,
-                 unit);
     }
 }
 
@@ -117,7 +114,7 @@ static void add_nearest(const struct cr_test_list *tests, int run, enum cr_type 
         snprintf(to->id, sizeof to->id, "%.40s %.20s", t->id, t->part);
         snprintf(to->title, sizeof to->title, "%.95s", t->title);
         to->speed_kmh = t->speed_kmh;
-        two_measures(t, run, to);
+        first_measures(t, run, to);
     }
 }
 
@@ -165,6 +162,61 @@ enum cr_err cr_validity_of(const struct cr_result *r, const struct cr_context *c
     free(error);
     cr_test_list_fini(&tests);
     return code;
+}
+
+/* ---- what was measured ---- */
+
+static int add_expected(const struct cr_test *t, const struct cr_test_outcome *of,
+                        struct cr_expected *out, int n) {
+    const struct cr_test_pulse *pulse = &of->pulse;
+    for (int m = 0; m < CR_MEASURES && n < CR_EXPECTED_MOST; m++) {
+        enum cr_measure which = (enum cr_measure)m;
+        if (isfinite(t->reference[m])) {
+            out[n] = (struct cr_expected){.what = cr_test_measure_label(which),
+                                          .unit = cr_test_measure_unit(which),
+                                          .measured = t->reference[m],
+                                          .computed = of->value[m],
+                                          .relative = cr_test_measure_is_relative(which)};
+            snprintf(out[n++].id, sizeof out->id, "%s", t->part);
+        }
+    }
+    if (t->file[0] != '\0' && n < CR_EXPECTED_MOST) {
+        out[n] = (struct cr_expected){.what = "pulse, rating of ISO/TS 18571",
+                                      .unit = "",
+                                      .measured = (double)NAN,
+                                      .computed = pulse->iso};
+        snprintf(out[n++].id, sizeof out->id, "%s", t->part);
+    }
+    return n;
+}
+
+int cr_expected_of(const struct cr_scene *scene, const char *path, const struct cr_context *ctx,
+                   struct cr_expected *out, struct cr_error *why) {
+    struct cr_test_list tests = {0};
+    struct cr_str text = {0};
+    int n = 0;
+    *why = (struct cr_error){.code = CR_ERR_OK};
+    if (scene->extra == NULL || strstr(scene->extra, "\"x_expect\"") == NULL) {
+        return 0;
+    }
+    enum cr_err code = CR_ERR_OK;
+    if (!cr_json_add(cr_scene_to_json(scene, false), true, &text)) {
+        code = cr_err_set(why, CR_ERR_MEMORY, "out of memory");
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_test_read(cr_str_get(&text), path, CR_TEST_OWN, &tests, why);
+    }
+    for (int i = 0; i < tests.n && code == CR_ERR_OK; i++) {
+        struct cr_test *t = &tests.item[i];
+        const struct cr_test_how how = {scene->set.method, t->type};
+        struct cr_study_limit limit;
+        const struct cr_context one = cr_study_limited(ctx, &limit);
+        code = cr_test_measure(t, how, &one, &t->of[0], why);
+        n = code == CR_ERR_OK ? add_expected(t, &t->of[0], out, n) : n;
+    }
+    cr_test_list_fini(&tests);
+    cr_str_fini(&text);
+    return n;
 }
 
 /* ---- variants ---- */

@@ -81,8 +81,7 @@ static void text(cairo_t *cr, const struct cr_canvas *c, const struct cr_item *i
                            f->bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_font_size(cr, f->size);
     cairo_text_extents(cr, words, &box);
-    double room = cr_text_width(f, words);
-    double narrow = box.x_advance > room ? room / box.x_advance : 1;
+    double narrow = box.x_advance > item->w ? item->w / box.x_advance : 1;
     cairo_save(cr);
     cairo_translate(cr, item->x, item->y);
     if (f->upward) {

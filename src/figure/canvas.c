@@ -35,8 +35,12 @@ double cr_canvas_h(const struct cr_canvas *c) {
     return c->h;
 }
 
-void cr_canvas_comma(struct cr_canvas *c, bool on) {
-    c->comma = on;
+void cr_canvas_comma(struct cr_canvas *c) {
+    for (int i = 0; i < c->items; i++) {
+        if (c->item[i].act == CR_ACT_TEXT) {
+            cr_decimal_comma(c->words.s + c->item[i].from, (size_t)c->item[i].n);
+        }
+    }
 }
 
 void cr_canvas_origin(struct cr_canvas *c, double x, double y) {
@@ -171,10 +175,6 @@ static int sequence(const char *s) {
     return n;
 }
 
-static bool digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 void cr_canvas_text(struct cr_canvas *c, double x, double y, const struct cr_type_face *face,
                     const char *utf8) {
     struct cr_item *item = utf8[0] != '\0' ? add_item(c, CR_ACT_TEXT) : NULL;
@@ -189,8 +189,6 @@ void cr_canvas_text(struct cr_canvas *c, double x, double y, const struct cr_typ
         int n = sequence(s);
         if (n == 0 || (n == 1 && (unsigned char)*s < 32) || *s == 127) {
             cr_str_add(&c->words, "\xEF\xBF\xBD");
-        } else if (c->comma && *s == '.' && s > utf8 && digit(s[-1]) && digit(s[1])) {
-            cr_str_add(&c->words, ",");
         } else {
             cr_str_addn(&c->words, s, (size_t)n);
         }
@@ -198,6 +196,9 @@ void cr_canvas_text(struct cr_canvas *c, double x, double y, const struct cr_typ
     }
     item->n = (int)c->words.len - item->from;
     c->failed |= c->words.failed;
+    if (!c->words.failed) {
+        item->w = cr_text_width(face, c->words.s + item->from);
+    }
 }
 
 /* Widths of the characters 32..126 of Helvetica in 1/1000 of the size, as Adobe published them

@@ -22,8 +22,8 @@ void cr_canvas_free(struct cr_canvas *canvas);
 double cr_canvas_w(const struct cr_canvas *canvas);
 double cr_canvas_h(const struct cr_canvas *canvas);
 
-/* Numbers in words get a decimal comma. */
-void cr_canvas_comma(struct cr_canvas *canvas, bool on);
+/* Numbers in the words that are there get a decimal comma (cr_decimal_comma). */
+void cr_canvas_comma(struct cr_canvas *canvas);
 /* What follows is moved by x, y; calls do not add up. */
 void cr_canvas_origin(struct cr_canvas *canvas, double x, double y);
 

@@ -19,12 +19,12 @@ struct cr_item {
     int from, n; /* steps of the path, or bytes of the text */
     struct cr_paint paint;
     struct cr_type_face face;
-    double x, y, w, h;
+    double x, y, w, h; /* of a text w is how wide it is set */
 };
 
 struct cr_canvas {
     double w, h, x0, y0;
-    bool comma, failed;
+    bool failed;
     int items, item_size, steps, step_size, painted; /* painted: steps before the open path */
     struct cr_item *item;
     struct cr_step *step;

@@ -132,12 +132,13 @@ static void histogram_mark(const struct cr_axes *a, double x, const char *name, 
         .size = small_size, .ink = CR_INK_TEXT, .anchor = CR_ANCHOR_MIDDLE, .halo = true};
     char text[64];
     double at = cr_axes_x(a, x);
-    cr_figure_rule(a->canvas, (struct cr_line){at, a->at.y, at, a->at.y + a->at.h}, CR_INK_TEXT,
-                   0.9, CR_DASH_LONG);
+    double below = a->at.y + 11 + 10 * row; /* the line hangs from its name */
+    cr_figure_rule(a->canvas, (struct cr_line){at, below, at, a->at.y + a->at.h}, CR_INK_TEXT, 0.9,
+                   CR_DASH_LONG);
     snprintf(text, sizeof text, "%.30s %.4g", name, x);
     double half = cr_text_width(&face, text) / 2;
-    cr_canvas_text(a->canvas, cr_clamp(at, a->at.x + half, a->at.x + a->at.w - half),
-                   a->at.y + 9 + 10 * row, &face, text);
+    cr_canvas_text(a->canvas, cr_clamp(at, a->at.x + half, a->at.x + a->at.w - half), below - 2,
+                   &face, text);
 }
 
 void cr_figure_histogram(struct cr_canvas *canvas, struct cr_box at, const struct cr_histogram *h,

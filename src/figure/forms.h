@@ -23,6 +23,13 @@ CR_MUST_CHECK enum cr_err cr_form_mme(const struct cr_result *result, const char
 CR_MUST_CHECK enum cr_err cr_form_gnuplot(const struct cr_result *result, const char *name,
                                           const struct cr_form_sink *sink, struct cr_error *err);
 
+/* Place of the CG, heading (continuous) and velocities of all that moves from the begin to the end
+ * of the solve as CSV, every `step` seconds, time 0 at first contact. ISO 8855: x east, y north,
+ * angles counter-clockwise; SAE J670: x east, y south, clockwise. */
+enum cr_axes_of { CR_AXES_ISO, CR_AXES_SAE };
+void cr_form_motion(const struct cr_result *result, enum cr_axes_of axes, double step,
+                    struct cr_str *out);
+
 /* Legacy VTK, ASCII: the voxels as cells with fill, EES (km/h), energy (J) and damage (share of
  * material lost); m, own frame of the vehicle. */
 void cr_form_vtk(const struct cr_body_voxels *body, struct cr_str *out);

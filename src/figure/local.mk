@@ -5,7 +5,7 @@ libfigure_a_SOURCES = \
 	src/figure/cairo.c \
 	src/figure/cast.c \
 	src/figure/channels.c \
-	src/figure/forms.h \
+	src/figure/forms.h src/figure/motion.c \
 	src/figure/solid.c \
 	src/figure/canvas.c src/figure/canvas.h src/figure/canvas_priv.h \
 	src/figure/charts.c \

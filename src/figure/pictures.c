@@ -1,6 +1,7 @@
 /* Which data each picture of a crash shows, and its file. */
 #include "figure/pictures.h"
 
+#include "base/file.h"
 #include "base/vec.h"
 #include "render/picture.h"
 
@@ -413,4 +414,36 @@ enum cr_err cr_picture_text(struct cr_canvas *canvas, enum cr_picture_format for
     default:
         return cr_canvas_svg(canvas, title, true, out, err);
     }
+}
+
+enum cr_err cr_picture_may_write(const char *path, struct cr_error *err) {
+    int format = cr_picture_format_of(path);
+    if (format < 0) {
+        cr_err_set(err, CR_ERR_USAGE, "a picture ends in .svg, .pdf or .png, not as %.150s", path);
+        cr_err_hint(err, "for example crash.svg");
+        return CR_ERR_USAGE;
+    }
+    /* the format itself says which package is missing */
+    return cr_canvas_has_cairo() || format == CR_FORMAT_SVG
+               ? CR_ERR_OK
+               : cr_picture_text(NULL, (enum cr_picture_format)format, NULL, NULL, err);
+}
+
+enum cr_err cr_picture_write(struct cr_canvas *canvas, const char *path, const char *title,
+                             struct cr_error *err) {
+    struct cr_str text = {0};
+    enum cr_err code = cr_picture_may_write(path, err);
+    if (code == CR_ERR_OK && canvas == NULL) {
+        code = cr_err_set(err, CR_ERR_MEMORY, "no memory for the picture");
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_picture_text(canvas, (enum cr_picture_format)cr_picture_format_of(path), title,
+                               &text, err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_file_write(path, cr_str_get(&text), text.len, err);
+    }
+    cr_canvas_free(canvas);
+    cr_str_fini(&text);
+    return code;
 }

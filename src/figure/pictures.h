@@ -72,6 +72,13 @@ void cr_picture_title(const struct cr_picture_source *source, double time, char 
 enum cr_picture_format { CR_FORMAT_SVG, CR_FORMAT_PDF, CR_FORMAT_PNG, CR_PICTURE_FORMATS };
 /* By the suffix of a path; -1: none of them. */
 int cr_picture_format_of(const char *path);
+/* Can there be a picture in a file of that name? Errors: USAGE for another suffix, and in a build
+ * without cairo, which it names. */
+CR_MUST_CHECK enum cr_err cr_picture_may_write(const char *path, struct cr_error *err);
+/* Takes a canvas over and writes it into a file, in the format of its suffix, whole or not at all.
+ * Errors: those of cr_picture_may_write, IO; MEMORY, also for a canvas of NULL. */
+CR_MUST_CHECK enum cr_err cr_picture_write(struct cr_canvas *canvas, const char *path,
+                                           const char *title, struct cr_error *err);
 /* A canvas as the text of a file. Errors: USAGE in a build without cairo, MEMORY. */
 CR_MUST_CHECK enum cr_err cr_picture_text(struct cr_canvas *canvas, enum cr_picture_format format,
                                           const char *title, struct cr_str *out,

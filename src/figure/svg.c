@@ -72,6 +72,8 @@ static void path(const struct cr_canvas *c, const struct cr_item *item, struct c
     cr_str_add(out, "/>\n");
 }
 
+/* The viewer's font may be wider or narrower than the one that labels were placed for: the length
+ * makes it fit. */
 static void text(const struct cr_canvas *c, const struct cr_item *item, struct cr_str *out) {
     static const char *const anchor[] = {NULL, "middle", "end"};
     const struct cr_type_face *f = &item->face;
@@ -80,6 +82,8 @@ static void text(const struct cr_canvas *c, const struct cr_item *item, struct c
     attribute(out, "y", item->y);
     attribute(out, "font-size", f->size);
     colour(out, "fill", f->ink);
+    attribute(out, "textLength", item->w);
+    cr_str_add(out, " lengthAdjust=\"spacingAndGlyphs\"");
     if (f->bold) {
         cr_str_add(out, " font-weight=\"bold\"");
     }

@@ -1,8 +1,6 @@
 /* ^C where lines are read: a flag that the handler sets and the reader clears. */
 #include "repl/repl_priv.h"
 
-#include "base/catch.h"
-
 volatile sig_atomic_t cr_repl_interrupted;
 
 static void on_interrupt(int sig) {
@@ -11,5 +9,7 @@ static void on_interrupt(int sig) {
 }
 
 void cr_repl_catch_interrupt(void) {
-    cr_catch(SIGINT, on_interrupt, 0);
+    struct sigaction action = {.sa_handler = on_interrupt};
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGINT, &action, NULL);
 }

@@ -134,7 +134,8 @@ static void greet(struct cr_session *s, const char *state_dir) {
     (void)s;
 }
 
-int cr_repl_main(int argc, char **argv, const char *data_dir) {
+int cr_repl_main(int argc, char **argv, const char *data_dir,
+                 enum cr_err (*report)(const struct cr_report_order *order, struct cr_error *err)) {
     struct cr_repl_options o;
     struct cr_error err;
     char state_dir[1024] = "";
@@ -146,18 +147,18 @@ int cr_repl_main(int argc, char **argv, const char *data_dir) {
     bool tty = isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
     bool prompt = tty && (o.prompt || o.sources == 0);
     struct cr_terminal t = {.progress = isatty(STDERR_FILENO) != 0};
+    int max_seconds = o.max_seconds > 0 || prompt ? o.max_seconds : CR_MAX_SECONDS;
     if (prompt) {
         cr_repl_state_dir(state_dir, sizeof state_dir);
     }
     struct cr_session_opts opts = {.data_dir = data_dir,
                                    .state_dir = state_dir[0] != '\0' ? state_dir : NULL,
                                    .ask = prompt,
-                                   .max_seconds = o.max_seconds > 0 ? o.max_seconds
-                                                  : prompt          ? 0
-                                                                    : CR_MAX_SECONDS,
+                                   .max_seconds = max_seconds,
                                    .max_megabytes = o.max_megabytes,
                                    .look = cr_terminal_look(o.color, o.ascii),
-                                   .out = cr_terminal_out(&t)};
+                                   .out = cr_terminal_out(&t),
+                                   .report = report};
     cr_repl_catch_interrupt();
     if (cr_session_new(&opts, &s, &err) != CR_ERR_OK) {
         say_error(&err);

@@ -6,12 +6,15 @@
 
 #include <stdbool.h>
 
+struct cr_report_order;
+
 /* `crumple [OPTION ...] [FILE.crumple ...]`: command files, - for standard input and -e COMMAND in
  * order; without any of them the commands come from standard input, with a prompt on a terminal.
  * -i or --repl gives the prompt afterwards; --ascii and --color=always|auto|never say how pictures
- * look. argv[0] is not looked at. data_dir: folder of models/ and share/, "" if there is none.
- * Returns the exit status of the program (crumple(1)). */
-int cr_repl_main(int argc, char **argv, const char *data_dir);
+ * look. argv[0] is not looked at. data_dir: folder of models/ and share/, "" if there is none;
+ * report: as in struct cr_session_opts. Returns the exit status of the program (crumple(1)). */
+int cr_repl_main(int argc, char **argv, const char *data_dir,
+                 enum cr_err (*report)(const struct cr_report_order *order, struct cr_error *err));
 
 /* How the full screen begins when the same words lead to it. */
 struct cr_repl_start {

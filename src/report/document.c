@@ -18,31 +18,6 @@ void cr_document_fini(struct cr_document *doc) {
     *doc = (struct cr_document){0};
 }
 
-static bool digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
-/* 1.5 -> 1,5; not in 0.1.0, which has more than one point */
-static void set_comma(char *s) {
-    for (char *p = s; *p != '\0'; p++) {
-        if (*p != '.' || p == s || !digit(p[-1]) || !digit(p[1])) {
-            continue;
-        }
-        const char *before = p - 1, *after = p + 1;
-        while (before > s && digit(before[-1])) {
-            before--;
-        }
-        while (digit(*after)) {
-            after++;
-        }
-        bool chain = (*after == '.' && digit(after[1])) ||
-                     (before > s + 1 && before[-1] == '.' && digit(before[-2]));
-        if (!chain) {
-            *p = ',';
-        }
-    }
-}
-
 static const char *vtext(struct cr_document *doc, const char *fmt, va_list args, bool comma) {
     va_list again;
     va_copy(again, args);
@@ -55,7 +30,7 @@ static const char *vtext(struct cr_document *doc, const char *fmt, va_list args,
     }
     vsnprintf(s, (size_t)n + 1, fmt, args);
     if (comma) {
-        set_comma(s);
+        cr_decimal_comma(s, (size_t)n);
     }
     return s;
 }
@@ -89,10 +64,25 @@ const char *cr_doc_keep(struct cr_document *doc, const char *text) {
     return s;
 }
 
+/* Code with blanks where it has tabs, which no font draws, and without the CR of other systems. */
+static const char *keep_code(struct cr_document *doc, const char *text) {
+    struct cr_str plain = {0};
+    for (const char *p = text; *p != '\0';) {
+        size_t n = strcspn(p, "\t\r");
+        cr_str_addn(&plain, p, n);
+        cr_str_add(&plain, p[n] == '\t' ? "  " : "");
+        p += n + (p[n] != '\0');
+    }
+    doc->failed = doc->failed || plain.failed;
+    const char *kept = cr_doc_keep(doc, cr_str_get(&plain));
+    cr_str_fini(&plain);
+    return kept;
+}
+
 void cr_doc_add(struct cr_document *doc, enum cr_block_kind kind, const char *text) {
     struct cr_block *b = add(doc, kind);
     if (b != NULL) {
-        b->text = cr_doc_keep(doc, text);
+        b->text = kind == CR_BLOCK_CODE ? keep_code(doc, text) : cr_doc_keep(doc, text);
     }
 }
 
@@ -137,6 +127,9 @@ void cr_doc_figure(struct cr_document *doc, struct cr_canvas *figure, const char
     if (b == NULL) {
         cr_canvas_free(figure);
         return;
+    }
+    if (doc->comma) {
+        cr_canvas_comma(figure);
     }
     b->figure = figure;
     b->text = cr_doc_keep(doc, caption);

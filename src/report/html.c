@@ -15,7 +15,8 @@ static const char style[] =
     "table{border-collapse:collapse;margin:2mm 0 4mm;font-size:9pt;"
     "font-variant-numeric:tabular-nums}"
     "th,td{text-align:left;vertical-align:top;padding:.7mm 3mm .7mm 1mm;"
-    "border-bottom:1px solid #dedede;overflow-wrap:anywhere}"
+    "border-bottom:1px solid #dedede}"
+    "td:last-child{overflow-wrap:anywhere}" /* hashes and paths; else words stay whole */
     "th{border-bottom:1px solid #808080}thead{display:table-header-group}"
     "tr{break-inside:avoid}"
     "tr.assumed td:first-child{border-left:3px solid #d55e00;padding-left:2mm}"

@@ -2,7 +2,7 @@ noinst_LIBRARIES += libreport.a
 libreport_a_SOURCES = \
 	src/report/document.c src/report/document.h \
 	src/report/german.h \
-	src/report/html.c \
+	src/report/html.c src/report/order.h \
 	src/report/pages.c \
 	src/report/report.c src/report/report.h \
 	src/report/section_annex.c \

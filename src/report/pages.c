@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MARGIN = 48, FOOT = 30, PAGES_MOST = 2000, LINE_MOST = 2000 };
+enum { MARGIN = 48, FOOT = 30, PAGES_MOST = 2000, LINE_MOST = 2000, CAPTION = 30 };
 enum { INK = 0x1a1a1a, INK_DIM = 0x5a5a5a, INK_RULE = 0x808080, INK_HAIR = 0xdedede };
 enum { INK_WARN = 0xb00000, INK_ASSUMED = 0xd55e00, INK_CODE = 0xf6f6f6 };
 
@@ -132,25 +132,6 @@ static void put_text(struct layout *l, const struct cr_block *b, const struct cr
     } while (*s != '\0');
 }
 
-static void heading(struct layout *l, const struct cr_block *b) {
-    static const struct {
-        double size, before, after;
-    } looks[] = {{18, 0, 8}, {13, 16, 6}, {10.5, 8, 2}};
-    struct cr_type_face face = {.size = looks[b->kind].size, .ink = INK, .bold = true};
-    /* a heading stays with what follows it */
-    if (l->y > MARGIN) {
-        l->y += looks[b->kind].before;
-    }
-    if (!need(l, 90)) {
-        return;
-    }
-    put_text(l, b, &face, 1.25 * face.size, 0);
-    if (b->kind == CR_BLOCK_HEADING) {
-        rule(page(l), MARGIN, l->y + 1, l->w - MARGIN, INK_RULE);
-    }
-    l->y += looks[b->kind].after;
-}
-
 /* ---- tables ---- */
 
 enum { CELL_PAD = 6 };
@@ -222,7 +203,8 @@ static void table(struct layout *l, const struct cr_block *b) {
         double h = row_height(b, i, w);
         int pages = l->pages;
         /* a head is not left alone at the foot */
-        if (!need(l, b->row[i].head ? h + 2 * cell_lead : h)) {
+        bool next = b->row[i].head && i + 1 < b->rows;
+        if (!need(l, next ? h + row_height(b, i + 1, w) : h)) {
             return;
         }
         if (l->pages > pages && !b->row[i].head && b->row[0].head) {
@@ -233,12 +215,16 @@ static void table(struct layout *l, const struct cr_block *b) {
     l->y += 8;
 }
 
+/* how much a figure is made smaller, so that it fits a page with its caption */
+static double figure_scale(const struct layout *l, const struct cr_block *b) {
+    double most = l->h - 2 * MARGIN - FOOT - CAPTION;
+    return fmin(1, fmin(inner(l) / cr_canvas_w(b->figure), most / cr_canvas_h(b->figure)));
+}
+
 static void figure(struct layout *l, const struct cr_block *b) {
     struct cr_type_face face = {.size = 8.5, .ink = INK_DIM};
-    double k = fmin(inner(l) / cr_canvas_w(b->figure), 1), most = l->h - 2 * MARGIN - FOOT - 30;
-    k = fmin(k, most / cr_canvas_h(b->figure));
-    double h = k * cr_canvas_h(b->figure);
-    if (!need(l, h + 24)) {
+    double k = figure_scale(l, b), h = k * cr_canvas_h(b->figure);
+    if (!need(l, h + CAPTION)) {
         return;
     }
     cr_canvas_place(page(l), b->figure, MARGIN, l->y, k);
@@ -246,6 +232,48 @@ static void figure(struct layout *l, const struct cr_block *b) {
     struct cr_block caption = {.kind = CR_BLOCK_TEXT, .text = b->text};
     put_text(l, &caption, &face, 11, 0);
     l->y += 8;
+}
+
+/* ---- headings ---- */
+
+static const struct {
+    double size, before, after;
+} looks[] = {{18, 0, 8}, {13, 16, 6}, {10.5, 8, 2}}; /* of title, heading, minor */
+
+/* Room for a heading with the headings below it and the first of what they are about. */
+static double with_first(const struct layout *l, int block) {
+    const struct cr_block *b = &l->doc->block[block];
+    double w[CR_COLUMNS];
+    switch (b->kind) {
+    case CR_BLOCK_TITLE:
+    case CR_BLOCK_HEADING:
+    case CR_BLOCK_MINOR:
+        return looks[b->kind].before + 1.25 * looks[b->kind].size + looks[b->kind].after +
+               (block + 1 < l->doc->blocks ? with_first(l, block + 1) : 0);
+    case CR_BLOCK_TABLE:
+        column_widths(l, b, w);
+        return 4 + (b->rows > 0 ? row_height(b, 0, w) : 0) +
+               (b->rows > 1 ? row_height(b, 1, w) : 0);
+    case CR_BLOCK_FIGURE:
+        return figure_scale(l, b) * cr_canvas_h(b->figure) + CAPTION;
+    default:
+        return 40;
+    }
+}
+
+static void heading(struct layout *l, int block) {
+    const struct cr_block *b = &l->doc->block[block];
+    struct cr_type_face face = {.size = looks[b->kind].size, .ink = INK, .bold = true};
+    double room = with_first(l, block);
+    l->y += l->y > MARGIN ? looks[b->kind].before : 0;
+    if (!need(l, room - looks[b->kind].before)) {
+        return;
+    }
+    put_text(l, b, &face, 1.25 * face.size, 0);
+    if (b->kind == CR_BLOCK_HEADING) {
+        rule(page(l), MARGIN, l->y + 1, l->w - MARGIN, INK_RULE);
+    }
+    l->y += looks[b->kind].after;
 }
 
 /* ---- all ---- */
@@ -259,7 +287,7 @@ static void lay_out(struct layout *l) {
         case CR_BLOCK_TITLE:
         case CR_BLOCK_HEADING:
         case CR_BLOCK_MINOR:
-            heading(l, b);
+            heading(l, i);
             break;
         case CR_BLOCK_TEXT:
             put_text(l, b, &text, 13, 0);

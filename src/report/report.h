@@ -38,6 +38,9 @@ struct cr_report_source {
     const char *no_mc;
     const struct cr_validity *validity;      /* NULL: not compared */
     const struct cr_face_measured *measured; /* [participants] crush as measured; NULL: none */
+    int expects;
+    const struct cr_expected *expected;
+    const char *unexpected; /* why what was measured could not be compared; NULL: it could */
     int variants;
     const struct cr_variant *variant;
 };

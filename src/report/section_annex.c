@@ -19,7 +19,7 @@ static void trace_row(struct cr_paper *p, int sample, int body) {
         cr_doc_text(p->doc, "%.1f", 1e3 * (sol->t[sample] - sol->t_contact)),
         p->r->resolved.part[body].id};
     for (int i = 0; i < 8; i++) {
-        cell[2 + i] = cr_doc_text(p->doc, "%.2f", cr_result_quantity(sol, sample, body, shown[i]));
+        cell[2 + i] = cr_paper_number(p, 2, cr_result_quantity(sol, sample, body, shown[i]));
     }
     cr_doc_row(p->doc, cell);
 }

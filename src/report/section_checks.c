@@ -13,8 +13,8 @@
 
 static void energy(struct cr_paper *p, const char *name, double joule) {
     const struct cr_balance *b = &p->r->solution->balance;
-    ROW(p, W(p, name), cr_doc_text(p->doc, "%.1f", joule * 1e-3),
-        cr_doc_text(p->doc, "%.1f", 100 * joule / b->kinetic_before));
+    ROW(p, W(p, name), cr_paper_number(p, 1, joule * 1e-3),
+        cr_paper_number(p, 1, 100 * joule / b->kinetic_before));
 }
 
 void cr_section_balance(struct cr_paper *p) {
@@ -84,7 +84,7 @@ static enum cr_err drawn_result(struct cr_paper *p, int body, const char *name, 
         return charts(p, body, measure, &st, err);
     }
     const char *cell[CR_COLUMNS] = {
-        cr_doc_text(p->doc, "%s %s, %s", p->r->resolved.part[body].id, m->name,
+        cr_doc_text(p->doc, "%s: %s, %s", p->r->resolved.part[body].id, W(p, m->title),
                     cr_units_shown(p->r->units, m->unit, NULL, NULL)),
         cr_doc_text(p->doc, "%.*f", m->decimals, shown(p, m, st.nominal)),
         cr_doc_text(p->doc, "%.*f", m->decimals, shown(p, m, st.mean)),
@@ -183,6 +183,17 @@ enum cr_err cr_section_uncertainty(struct cr_paper *p, struct cr_error *err) {
 
 /* ---- 10, 11 ---- */
 
+/* "delta-v 63.9 km/h; damaged area 0.5 m2" */
+static const char *values_of(struct cr_paper *p, const struct cr_validity_test *t, bool computed) {
+    const char *text = "";
+    for (int i = 0; i < t->values; i++) {
+        text =
+            cr_doc_text(p->doc, "%s%s%s %.3g %s", text, i > 0 ? "; " : "", W(p, t->value[i].what),
+                        computed ? t->value[i].computed : t->value[i].measured, t->value[i].unit);
+    }
+    return text;
+}
+
 static void validity_tables(struct cr_paper *p, const struct cr_validity *v) {
     cr_doc_addf(p->doc, CR_BLOCK_TEXT,
                 W(p, "Crash tests of the class that this crash belongs to (%s), computed with this "
@@ -193,8 +204,8 @@ static void validity_tables(struct cr_paper *p, const struct cr_validity *v) {
     for (int i = 0; i < v->rows; i++) {
         const struct cr_validity_row *r = &v->row[i];
         const char *unit = r->relative ? "%" : "";
-        ROW(p, W(p, r->what), cr_doc_text(p->doc, "%d", r->n),
-            cr_doc_text(p->doc, "%+.1f %s", r->bias, unit),
+        ROW(p, cr_doc_text(p->doc, "%s, %s", W(p, r->what), r->unit),
+            cr_doc_text(p->doc, "%d", r->n), cr_doc_text(p->doc, "%+.1f %s", r->bias, unit),
             isfinite(r->sd) ? cr_doc_text(p->doc, "%.1f %s", r->sd, unit) : "-");
     }
     cr_doc_add(p->doc, CR_BLOCK_MINOR, W(p, "The nearest tests"));
@@ -203,7 +214,8 @@ static void validity_tables(struct cr_paper *p, const struct cr_validity *v) {
     for (int i = 0; i < v->near; i++) {
         const struct cr_validity_test *t = &v->nearest[i];
         ROW(p, cr_doc_text(p->doc, "%s  %s", t->id, t->title),
-            cr_doc_text(p->doc, "%.0f", t->speed_kmh), t->measured, t->computed);
+            cr_doc_text(p->doc, "%.0f", t->speed_kmh), values_of(p, t, false),
+            values_of(p, t, true));
     }
 }
 

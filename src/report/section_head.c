@@ -12,6 +12,11 @@ bool cr_paper_is_vehicle(const struct cr_paper *p, int body) {
     return p->r->resolved.part[body].kind == CR_KIND_VEHICLE;
 }
 
+const char *cr_paper_number(const struct cr_paper *p, int decimals, double x) {
+    double least = 0.5 * pow(10, -decimals);
+    return cr_doc_text(p->doc, "%.*f", decimals, fabs(x) < least ? 0 : x);
+}
+
 static int measure_index(const struct cr_measure *m) {
     int n;
     return (int)(m - cr_measures(&n));
@@ -41,13 +46,14 @@ const char *cr_paper_interval(const struct cr_paper *p, int body, const struct c
         return "-";
     }
     const char *unit = cr_units_shown(p->r->units, m->unit, &value, &decimals);
+    unit = unit[0] != '\0' ? cr_doc_text(p->doc, " %s", unit) : "";
     if (!range_of(p, body, m, range)) {
-        return cr_doc_text(p->doc, "%.*f %s (%s)", decimals, value, unit,
+        return cr_doc_text(p->doc, "%.*f%s (%s)", decimals, value, unit,
                            W(p, "interval not computed"));
     }
     cr_units_shown(p->r->units, m->unit, &range[0], NULL);
     cr_units_shown(p->r->units, m->unit, &range[1], NULL);
-    return cr_doc_text(p->doc, "%.*f %s (%.*f %s %.*f)", decimals, value, unit, decimals, range[0],
+    return cr_doc_text(p->doc, "%.*f%s (%.*f %s %.*f)", decimals, value, unit, decimals, range[0],
                        W(p, "to"), decimals, range[1]);
 }
 
@@ -103,9 +109,9 @@ static const char *pdof(const struct cr_paper *p, int body) {
     }
     const char *clock = cr_doc_text(p->doc, W(p, "%d o'clock"), of->pdof_clock);
     if (m == NULL || !range_of(p, body, m, range)) {
-        return cr_doc_text(p->doc, "%.0f deg, %s", cr_deg(of->pdof), clock);
+        return cr_doc_text(p->doc, "%.0f\u00b0, %s", cr_deg(of->pdof), clock);
     }
-    return cr_doc_text(p->doc, "%.0f deg (%.0f %s %.0f), %s", cr_deg(of->pdof), range[0],
+    return cr_doc_text(p->doc, "%.0f\u00b0 (%.0f %s %.0f), %s", cr_deg(of->pdof), range[0],
                        W(p, "to"), range[1], clock);
 }
 

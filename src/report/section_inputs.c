@@ -5,6 +5,7 @@
 
 #include <cjson/cJSON.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const struct cr_assumed *assumed_of(const struct cr_paper *p) {
@@ -61,6 +62,11 @@ static void value_row(struct cr_paper *p, const char *id, const struct cr_key *k
         /* of a list the commas separate */
         const char *text = cr_str_get(&value);
         text = text[0] == '[' ? text : cr_doc_text(p->doc, "%s", text);
+        char *end;
+        double number = strtod(cr_str_get(&value), &end);
+        if (assumed != NULL && *end == '\0') { /* a rule is not exact to ten digits */
+            text = cr_doc_text(p->doc, "%.5g", number);
+        }
         struct cr_doc_row *row = ROW(p, key->name, text, key->unit != NULL ? key->unit : "", half,
                                      origin_of(p, key, assumed, given));
         if (row != NULL) {
@@ -71,14 +77,17 @@ static void value_row(struct cr_paper *p, const char *id, const struct cr_key *k
     cr_str_fini(&value);
 }
 
-/* Parts of the model choice that were not chosen say nothing. */
+/* Parts of a choice that was not made say nothing: of the model, of a car of the catalogue, and how
+ * somebody stands who has a position of his own. */
 static bool is_idle(const struct cr_key *key, const struct cr_participant *part, bool given) {
     if (key->type == CR_KEY_PDOF) {
         enum cr_pdof_kind kind = part->model.pdof_kind;
         return key->aux != (size_t)(kind == CR_PDOF_OLD ? CR_PDOF_AUTO : kind);
     }
-    return !given &&
-           (strncmp(key->name, "model.stiffness", 15) == 0 || strcmp(key->name, "model.file") == 0);
+    bool place = strncmp(key->name, "place.", 6) == 0;
+    return !given && (strncmp(key->name, "model.stiffness", 15) == 0 ||
+                      strcmp(key->name, "model.file") == 0 || strcmp(key->name, "car") == 0 ||
+                      (place && !cr_scene_is_placed(part)));
 }
 
 /* The x_ keys of a scene or participant, in the words of who wrote them: sources, assumptions,

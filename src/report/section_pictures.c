@@ -141,6 +141,34 @@ static void beside_measured(struct cr_paper *p, int body) {
     }
 }
 
+/* what the scene says was measured */
+static void expected(struct cr_paper *p) {
+    if (p->s->unexpected != NULL) {
+        cr_doc_addf(p->doc, CR_BLOCK_WARNING,
+                    W(p, "What the scene says was measured (x_expect) was not compared: %s"),
+                    p->s->unexpected);
+    }
+    if (p->s->expects == 0) {
+        return;
+    }
+    cr_doc_add(p->doc, CR_BLOCK_MINOR, W(p, "Measured beside computed"));
+    cr_doc_table(p->doc, 5);
+    HEAD(p, W(p, "Vehicle"), W(p, "Measure"), W(p, "measured"), W(p, "computed"),
+         W(p, "difference"));
+    for (int i = 0; i < p->s->expects; i++) {
+        const struct cr_expected *e = &p->s->expected[i];
+        double off = e->computed - e->measured;
+        bool percent = e->relative && e->measured != 0, known = isfinite(off);
+        ROW(p, e->id,
+            cr_doc_text(p->doc, "%s%s%s", W(p, e->what), e->unit[0] != '\0' ? ", " : "", e->unit),
+            isfinite(e->measured) ? cr_doc_text(p->doc, "%.4g", e->measured) : "-",
+            isfinite(e->computed) ? cr_doc_text(p->doc, "%.4g", e->computed) : "-",
+            !known    ? "-"
+            : percent ? cr_doc_text(p->doc, "%+.1f %%", 100 * off / fabs(e->measured))
+                      : cr_doc_text(p->doc, "%+.3g", off));
+    }
+}
+
 static void profile(struct cr_paper *p, int body) {
     const struct cr_severity *of = &p->r->of[body];
     const char *cell[CR_COLUMNS] = {p->r->resolved.part[body].id};
@@ -182,6 +210,7 @@ enum cr_err cr_section_damage(struct cr_paper *p, struct cr_error *err) {
     for (int i = 0; i < p->r->resolved.n; i++) {
         beside_measured(p, i);
     }
+    expected(p);
     cr_doc_add(p->doc, CR_BLOCK_TEXT,
                W(p,
                  "C1 to C6 stand at equal spaces over the width; they are measured square to the "
@@ -203,13 +232,13 @@ static void one_impact(struct cr_paper *p, const struct cr_impact *k, int side) 
         cr_doc_text(p->doc, "%.1f", cr_kmh(of->ees)), cr_doc_text(p->doc, "%.0f", cr_deg(of->pdof)),
         of->cdc, cr_doc_text(p->doc, "%.1f", of->acceleration_max / CR_G),
         cr_doc_text(p->doc, "%.0f", 1e3 * of->pulse),
-        cr_doc_text(p->doc, "%s, e %.2f", cr_stop_word(k->stop), k->restitution));
+        cr_doc_text(p->doc, "%s, e %.2f", W(p, cr_stop_word(k->stop)), k->restitution));
 }
 
 void cr_section_impacts(struct cr_paper *p) {
     cr_doc_add(p->doc, CR_BLOCK_MINOR, W(p, "Every impact by itself"));
     cr_doc_table(p->doc, 10);
-    HEAD(p, "t, ms", W(p, "Vehicle"), W(p, "Partner"), "delta-v, km/h", "EES, km/h", "PDOF, deg",
+    HEAD(p, "t, ms", W(p, "Vehicle"), W(p, "Partner"), "delta-v, km/h", "EES, km/h", "PDOF, \u00b0",
          "CDC", W(p, "Peak, g"), W(p, "Pulse, ms"), W(p, "End"));
     for (int i = 0; i < p->r->impacts; i++) {
         one_impact(p, &p->r->impact[i], 0);

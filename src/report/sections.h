@@ -24,6 +24,8 @@ struct cr_paper {
         }                                                                                          \
     } while (0)
 
+/* A number with so many decimals, without the sign of a zero. */
+const char *cr_paper_number(const struct cr_paper *paper, int decimals, double x);
 /* Is a participant one that results are reported of? */
 bool cr_paper_is_vehicle(const struct cr_paper *paper, int body);
 /* "23.4 km/h (20.1 to 26.9)": a result with the range of 95 % of the draws, as far as there are

@@ -6,24 +6,37 @@
 
 /* How the crash tests of a class come out: one line per measure. */
 struct cr_validity_row {
-    char what[64]; /* "EES, km/h" */
+    const char *what, *unit; /* "EES", "km/h" */
     int n;
     double bias, sd; /* % where relative, else in the unit */
     bool relative;
 };
-/* A crash test that is like this crash. */
+enum { CR_VALIDITY_ROWS = 16, CR_VALIDITY_TESTS = 5, CR_VALIDITY_VALUES = 2 };
+/* A crash test that is like this crash, with the first measures that were taken. */
 struct cr_validity_test {
     char id[64], title[96];
     double speed_kmh;
-    char measured[96], computed[96]; /* the first measures that were taken */
+    int values;
+    struct {
+        const char *what, *unit;
+        double measured, computed;
+    } value[CR_VALIDITY_VALUES];
 };
-enum { CR_VALIDITY_ROWS = 16, CR_VALIDITY_TESTS = 5 };
 struct cr_validity {
     char class[96];
     int tests, rows, near;
     struct cr_validity_row row[CR_VALIDITY_ROWS];
     struct cr_validity_test nearest[CR_VALIDITY_TESTS];
 };
+
+/* What the scene says was measured of a participant (x_expect), and what came out. */
+struct cr_expected {
+    char id[CR_NAME_MAX];
+    const char *what, *unit;
+    double measured, computed; /* measured NaN: a rating, which is computed only */
+    bool relative;             /* the difference is told in % */
+};
+enum { CR_EXPECTED_MOST = 64 };
 
 /* The same scene with one setting changed. */
 struct cr_variant {

@@ -36,6 +36,11 @@ static const struct {
      "A, B stiffness of the rear can be given",
      "%: am Heck getroffen, wo die Modelle auf wenigen Versuchen beruhen: EES und Tiefe sind "
      "Schätzungen; eigene Steifigkeiten A, B des Hecks können angegeben werden"},
+    {"%: its own A, B leave the % uncrushed up to an EES of % km/h, where tests say 8 to 20: it "
+     "acts "
+     "as rigid; check the units, B is too small or A too large",
+     "%: eigene Steifigkeiten A, B lassen: % bis zu einer EES von % km/h unverformt, wo Versuche 8 "
+     "bis 20 nennen: das wirkt starr; Einheiten prüfen, B ist zu klein oder A zu groß"},
     {"%: EES % km/h is above the % km/h of the tests behind the models",
      "%: EES % km/h liegt über % km/h der Versuche hinter den Modellen"},
     {"%: crushed over % % of its %: structures behind that depth are an assumption of the model; "

@@ -52,9 +52,9 @@ static void say_input(struct cr_diff *d, struct cr_str *out, const char *path, c
     if (d->inputs++ == 0) {
         cr_str_add(out, "inputs\n");
     }
-    cr_str_addf(out, "  %-28s %12s %12s", path, shown(a, first), shown(b, second));
+    cr_str_addf(out, "  %-28s %11s %11s", path, shown(a, first), shown(b, second));
     if (cJSON_IsNumber(a) && cJSON_IsNumber(b)) {
-        cr_str_addf(out, " %+12.6g", b->valuedouble - a->valuedouble);
+        cr_str_addf(out, " %+11.6g", b->valuedouble - a->valuedouble);
     }
     cr_str_add(out, "\n");
 }
@@ -136,17 +136,17 @@ static void say_value(struct cr_diff *d, struct cr_str *out, const struct cr_mea
     cr_measure_in(m, d->units, &two, NULL);
     const char *unit = cr_measure_in(m, d->units, &by, &decimals);
     char text[3][TEXT];
-    cr_str_addf(out, "  %-23s %-5s%12s %12s", m->name, unit, number(one, decimals, false, text[0]),
+    cr_str_addf(out, "  %-23s %-5s%11s %11s", m->name, unit, number(one, decimals, false, text[0]),
                 number(two, decimals, false, text[1]));
     if (change == 0) {
-        cr_str_add(out, "            =\n");
+        cr_str_add(out, "           =\n");
         return;
     }
     d->values++;
     d->worst = isfinite(share) ? fmax(d->worst, fabs(share)) : d->worst;
-    cr_str_addf(out, " %12s", number(by, decimals, true, text[2]));
+    cr_str_addf(out, " %11s", number(by, decimals, true, text[2]));
     if (isfinite(share)) {
-        cr_str_addf(out, " %+8.1f %%", share);
+        cr_str_addf(out, " %+7.1f %%", share);
     }
     cr_str_add(out, "\n");
 }
@@ -160,8 +160,8 @@ static void say_word(struct cr_diff *d, struct cr_str *out, const char *key, con
     bool same = cJSON_Compare(a, b, true) != 0;
     d->values += !same;
     shown(b, second);
-    cr_str_addf(out, "  %-24s %16s %*s%s\n", key, shown(a, first), strlen(second) > 12 ? 16 : 12,
-                second, same ? "            =" : "");
+    cr_str_addf(out, "  %-23s %16s %*s%s\n", key, shown(a, first), strlen(second) > 11 ? 16 : 11,
+                second, same ? "           =" : "");
 }
 
 static void say_participant(struct cr_diff *d, struct cr_str *out, const cJSON *a, const cJSON *b) {
@@ -190,7 +190,7 @@ enum cr_err cr_diff_text(struct cr_diff *d, struct cr_str *out, struct cr_error 
     d->worst = 0;
     d->inputs = d->values = 0;
     cr_str_addf(out, "1: %s\n2: %s\n", d->a_name, d->b_name);
-    cr_str_addf(out, "%-30s %12s %12s %12s\n", "", "1", "2", "2 - 1");
+    cr_str_addf(out, "%-30s %11s %11s %11s\n", "", "1", "2", "2 - 1");
     say_inputs(d, out);
     for (const cJSON *p = a->child; p != NULL; p = p->next) {
         const cJSON *id = cJSON_GetObjectItemCaseSensitive(p, "id"), *other = by_id(b, id);

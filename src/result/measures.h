@@ -8,7 +8,7 @@
 #include <stddef.h>
 
 struct cr_measure {
-    const char *name, *key; /* "ees", and as in result JSON "ees_kmh" */
+    const char *name, *title, *key; /* "ees", in words, and as in result JSON "ees_kmh" */
     enum cr_dim dim;
     const char *unit; /* that of the key */
     int decimals;     /* worth showing in that unit */

@@ -97,12 +97,17 @@ static void add_deformed(const struct cr_side *k, struct cr_vec2 from, struct mo
  * deformed has a plane, too. */
 static struct cr_vec2 plane_normal(const struct cr_duo *d, struct cr_vec2 from,
                                    struct cr_vec2 pressure) {
-    struct moments m = {0};
+    struct moments m = {0}, of[2] = {m, m};
     double h = 0;
     for (int side = 0; side < 2; side++) {
         const struct cr_side *k = &d->s->side[side];
-        add_deformed(k, from, &m);
+        add_deformed(k, from, &of[side]);
         h = k->m->soft ? cr_max(h, k->m->body->grid.h) : h;
+        m.weight += of[side].weight; /* by sides, so that neither is the first */
+        m.first = cr_vec2_add(m.first, of[side].first);
+        for (int i = 0; i < 3; i++) {
+            m.second[i] += of[side].second[i];
+        }
     }
     if (!(m.weight > 0)) {
         return pressure;

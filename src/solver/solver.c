@@ -157,25 +157,60 @@ static bool finite_state(const struct cr_solver *s) {
     return true;
 }
 
-/* Work all pairs, in the order of the scene and backwards in turns: a body between two others feels
- * the first of its contacts before the second, and the lead changes from slice to slice. */
+/* A pair of bodies and what decides when it is worked, the most important first. */
+struct turn {
+    int a, b;
+    double key[4];
+};
+
+static bool is_before(const struct turn *x, const struct turn *y) {
+    int k = 0;
+    while (k < 3 && x->key[k] == y->key[k]) {
+        k++;
+    }
+    return x->key[k] < y->key[k];
+}
+
+/* The pairs in an order of the crash, not of the scene: who met first, then who is nearer, then who
+ * stands further west and south, which says no more than that one of two equals must be first. */
+static int take_turns(const struct cr_solver *s, struct turn turn[CR_PAIR_MAX]) {
+    int n = 0;
+    for (int a = 0; a < s->cs->n; a++) {
+        for (int b = a + 1; b < s->cs->n; b++) {
+            struct cr_vec2 way = cr_vec2_sub(s->m[b].pos, s->m[a].pos);
+            struct cr_vec2 sum = cr_vec2_add(s->m[a].pos, s->m[b].pos);
+            int met = s->met[cr_pair(s, a, b)];
+            struct turn one = {
+                a, b, {met > 0 ? met : (double)INFINITY, cr_vec2_len(way), sum.x, sum.y}};
+            int at = n++;
+            for (; at > 0 && is_before(&one, &turn[at - 1]); at--) {
+                turn[at] = turn[at - 1];
+            }
+            turn[at] = one;
+        }
+    }
+    return n;
+}
+
+/* Work all pairs, in their turns and backwards alternately: a body between two others feels the
+ * first of its contacts before the second, and the lead changes from slice to slice. */
 static bool work_pairs(struct cr_solver *s, bool in_contact[], bool *any, bool *rubbing) {
-    int n = s->cs->n, pairs = n * (n - 1) / 2;
+    struct turn turn[CR_PAIR_MAX];
+    int pairs = take_turns(s, turn);
     s->backwards = !s->backwards;
     for (int k = 0; k < pairs; k++) {
-        int p = s->backwards ? pairs - 1 - k : k, a = 0, first = 0;
-        while (p - first >= n - 1 - a) { /* pair first is (a, a + 1) */
-            first += n - 1 - a++;
-        }
-        int b = a + 1 + p - first;
+        int at = s->backwards ? pairs - 1 - k : k, a = turn[at].a, b = turn[at].b;
         struct cr_duo d = cr_duo(s, a, b);
         bool before = d.touch->record >= 0;
         double pushed = s->m[a].slice_weight;
         if (!work_pair(&d)) {
             return false;
         }
-        bool met = before || s->touch[p].record >= 0 || s->m[a].slice_weight > pushed;
-        const struct cr_touch *t = &s->touch[p];
+        const struct cr_touch *t = d.touch;
+        bool met = before || t->record >= 0 || s->m[a].slice_weight > pushed;
+        if (met && s->met[d.pair] == 0) {
+            s->met[d.pair] = 1 + s->samples;
+        }
         /* what an elastic phase has taken it must give back, be it only rubbing */
         bool elastic = t->record >= 0 && s->contact[t->record].phase != CR_PHASE_PLASTIC;
         *any = *any || (met && (elastic || !t->rubbing));

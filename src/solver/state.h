@@ -156,6 +156,7 @@ struct cr_solver {
     struct cr_line *line;   /* scratch of drag.c: [2][CR_FACES][longest] */
     int longest;            /* lines of the longest face */
     struct cr_touch touch[CR_PAIR_MAX];
+    int met[CR_PAIR_MAX]; /* 1 + the slice of its first contact, 0: none so far */
     double t, dt, dt_contact;
     bool touched;    /* some contact has begun */
     bool backwards;  /* pairs are worked from the last in this slice */

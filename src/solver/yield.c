@@ -16,27 +16,35 @@ static double force_of(const struct cr_side *k, double share) {
     return 0.5 * (k->begin + k->end) + (share - 0.5) * rise;
 }
 
+/* share of the one whose odds' logarithm is t; that of the other is share_of(-t), to the last bit
+ * the same whichever of the two is called a */
+static double share_of(double t) {
+    return 1 / (1 + exp(-t));
+}
+
 /* logarithm of the ratio of the two forces for the share of a whose odds' logarithm is t */
 static double imbalance(const struct cr_duo *d, double t) {
     const struct cr_side *a = &d->s->side[0], *b = &d->s->side[1];
-    double share = 1 / (1 + exp(-t));
-    double fa = d->touch->taut[0] + force_of(a, share),
-           fb = d->touch->taut[1] + force_of(b, 1 - share);
-    return cr_rate_exponent * t + log(cr_max(fa, 1e-9) / cr_max(fb, 1e-9));
+    double fa = d->touch->taut[0] + force_of(a, share_of(t)),
+           fb = d->touch->taut[1] + force_of(b, share_of(-t));
+    return cr_rate_exponent * t + (log(cr_max(fa, 1e-9)) - log(cr_max(fb, 1e-9)));
 }
 
 /* root of imbalance by bisection of the odds: it rises with t */
-static double balanced_share(const struct cr_duo *d) {
+static double balanced_odds(const struct cr_duo *d) {
     double lo = -40, hi = 40;
-    for (int i = 0; i < 56; i++) {
-        double middle = 0.5 * (lo + hi);
-        *(imbalance(d, middle) > 0 ? &hi : &lo) = middle;
+    for (int i = 0; i < 56 && lo < hi; i++) {
+        double middle = 0.5 * (lo + hi), more = imbalance(d, middle);
+        lo = more <= 0 ? middle : lo;
+        hi = more >= 0 ? middle : hi;
     }
-    return 1 / (1 + exp(-0.5 * (lo + hi)));
+    return 0.5 * (lo + hi);
 }
 
 void cr_yield_share(struct cr_duo *d) {
     struct cr_side *a = &d->s->side[0], *b = &d->s->side[1];
-    a->share = !a->m->soft ? 0 : !b->m->soft ? 1 : balanced_share(d);
-    b->share = 1 - a->share;
+    double all = INFINITY;
+    double odds = !a->m->soft ? -all : !b->m->soft ? all : balanced_odds(d);
+    a->share = share_of(odds);
+    b->share = share_of(-odds);
 }

@@ -17,8 +17,15 @@ struct subject {
     const struct cr_figure_words *words;
 };
 
+/* a value in the units of the words, and their name */
 static double shown(const struct subject *s, double si) {
-    return cr_unit_from_si(cr_measure_unit(s->m), si);
+    double x = cr_unit_from_si(cr_measure_unit(s->m), si);
+    cr_measure_in(s->m, s->words != NULL ? s->words->units : CR_UNITS_SI, &x, NULL);
+    return x;
+}
+
+static const char *unit_of(const struct subject *s) {
+    return cr_measure_in(s->m, s->words != NULL ? s->words->units : CR_UNITS_SI, NULL, NULL);
 }
 
 static const char *say(const struct subject *s, const char *english) {
@@ -35,9 +42,9 @@ static struct cr_canvas *histogram(const struct subject *s) {
     const double mark[3] = {shown(s, s->st.quantile[0]), shown(s, s->st.quantile[2]),
                             shown(s, s->st.quantile[4])};
     char title[CR_NAME_MAX + 96];
-    snprintf(title, sizeof title, "%s %s", s->mc->id[s->body], s->m->name);
+    snprintf(title, sizeof title, "%s: %s", s->mc->id[s->body], say(s, s->m->title));
     const struct cr_histogram h = {.title = title,
-                                   .x_name = s->m->unit,
+                                   .x_name = unit_of(s),
                                    .bins = CR_MC_BINS,
                                    .lo = shown(s, s->st.lo),
                                    .hi = shown(s, s->st.hi),
@@ -68,10 +75,10 @@ static struct cr_canvas *tornado(const struct subject *s) {
                                          shown(s, s->st.nominal + s->st.effect[d])};
     }
     qsort(bar, (size_t)s->st.effects, sizeof *bar, by_width);
-    snprintf(title, sizeof title, "%s %s, %s", s->mc->id[s->body], s->m->name,
+    snprintf(title, sizeof title, "%s: %s, %s", s->mc->id[s->body], say(s, s->m->title),
              say(s, "effect of each tolerance"));
     const struct cr_tornado t = {.title = title,
-                                 .x_name = s->m->unit,
+                                 .x_name = unit_of(s),
                                  .middle = shown(s, s->st.nominal),
                                  .bars = s->st.effects < BARS_MOST ? s->st.effects : BARS_MOST,
                                  .bar = bar};

@@ -10,18 +10,39 @@
 
 enum { BAR = 30, NAME_COLUMNS = 34 };
 
-static double shown(const struct cr_measure *m, double si) {
+/* what all lines are told with */
+struct teller {
+    const struct cr_mc *mc;
+    enum cr_units units;
+    bool ascii;
+    struct cr_str *out;
+};
+
+static double shown(const struct teller *t, const struct cr_measure *m, double si) {
     const struct cr_unit *unit = cr_measure_unit(m);
-    return si * unit->div / unit->mul;
+    double x = si * unit->div / unit->mul;
+    cr_measure_in(m, t->units, &x, NULL);
+    return x;
 }
 
-static void say_number(struct cr_str *out, const struct cr_measure *m, double si, int columns) {
+static void say_number(const struct teller *t, const struct cr_measure *m, double si, int columns) {
+    struct cr_measure as = *m; /* with the decimals that say as much in these units */
     char buf[40];
+    cr_measure_in(m, t->units, NULL, &as.decimals);
     if (isnan(si)) {
-        cr_str_addf(out, "%*s", columns, "-");
+        cr_str_addf(t->out, "%*s", columns, "-");
     } else {
-        cr_str_addf(out, "%*s", columns, cr_measure_text(m, shown(m, si), buf, sizeof buf));
+        cr_str_addf(t->out, "%*s", columns, cr_measure_text(&as, shown(t, m, si), buf, sizeof buf));
     }
+}
+
+/* "A.ees_kmh", the key of the files; in other units "A.ees mph" */
+static void name_of(const struct teller *t, int part, const struct cr_measure *m, char *buf,
+                    size_t size) {
+    const char *unit = cr_measure_in(m, t->units, NULL, NULL);
+    bool own = strcmp(unit, m->unit) == 0;
+    snprintf(buf, size, "%s.%s%s%s", t->mc->id[part], own ? m->key : m->name, own ? "" : " ",
+             own ? "" : unit);
 }
 
 static void say_inputs(const struct cr_mc *mc, struct cr_str *out) {
@@ -44,7 +65,9 @@ static void say_inputs(const struct cr_mc *mc, struct cr_str *out) {
 static const char *const in_table[] = {
     "ees", "delta_v", "pdof", "deformation_max", "acceleration_max", "speed_after"};
 
-static enum cr_err say_results(const struct cr_mc *mc, struct cr_str *out, struct cr_error *err) {
+static enum cr_err say_results(const struct teller *t, struct cr_error *err) {
+    const struct cr_mc *mc = t->mc;
+    struct cr_str *out = t->out;
     int names;
     const struct cr_measure *table = cr_measures(&names);
     cr_str_addf(out, "%-26s%8s%8s%7s%8s%8s%8s%8s%8s\n", "results", "given", "mean", "SD", "2.5 %",
@@ -61,13 +84,13 @@ static enum cr_err say_results(const struct cr_mc *mc, struct cr_str *out, struc
             if (s.n == 0 || (s.sd == 0 && s.mean == 0)) {
                 continue; /* a fixed object has none of these */
             }
-            snprintf(name, sizeof name, "%s.%s", mc->id[p], m->key);
+            name_of(t, p, m, name, sizeof name);
             cr_str_addf(out, "  %-24.24s", name);
-            say_number(out, m, s.nominal, 8);
-            say_number(out, m, s.mean, 8);
-            say_number(out, m, s.sd, 7);
+            say_number(t, m, s.nominal, 8);
+            say_number(t, m, s.mean, 8);
+            say_number(t, m, s.sd, 7);
             for (int q = 0; q < CR_MC_QUANTILES; q++) {
-                say_number(out, m, s.quantile[q], 8);
+                say_number(t, m, s.quantile[q], 8);
             }
             cr_str_add(out, "\n");
         }
@@ -81,8 +104,9 @@ static void bar(struct cr_str *out, int n, const char *block) {
     }
 }
 
-static void say_histogram(const struct cr_mc_stats *s, const struct cr_measure *m, bool ascii,
-                          struct cr_str *out) {
+static void say_histogram(const struct teller *t, const struct cr_mc_stats *s,
+                          const struct cr_measure *m) {
+    struct cr_str *out = t->out;
     int most = 1;
     for (int b = 0; b < CR_MC_BINS; b++) {
         most = s->bin[b] > most ? s->bin[b] : most;
@@ -90,9 +114,9 @@ static void say_histogram(const struct cr_mc_stats *s, const struct cr_measure *
     for (int b = 0; b < CR_MC_BINS && s->hi > s->lo; b++) {
         double from = s->lo + (s->hi - s->lo) * b / CR_MC_BINS;
         cr_str_add(out, "  ");
-        say_number(out, m, from, 8);
+        say_number(t, m, from, 8);
         cr_str_addf(out, " %6d ", s->bin[b]);
-        bar(out, (s->bin[b] * BAR + most / 2) / most, ascii ? "#" : "\xe2\x96\x88");
+        bar(out, (s->bin[b] * BAR + most / 2) / most, t->ascii ? "#" : "\xe2\x96\x88");
         cr_str_add(out, "\n");
     }
 }
@@ -107,51 +131,56 @@ static int larger_first(const void *a, const void *b) {
     return x->size != y->size ? (x->size < y->size) - (x->size > y->size) : x->d - y->d;
 }
 
-static void say_effects(const struct cr_mc *mc, const struct cr_mc_stats *s,
-                        const struct cr_measure *m, struct cr_str *out) {
+static void say_effects(const struct teller *t, const struct cr_mc_stats *s,
+                        const struct cr_measure *m) {
+    struct cr_str *out = t->out;
+    const char *unit = cr_measure_in(m, t->units, NULL, NULL);
     struct ranked rank[CR_STUDY_INPUTS];
     for (int d = 0; d < s->effects; d++) {
         rank[d] = (struct ranked){d, isnan(s->effect[d]) ? -1 : fabs(s->effect[d])};
     }
     qsort(rank, (size_t)s->effects, sizeof *rank, larger_first);
     cr_str_addf(out, "  effect of + one tolerance, %s; lines explain %.0f %% of the variance\n",
-                m->unit[0] != '\0' ? m->unit : "1", 100 * s->explained);
+                unit[0] != '\0' ? unit : "1", 100 * s->explained);
     for (int r = 0; r < s->effects; r++) {
         char name[200];
         double x = s->effect[rank[r].d];
         int n = rank[0].size > 0 ? (int)lround(BAR / 2.0 * rank[r].size / rank[0].size) : 0;
-        cr_mc_dim_name(mc, rank[r].d, name, sizeof name);
-        cr_str_addf(out, "  %-*s %+9.*f ", NAME_COLUMNS, name, m->decimals + 1, shown(m, x));
+        cr_mc_dim_name(t->mc, rank[r].d, name, sizeof name);
+        cr_str_addf(out, "  %-*s %+9.*f ", NAME_COLUMNS, name, m->decimals + 1, shown(t, m, x));
         cr_str_fill(out, ' ', x < 0 ? BAR / 2 - n : BAR / 2);
         cr_str_fill(out, x < 0 ? '-' : '+', n);
         cr_str_add(out, "\n");
     }
 }
 
-static enum cr_err say_one(const struct cr_mc *mc, int part, int measure, bool ascii,
-                           struct cr_str *out, struct cr_error *err) {
+static enum cr_err say_one(const struct teller *t, int part, int measure, struct cr_error *err) {
+    struct cr_str *out = t->out;
+    char name[64];
     int names;
     const struct cr_measure *m = &cr_measures(&names)[measure];
     struct cr_mc_stats s;
-    enum cr_err code = cr_mc_stats(mc, part, measure, &s, err);
+    enum cr_err code = cr_mc_stats(t->mc, part, measure, &s, err);
     if (code != CR_ERR_OK || s.n == 0) {
         return code;
     }
-    cr_str_addf(out, "%s.%s\n", mc->id[part], m->key);
-    say_histogram(&s, m, ascii, out);
-    say_effects(mc, &s, m, out);
+    name_of(t, part, m, name, sizeof name);
+    cr_str_addf(out, "%s\n", name);
+    say_histogram(t, &s, m);
+    say_effects(t, &s, m);
     /* three standard errors and a tenth of the spread: what more draws would still change */
     bool settled = 3 * s.mean_error < 0.1 * s.sd && s.moved < 0.3 * s.sd;
     cr_str_addf(out, "  mean +- %.2g, outer points moved by %.2g from half of the draws: %s\n",
-                1.96 * shown(m, s.mean_error), shown(m, s.moved),
+                1.96 * shown(t, m, s.mean_error), shown(t, m, s.moved),
                 s.sd == 0 ? "constant"
                 : settled ? "converged"
                           : "not converged, take more draws");
     return CR_ERR_OK;
 }
 
-enum cr_err cr_mc_text(const struct cr_mc *mc, const struct cr_mc_plot *plot, bool ascii,
-                       struct cr_str *out, struct cr_error *err) {
+enum cr_err cr_mc_text(const struct cr_mc *mc, const struct cr_mc_plot *plot,
+                       const struct cr_mc_words *words, struct cr_str *out, struct cr_error *err) {
+    const struct teller t = {mc, words->units, words->ascii, out};
     int names;
     const struct cr_measure *table = cr_measures(&names);
     int measure = plot != NULL ? plot->measure : (int)(cr_measure_find("ees") - table);
@@ -162,11 +191,11 @@ enum cr_err cr_mc_text(const struct cr_mc *mc, const struct cr_mc_plot *plot, bo
                     mc->failure);
     }
     say_inputs(mc, out);
-    enum cr_err code = say_results(mc, out, err);
+    enum cr_err code = say_results(&t, err);
     for (int p = 0; p < mc->participants && code == CR_ERR_OK; p++) {
         bool wanted = plot == NULL || plot->participant < 0 || plot->participant == p;
         if (wanted && cr_measure_get(&table[measure], &mc->nominal[p]) != 0) {
-            code = say_one(mc, p, measure, ascii, out, err);
+            code = say_one(&t, p, measure, err);
         }
     }
     return code == CR_ERR_OK && out->failed

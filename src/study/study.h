@@ -128,8 +128,13 @@ struct cr_mc_plot {
     int participant; /* -1: all */
     int measure;
 };
+struct cr_mc_words {
+    enum cr_units units;
+    bool ascii; /* no character above 126 */
+};
 CR_MUST_CHECK enum cr_err cr_mc_text(const struct cr_mc *mc, const struct cr_mc_plot *plot,
-                                     bool ascii, struct cr_str *out, struct cr_error *err);
+                                     const struct cr_mc_words *words, struct cr_str *out,
+                                     struct cr_error *err);
 /* {"class":"mc", ...} and a row per draw. Errors: MEMORY. */
 CR_MUST_CHECK enum cr_err cr_mc_json(const struct cr_mc *mc, struct cr_str *out,
                                      struct cr_error *err);

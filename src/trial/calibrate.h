@@ -19,7 +19,7 @@ struct cr_test_set {
 struct cr_calibration_data {
     struct cr_test_list tests; /* owns the tests; empty where they are another's */
     struct cr_test_set walls, poles;
-    int borrows[CR_TYPES]; /* type whose tests count as well, -1: none */
+    struct cr_type_ties ties;
 };
 
 /* Read the tests of walls and poles and the table of types below the data folder: the tests that
@@ -45,7 +45,9 @@ struct cr_calibration {
     struct cr_calibration_fit out[CR_TYPES][2];
     /* per wall test: dynamic and residual depth, m, peak g; per pole test: -, depth, area */
     double *sim[3];
-    double shift; /* added to all springbacks, so that the mean percentage error of depth is 0, m */
+    /* added to springbacks, so that the mean percentage error of depth is 0, m: all alike but for
+     * the types that stand apart */
+    double shift[CR_TYPES];
     double *own[2]; /* per wall test solved as its own type: residual depth, m, peak g */
 };
 

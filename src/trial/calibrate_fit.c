@@ -50,7 +50,7 @@ enum cr_err cr_calibration_read(const char *dir, struct cr_calibration_data *out
     if (code != CR_ERR_OK) {
         return code;
     }
-    memcpy(out->borrows, rules.borrows, sizeof out->borrows);
+    out->ties = rules.ties;
     code = cr_test_load(dir, CR_TEST_WALL, &rules, &out->tests, err);
     if (code == CR_ERR_OK) {
         code = cr_test_load(dir, CR_TEST_POLE, &rules, &out->tests, err);
@@ -101,8 +101,10 @@ double cr_calibration_slope(const struct cr_model_face *f) {
     return sqrt(2 * cr_model_face_energy(f, CR_CURVE_DYNAMIC, depth)) / depth;
 }
 
-static bool counts(const struct cr_calibration *f, enum cr_type of, enum cr_type as) {
-    return of == as || (int)of == f->data->borrows[as];
+/* Does a test of a car count for a type, or for what all types have in common (CR_TYPES)? */
+static bool counts(const struct cr_calibration *f, enum cr_type of, int as) {
+    return as == CR_TYPES ? !f->data->ties.apart[of]
+                          : (int)of == as || (int)of == f->data->ties.borrows[as];
 }
 
 /* Does a share of the solved depth spring back, and not the whole springback of the face? */
@@ -125,7 +127,7 @@ static void fit_front(const struct cr_calibration *f, int type, double prior_u, 
     }
     for (int i = 0; i < f->data->walls.n; i++) {
         const struct cr_test *t = f->data->walls.item[i];
-        if (type < CR_TYPES && !counts(f, t->type, (enum cr_type)type)) {
+        if (!counts(f, t->type, type)) {
             continue;
         }
         double share = type < CR_TYPES && (int)t->type != type ? 0.5 : 1;
@@ -158,11 +160,12 @@ static void scale_face(struct cr_model_face *f, double by) {
     }
 }
 
-/* What the springbacks must grow by for a mean percentage error of 0 in the deep crushes. */
-static double shift_of(const struct cr_calibration *f) {
+/* What the springbacks must grow by for a mean percentage error of 0 in the deep crushes of a type
+ * (CR_TYPES: all). */
+static double shift_of(const struct cr_calibration *f, int type) {
     double relative = 0, inverse = 0;
     for (int i = 0; i < f->data->walls.n; i++) {
-        if (!shallow(f, i)) {
+        if (counts(f, f->data->walls.item[i]->type, type) && !shallow(f, i)) {
             relative += f->sim[1][i] / depth_of(f->data->walls.item[i]) - 1;
             inverse += 1 / depth_of(f->data->walls.item[i]);
         }
@@ -178,15 +181,15 @@ static enum cr_err front_round(struct cr_calibration *f, struct cr_error *err) {
         }
     }
     double u0, s0, u[CR_TYPES], s[CR_TYPES];
-    f->shift += shift_of(f);
     fit_front(f, CR_TYPES, 0, 0, &u0, &s0);
     for (int t = 0; t < CR_TYPES; t++) {
+        f->shift[t] += shift_of(f, f->data->ties.apart[t] ? t : CR_TYPES);
         fit_front(f, t, u0, s0, &u[t], &s[t]);
     }
     for (int t = 0; t < CR_TYPES; t++) {
         struct cr_model_face front = *cr_model_face(f->lib, (enum cr_type)t, CR_MODEL_FRONT);
         scale_face(&front, 1 / (u[t] * cr_calibration_slope(&front)));
-        front.springback = s[t] + f->shift;
+        front.springback = s[t] + f->shift[t];
         cr_model_set_face(f->lib, (enum cr_type)t, CR_MODEL_FRONT, &front);
     }
     return CR_ERR_OK;
@@ -198,7 +201,7 @@ static double pole_ratio(const struct cr_calibration *f, int type, double *n) {
     *n = 0;
     for (int i = 0; i < f->data->poles.n; i++) {
         const struct cr_test *t = f->data->poles.item[i];
-        if (type == CR_TYPES || counts(f, t->type, (enum cr_type)type)) {
+        if (counts(f, t->type, type)) {
             double share = type == CR_TYPES || (int)t->type == type ? 1 : 0.5;
             sum += share * f->sim[1][i] / depth_of(t);
             *n += share;
@@ -209,8 +212,13 @@ static double pole_ratio(const struct cr_calibration *f, int type, double *n) {
 
 static double median_of(const struct cr_calibration *f, int what) {
     double value[CR_CALIBRATE_TESTS];
-    memcpy(value, f->sim[what], (size_t)f->data->poles.n * sizeof *value);
-    return cr_stats_median(value, f->data->poles.n);
+    int n = 0;
+    for (int i = 0; i < f->data->poles.n; i++) {
+        if (counts(f, f->data->poles.item[i]->type, CR_TYPES)) {
+            value[n++] = f->sim[what][i];
+        }
+    }
+    return cr_stats_median(value, n);
 }
 
 /* slope of what a pole drags along, from its depth and the area that it damages */
@@ -253,8 +261,8 @@ static void measure_front(struct cr_calibration *f, int type) {
             const struct cr_test *t = f->data->walls.item[i];
             double measured = pass == 0 ? depth_of(t) : dynamic_of(t);
             out->tests += pass == 0 && (int)t->type == type;
-            out->borrowed += pass == 0 && (int)t->type == f->data->borrows[type];
-            if (counts(f, t->type, (enum cr_type)type) && isfinite(measured)) {
+            out->borrowed += pass == 0 && (int)t->type == f->data->ties.borrows[type];
+            if (counts(f, t->type, type) && isfinite(measured)) {
                 value[n] = f->sim[pass == 0 ? 1 : 0][i];
                 want[n++] = measured;
             }
@@ -278,8 +286,8 @@ static void measure_side(struct cr_calibration *f, int type) {
     for (int i = 0; i < f->data->poles.n; i++) {
         const struct cr_test *t = f->data->poles.item[i];
         out->tests += (int)t->type == type;
-        out->borrowed += (int)t->type == f->data->borrows[type];
-        if (counts(f, t->type, (enum cr_type)type)) {
+        out->borrowed += (int)t->type == f->data->ties.borrows[type];
+        if (counts(f, t->type, type)) {
             value[n] = f->sim[1][i];
             want[n++] = depth_of(t);
         }
@@ -293,7 +301,7 @@ static void measure_side(struct cr_calibration *f, int type) {
 enum cr_err cr_calibration_measure(struct cr_calibration *f, struct cr_error *err) {
     for (int t = 0; t < CR_TYPES; t++) {
         for (int i = 0; i < f->data->walls.n; i++) {
-            bool wanted = counts(f, f->data->walls.item[i]->type, (enum cr_type)t);
+            bool wanted = counts(f, f->data->walls.item[i]->type, t);
             enum cr_err code =
                 wanted ? solve(f, &f->data->walls, i, (enum cr_type)t, err) : CR_ERR_OK;
             if (code != CR_ERR_OK) {
@@ -306,7 +314,7 @@ enum cr_err cr_calibration_measure(struct cr_calibration *f, struct cr_error *er
         }
         measure_front(f, t);
         for (int i = 0; i < f->data->poles.n; i++) {
-            bool wanted = counts(f, f->data->poles.item[i]->type, (enum cr_type)t);
+            bool wanted = counts(f, f->data->poles.item[i]->type, t);
             enum cr_err code =
                 wanted ? solve(f, &f->data->poles, i, (enum cr_type)t, err) : CR_ERR_OK;
             if (code != CR_ERR_OK) {

@@ -126,6 +126,12 @@ CR_MUST_CHECK enum cr_err cr_test_load(const char *dir, enum cr_test_class class
 CR_MUST_CHECK enum cr_err cr_test_load_own(const char *path, const struct cr_type_rules *rules,
                                            struct cr_test_list *list, struct cr_error *err);
 
+/* Append the tests of a scene's text, one for each participant with expectations; path says where
+ * its pulse files lie and stands in messages. Errors: those of scenes; NAME for what is no
+ * expectation. */
+CR_MUST_CHECK enum cr_err cr_test_read(const char *text, const char *path, enum cr_test_class class,
+                                       struct cr_test_list *list, struct cr_error *err);
+
 /* Solve a test and take its measures, and the rating of its pulse where one was measured. */
 struct cr_test_how {
     enum cr_method method;

@@ -102,9 +102,8 @@ static enum cr_err scene_case(const cJSON *json, const cJSON *expect, const char
     return read_expectation(expect, path, c, err);
 }
 
-/* the participants with expectations of one scene's text */
-static enum cr_err take_scene(const char *text, const char *path, enum cr_test_class class,
-                              struct cr_test_list *list, struct cr_error *err) {
+enum cr_err cr_test_read(const char *text, const char *path, enum cr_test_class class,
+                         struct cr_test_list *list, struct cr_error *err) {
     struct cr_scene scene;
     enum cr_err code = cr_scene_parse(text, strlen(text), path, &scene, err);
     cr_scene_fini(&scene);
@@ -140,7 +139,7 @@ static enum cr_err load_scene(const char *path, enum cr_test_class class, struct
     size_t len;
     enum cr_err code = cr_file_read(path, &text, &len, err);
     if (code != CR_ERR_OK || !ends_in(path, ".jsonl")) {
-        code = code == CR_ERR_OK ? take_scene(text, path, class, list, err) : code;
+        code = code == CR_ERR_OK ? cr_test_read(text, path, class, list, err) : code;
         free(text);
         return code;
     }
@@ -150,7 +149,7 @@ static enum cr_err load_scene(const char *path, enum cr_test_class class, struct
         end += *end == '\n' ? 1 : 0;
         char kept = *end;
         *end = '\0';
-        code = take_scene(line, path, class, list, err);
+        code = cr_test_read(line, path, class, list, err);
         *end = kept;
         if (code != CR_ERR_OK) {
             cr_err_place(err, path, number, 0);

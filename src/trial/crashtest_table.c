@@ -57,11 +57,14 @@ struct source {
 static enum cr_err begin_case(const struct source *from, int row, double mass, double length,
                               struct cr_test *c, struct cr_error *err) {
     const struct cr_records *r = &from->records;
-    int type = cr_type_rules_find(from->rules, cr_records_text(r, row, "body"), mass, length);
+    const char *word = cr_records_text(r, row, "type"), *body = cr_records_text(r, row, "body");
+    int type =
+        word[0] != '\0' ? cr_type_find(word) : cr_type_rules_find(from->rules, body, mass, length);
     if (type < 0) {
         cr_err_set(err, CR_ERR_MODEL, "this car is none of the types");
         cr_err_place(err, r->src, r->line[row], 1);
-        cr_err_hint(err, "the rules stand in share/calibration/types.json");
+        cr_err_hint(err, word[0] != '\0' ? "the column type takes " CR_TYPE_WORDS
+                                         : "the rules stand in share/calibration/types.json");
         return CR_ERR_MODEL;
     }
     name_case(c, r, row);
@@ -127,9 +130,9 @@ static enum cr_err wall_case(const struct source *from, int row, struct cr_test 
     return cr_test_set_scene(c, &s, err);
 }
 
-/* The pole stands in line with the driver's head, this share of the wheelbase behind the front axle
- * (our assumption; FMVSS 214 gives the point by the seating procedure). */
-static const double head_share = 0.52;
+/* The pole stands in line with the driver's head, this share of the wheelbase behind the front
+ * axle, and no further where there is room for more seats or a load behind him [POLE-HEAD]. */
+static const double head_share = 0.52, head_most = 1620;  /* of the wheelbase; mm */
 static const double pole_radius = 0.127, pole_angle = 75; /* m, deg to the direction of travel */
 static const double pole_gap = 0.05;                      /* m from the flank to the pole */
 
@@ -152,7 +155,7 @@ static enum cr_err pole_case(const struct source *from, int row, struct cr_test 
     c->reference[CR_MEASURE_DEPTH] = crush / 1000;
     bool has_cg = isfinite(cg) && cg > 0;
     double behind = has_cg ? cg : 1000 * cr_scene_cg_rule(mass, base / 1000);
-    double a = cr_rad(pole_angle), ahead = (behind - head_share * base) / 1000;
+    double a = cr_rad(pole_angle), ahead = (behind - fmin(head_share * base, head_most)) / 1000;
     double off = width / 2000 + pole_radius + pole_gap;
     struct cr_str s = {0};
     begin_scene(&s, c, mass, width / 1000);

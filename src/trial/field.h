@@ -98,6 +98,9 @@ CR_MUST_CHECK enum cr_err cr_field_json(const struct cr_field_table *field,
                                         struct cr_error *err);
 CR_MUST_CHECK enum cr_err cr_field_csv(const struct cr_field_table *field, struct cr_str *out,
                                        struct cr_error *err);
+/* Delta-v from damage over that of the recorder, by kind. Errors: those of cr_picture_write. */
+CR_MUST_CHECK enum cr_err cr_field_picture(const struct cr_field_table *field, const char *path,
+                                           struct cr_error *err);
 
 /* Fit the rules to the rows whose fold is not `without` (-1: all), starting from *rules; the loss
  * is that of the aims: bias and mean error of each kind, scatter. Errors: USAGE without NLopt. */
@@ -124,6 +127,7 @@ struct cr_field_task {
     const char *path; /* NULL: the shipped one */
     int format;       /* 0 text, 1 JSON, 2 CSV */
     bool cases, plot, guess;
+    const char *picture; /* file of the scatter plot, NULL: none */
 };
 CR_MUST_CHECK enum cr_err cr_field_validate(const struct cr_field_task *task, struct cr_str *out,
                                             struct cr_error *err);

@@ -61,6 +61,9 @@ enum cr_err cr_field_validate(const struct cr_field_task *task, struct cr_str *o
         cr_field_evaluate(&field, shipped ? folds : &rules, shipped, task->guess);
         code = write_form(&field, task, &form, &rules, out, err);
     }
+    if (code == CR_ERR_OK && task->picture != NULL) {
+        code = cr_field_picture(&field, task->picture, err);
+    }
     cr_field_fini(&field);
     cr_cli_close(&shared);
     return code;

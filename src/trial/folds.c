@@ -31,7 +31,7 @@ static enum cr_err open_fold(struct cr_folds *f, int fold, const char *models, b
                              bool poles, struct cr_error *err) {
     struct cr_calibration_data *part = &f->part[fold];
     enum cr_err code = CR_ERR_OK;
-    memcpy(part->borrows, f->all.borrows, sizeof part->borrows);
+    part->ties = f->all.ties;
     if (walls) {
         code = leave_out(&f->all.walls, fold, &part->walls, err);
     }

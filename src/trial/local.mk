@@ -9,6 +9,7 @@ libtrial_a_SOURCES = \
 	src/trial/field_fit.c src/trial/field_load.c src/trial/field_rules.c \
 	src/trial/field_text.c src/trial/field_word.c \
 	src/trial/folds.c src/trial/folds.h \
+	src/trial/picture.c \
 	src/trial/trial.h \
 	src/trial/types.c src/trial/types.h \
 	src/trial/validate.c \

@@ -33,9 +33,32 @@ static int type_member(const cJSON *row, const char *key) {
     return word != NULL ? cr_type_find(word) : -1;
 }
 
+static bool read_ties(const cJSON *root, struct cr_type_ties *ties) {
+    const cJSON *row = NULL;
+    for (int i = 0; i < CR_TYPES; i++) {
+        ties->borrows[i] = -1;
+    }
+    cJSON_ArrayForEach(row, cJSON_GetObjectItem(root, "borrow")) {
+        int type = type_member(row, "type"), from = type_member(row, "from");
+        if (type < 0 || from < 0) {
+            return false;
+        }
+        ties->borrows[type] = from;
+    }
+    cJSON_ArrayForEach(row, cJSON_GetObjectItem(root, "apart")) {
+        const char *word = cJSON_GetStringValue(row);
+        int type = word != NULL ? cr_type_find(word) : -1;
+        if (type < 0) {
+            return false;
+        }
+        ties->apart[type] = true;
+    }
+    return true;
+}
+
 enum cr_err cr_type_rules_read(const char *dir, struct cr_type_rules *out, struct cr_error *err) {
-    int *borrows = out->borrows;
     out->n = 0;
+    out->ties = (struct cr_type_ties){.apart = {false}};
     char path[600], *text = NULL;
     size_t len = 0;
     cr_file_part(dir, "calibration/types.json", path, sizeof path);
@@ -58,16 +81,7 @@ enum cr_err cr_type_rules_read(const char *dir, struct cr_type_rules *out, struc
             snprintf(r->body, sizeof r->body, "%s", body != NULL ? body : "");
         }
     }
-    for (int i = 0; i < CR_TYPES; i++) {
-        borrows[i] = -1;
-    }
-    cJSON_ArrayForEach(row, cJSON_GetObjectItem(root, "borrow")) {
-        int type = type_member(row, "type"), from = type_member(row, "from");
-        good = good && type >= 0 && from >= 0;
-        if (good) {
-            borrows[type] = from;
-        }
-    }
+    good = good && read_ties(root, &out->ties);
     cJSON_Delete(root);
     free(text);
     if (!good) {

@@ -6,16 +6,23 @@
 #include "base/err.h"
 #include "model/model.h"
 
+#include <stdbool.h>
+
 struct cr_type_rule {
     enum cr_type type;
     char body[16]; /* letters; "" for any */
     double most_kg, most_m;
 };
 enum { CR_TYPE_RULES = 16 };
+/* What the types have to do with each other when they are calibrated. */
+struct cr_type_ties {
+    int borrows[CR_TYPES]; /* type whose tests count as well, -1: none */
+    bool apart[CR_TYPES];  /* its tests say nothing of the other types */
+};
 struct cr_type_rules {
     int n;
     struct cr_type_rule row[CR_TYPE_RULES];
-    int borrows[CR_TYPES]; /* type whose tests count as well, -1: none */
+    struct cr_type_ties ties;
 };
 
 /* Read the table below the data folder. Errors: IO, MODEL. */

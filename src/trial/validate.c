@@ -8,6 +8,7 @@
 #include "base/pool.h"
 #include "cli/cli.h"
 #include "cli/word.h"
+#include "figure/pictures.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -33,7 +34,7 @@ static const char about[] =
 struct options {
     int format, method, jobs, worst;
     bool cases, plot, targets, progress, fast, guess;
-    const char *out, *scenes, *models;
+    const char *out, *scenes, *models, *picture;
     struct cr_cli_look look;
 };
 
@@ -290,6 +291,9 @@ static enum cr_err validate(char **name, int n, const struct options *opt, bool 
     if (code == CR_ERR_OK) {
         code = report(&b, opt, missed, err);
     }
+    if (code == CR_ERR_OK && opt->picture != NULL) {
+        code = cr_verdict_picture(&b.tests, b.runs, opt->picture, err);
+    }
     cr_test_list_fini(&b.tests);
     cr_model_lib_free(own);
     cr_cli_close(&shared);
@@ -308,6 +312,7 @@ static enum cr_err validate_field(const char *path, const struct options *opt,
                                        .format = opt->format,
                                        .cases = opt->cases,
                                        .plot = opt->plot,
+                                       .picture = opt->picture,
                                        .guess = opt->guess};
     struct cr_str text = {0};
     enum cr_err code = cr_field_validate(&task, &text, err);
@@ -318,7 +323,7 @@ static enum cr_err validate_field(const char *path, const struct options *opt,
     return code;
 }
 
-enum { OPTIONS = 16 };
+enum { OPTIONS = 17 };
 
 static void list_options(struct options *opt, struct cr_option list[OPTIONS]) {
     const struct cr_option table[OPTIONS] = {
@@ -334,6 +339,10 @@ static void list_options(struct options *opt, struct cr_option list[OPTIONS]) {
          .help = "one method only (both)"},
         {.name = "cases", .letter = 'c', .flag = &opt->cases, .help = "every test"},
         {.name = "plot", .letter = 'p', .flag = &opt->plot, .help = "scatter, errors, pulses"},
+        {.name = "picture",
+         .arg = "FILE",
+         .text = &opt->picture,
+         .help = "computed over measured, drawn into FILE.svg, .pdf or .png"},
         {.name = "worst",
          .arg = "N",
          .number = &opt->worst,
@@ -395,6 +404,9 @@ int cr_trial_validate(int argc, char **argv) {
     int status = read_options(argc, argv, &opt, &operands);
     if (status >= 0) {
         return status;
+    }
+    if (opt.picture != NULL && cr_picture_may_write(opt.picture, &err) != CR_ERR_OK) {
+        return cr_cli_fail(&err);
     }
     if (operands == 1 && (strcmp(argv[1], "field") == 0 || is_field_table(argv[1]))) {
         const char *path = strcmp(argv[1], "field") == 0 ? NULL : argv[1];

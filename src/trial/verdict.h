@@ -79,5 +79,10 @@ void cr_verdict_pulse(const struct cr_test *test, unsigned runs, const struct cr
 /* Scatter of computed over measured values and a histogram of the errors, in ASCII. */
 void cr_verdict_plot(const struct cr_test_list *tests, enum cr_test_class class,
                      enum cr_measure measure, int run, struct cr_str *out);
+/* Computed over measured values in a file .svg, .pdf or .png: a square for each measure that was
+ * taken in five tests, the tests of each class by their sign; of the extended method where it is
+ * among the runs. Errors: MISSING when there is nothing to draw; those of cr_picture_write. */
+CR_MUST_CHECK enum cr_err cr_verdict_picture(const struct cr_test_list *tests, unsigned runs,
+                                             const char *path, struct cr_error *err);
 
 #endif

@@ -265,7 +265,8 @@ enum cr_err cr_tui_new(const struct cr_tui_start *start, struct cr_tui **out,
                                    .ask = true,
                                    .max_seconds = start->max_seconds,
                                    .max_megabytes = start->max_megabytes,
-                                   .out = out_of(t)};
+                                   .out = out_of(t),
+                                   .report = start->report};
     enum cr_err code = cr_session_new(&opts, &t->session, err);
     if (code != CR_ERR_OK) {
         free(t);

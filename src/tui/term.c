@@ -4,8 +4,6 @@
  * through cr_term_close, a fault through on_fault, which calls only what POSIX allows there. */
 #include "tui/tui_priv.h"
 
-#include "base/catch.h"
-
 #include <curses.h>
 #include <term.h>
 
@@ -126,10 +124,13 @@ static const int caught[] = {SIGWINCH, SIGINT, SIGTSTP, SIGCONT, SIGTERM, SIGHUP
 enum { CAUGHT = sizeof caught / sizeof *caught };
 
 static void catch_signals(void) {
+    struct sigaction action = {.sa_handler = on_signal};
+    sigemptyset(&action.sa_mask);
     for (int i = 0; i < CAUGHT; i++) {
-        cr_catch(caught[i], on_signal, 0);
+        sigaction(caught[i], &action, NULL);
     }
-    cr_catch(SIGPIPE, SIG_IGN, 0);
+    action.sa_handler = SIG_IGN;
+    sigaction(SIGPIPE, &action, NULL);
     /* a stack that has overflowed cannot carry its own handler */
     static char room[65536];
     stack_t stack = {.ss_sp = room, .ss_size = sizeof room};
@@ -359,17 +360,19 @@ void cr_term_close(void) {
 }
 
 void cr_term_suspend(void) {
+    struct sigaction stop = {.sa_handler = SIG_DFL}, ours;
     sigset_t only, kept;
+    sigemptyset(&stop.sa_mask);
     modes(false);
     await_answers();
     leave_screen();
-    cr_catch(SIGTSTP, SIG_DFL, 0);
+    sigaction(SIGTSTP, &stop, &ours);
     sigemptyset(&only);
     sigaddset(&only, SIGTSTP);
     sigprocmask(SIG_UNBLOCK, &only, &kept);
     kill(0, SIGTSTP); /* stops here until the shell continues us */
     sigprocmask(SIG_SETMASK, &kept, NULL);
-    cr_catch(SIGTSTP, on_signal, 0);
+    sigaction(SIGTSTP, &ours, NULL);
     cr_tui_stopping = 0;
     cr_tui_continued = 1;
     cr_tui_resized = 1; /* the window may have changed meanwhile */

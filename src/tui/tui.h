@@ -2,7 +2,11 @@
 #ifndef CR_TUI_TUI_H
 #define CR_TUI_TUI_H
 
+#include "base/err.h"
+
 #include <stdbool.h>
+
+struct cr_report_order;
 
 /* Why the full screen cannot be used here: one clause for a message, "" when standard input or
  * output is no terminal at all, so that nothing need be said; NULL when it can. */
@@ -16,6 +20,7 @@ struct cr_tui_start {
     const char *color;              /* "never": none; else what the terminal has */
     int max_seconds, max_megabytes; /* of one solve, 0: any (struct cr_session_opts) */
     const char *lines;              /* commands to run first, a line each; "" for none */
+    enum cr_err (*report)(const struct cr_report_order *order, struct cr_error *err);
 };
 
 /* The full screen until quit. Returns the exit status of crumple(1); a fatal signal ends the

@@ -102,4 +102,31 @@ refused "a missing mass" 3 'mass_kg' damage "$tmp/bad.json"
 echo '{ "crumple": 1 }' >"$tmp/bad.json"
 refused "a scene is no damage file" 3 'no damage file' damage "$tmp/bad.json"
 refused "no file" 2 'cannot open|No such' damage "$tmp/none.json"
+# beside a solve: what it leaves is its own measured crush
+cat >"$tmp/solved.json" <<'END'
+{ "crumple": 1, "settings": { "voxel_mm": 50, "dt_ms": 1 }, "participants": [
+    { "id": "A", "kind": "vehicle", "type": "sedan", "mass_kg": 1600, "position_m": [0, 0],
+      "speed_kmh": 50 },
+    { "id": "wall", "kind": "object", "shape": "wall", "position_m": [4, 0],
+      "heading_deg": 180 } ] }
+END
+echo '{ "crumple_damage": 1, "object": {}, "vehicles": [ { "id": "A", "type": "sedan",
+  "mass_kg": 1600, "damage": { "face": "front", "field_length_m": 1.2,
+  "crush_m": [0.1, 0.2, 0.3] } } ] }' >"$tmp/w.json"
+run damage "$tmp/w.json" --solved="$tmp/solved.json"
+has "the difference by station" "$out" '^  C2  at +\+0\.00 m +20\.0 +[0-9.]+ +[+-][0-9.]+$'
+has "and what it is in all" "$out" 'root mean square .* [0-3] of 3 within'
+if command -v python3 >/dev/null 2>&1; then
+    run damage "$tmp/w.json" --solved="$tmp/solved.json" -f json
+    crush=$(printf '%s' "$out" | python3 -c 'import json, sys
+print(json.load(sys.stdin)["vehicles"][0]["solved"]["crush_m"])')
+    sed "s/\[0.1, 0.2, 0.3\]/$crush/" "$tmp/w.json" >"$tmp/same.json"
+    run damage "$tmp/same.json" --solved="$tmp/solved.json"
+    has "none against itself" "$out" 'differences 0\.0 cm; 3 of 3 within'
+else
+    skip "none against itself" "no python3"
+fi
+sed 's/"id": "A"/"id": "C"/' "$tmp/solved.json" >"$tmp/other.json"
+refused "a scene of others" 3 "other\.json: .*has no 'A'" damage "$tmp/w.json" \
+    --solved="$tmp/other.json"
 finish

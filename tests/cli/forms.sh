@@ -108,9 +108,36 @@ def gnuplot():
     assert len(steps) == 1, steps
     assert 'plot "c.dat"' in open("c.gp").read()
 
+def motion():
+    import csv
+    rows = {f: list(csv.DictReader(open(f))) for f in ("m.csv", "s.csv")}
+    for f in rows.values():
+        for r in f:
+            r.update((k, float(v)) for k, v in r.items() if k != "id")
+    both = list(zip(rows["m.csv"], rows["s.csv"]))
+    assert len(both) == len(rows["m.csv"]) == len(rows["s.csv"])
+    assert {r["id"] for r, _ in both} == {"A", "B"}
+    for m, s in both:  # y to the right, and turned the other way
+        assert all(m[k] == s[k] for k in ("t_s", "id", "x_m", "vx_m_s"))
+        assert all(m[k] == -s[k] for k in ("y_m", "heading_deg", "vy_m_s", "yaw_rate_deg_s"))
+    a = [m for m, _ in both if m["id"] == "A"]
+    assert {round(q["t_s"] - p["t_s"], 6) for p, q in zip(a, a[1:])} == {0.005}
+    assert abs(a[0]["vx_m_s"] * 3.6 - 50) < 0.01 and a[0]["t_s"] < 0 < a[-1]["t_s"]
+    a = [m for m in a if m["t_s"] > 0]
+    for p, q in zip(a, a[1:]):  # places are those of the velocities between them
+        assert abs(q["x_m"] - p["x_m"] - 0.0025 * (p["vx_m_s"] + q["vx_m_s"])) < 1e-3, (p, q)
+    after = [p for p in json.load(open("pair.json"))["participants"] if p["id"] == "A"][0]
+    speed = math.hypot(a[-1]["vx_m_s"], a[-1]["vy_m_s"]) * 3.6
+    assert abs(speed - after["speed_after_kmh"]) < 1, (speed, after["speed_after_kmh"])
+
 globals()[sys.argv[1]]()
 END
-for form in mme vtk obj cast gnuplot; do
+pair=$SRC/share/scenes/offset-car.json
+"$crumple" run "$pair" -o pair.json
+"$crumple" -e "load $pair" -e solve -e "export motion m.csv every=5ms" \
+    -e "export motion s.csv every=5ms axes=sae" >said 2>errs
+has "the step of the motion is told" "$(cat said errs)" 'every 5 ms, axes of SAE J670'
+for form in mme vtk obj cast gnuplot motion; do
     python3 read.py "$form" >errs 2>&1
     same "$form is read back, with its numbers" "$?$(cat errs)" 0
 done

@@ -31,7 +31,7 @@ stopped() {
         until [ -s pid ] && ready "$what" "$(cat pid)"; do
             sleep 0.05
         done
-        sleep 0.5
+        sleep "$moment"
         kill -INT "$(cat pid)"
     } >/dev/null 2>&1 &
     $heard sh -c 'echo $$ >pid; exec "$@"' sh "$crumple" "$@" <pipe >out 2>errs
@@ -39,6 +39,7 @@ stopped() {
     kill $! 2>/dev/null
     rm -f pid
 }
+moment=0.5
 before=$(ls)
 
 # so many small slices that the signal arrives while it solves, on any machine
@@ -63,6 +64,15 @@ same "^C in a script" "$status" 130
 has "where it was" "$(cat errs)" \
     'slow.crumple:5:1: error: interrupted (before|[0-9.]+ ms after the first contact)'
 same "nothing after it runs" "$(grep -c 'EES' out)" 0
+
+# a search keeps the best that it found by then
+moment=3
+stopped catches fit wall.json A.speed A.brake=0:0.8 to dv.A=50km/h ees.A=45km/h --starts 20 \
+    --solves 100000
+same "^C in a search" "$status" 130
+has "tells the best so far" "$(cat out)" '^  A\.speed +[0-9.]+ km/h  95 %: [0-9.]+ to [0-9.]+'
+has "as what it is" "$(cat out)" 'warning: interrupted; this is the best so far'
+moment=0.5
 
 stopped waits run -
 same "^C while reading" "$status" 130

@@ -43,6 +43,16 @@ same "CSV has a row per draw" "$(printf '%s\n' "$out" | grep -c '^[0-9]')" 12
 has "with inputs and results" "$out" '^draw,A\.yaw_rate_deg_s,A\.ees_kmh,'
 hasnt "scatter can be left out" "$out" energy_factor
 
+# pictures
+run mc "$tmp/w.json" --draws 12 --no-scatter -q -p "$tmp/h.svg" -p "tornado=$tmp/t.svg" \
+    --plot A.pdof
+same "charts are drawn beside the table" "$status:$errs" "0:"
+has "of the result that was asked for" "$(cat "$tmp/h.svg")" '>A: direction of force \(PDOF\)<'
+has "with the quantiles of the table" "$(cat "$tmp/h.svg")" '>97\.5 % [0-9.]+<'
+has "and each input" "$(cat "$tmp/t.svg")" '>A\.yaw_rate_deg_s<'
+refused "a chart that is none" 2 "no chart 'pie'.*tornado=FILE" mc "$demo" -p pie=x.svg
+refused "a picture in another form" 2 'ends in .svg, .pdf or .png' mc "$demo" -p tornado=x.gif
+
 wall_scene >"$tmp/plain.json"
 refused "nothing varies" 3 'nothing varies.*56\+-3km/h' mc "$tmp/plain.json" --no-scatter
 refused "a result that is none" 2 'no such result' mc "$demo" --draws 10 --plot A.colour
@@ -52,4 +62,12 @@ wall_scene '' '"yaw_rate_deg_s": {"value": 0, "tolerance": -5}' >"$tmp/bad.json"
 refused "a bad tolerance has its place" 3 'bad\.json:[0-9]+:[0-9]+: .*above zero' mc "$tmp/bad.json"
 wall_scene '' '"yaw_rate_deg_s": {"value": 0, "width": 5}' >"$tmp/bad.json"
 refused "a key that is none" 3 'unknown key "width"' mc "$tmp/bad.json"
+
+# charts in US units
+(cd "$tmp" && "$crumple" -e "load $demo" -e 'set units=us' \
+    -e 'mc A.speed=56+-3km/h draws=12 scatter=off plot=A.ees' \
+    -e 'export! histogram h.svg plot=A.depth' -e 'export! tornado t.svg plot=A.ees') >/dev/null 2>&1
+same "commands draw the charts" "$?" 0
+has "a histogram in inches" "$(cat "$tmp/h.svg")" '>in</text>'
+has "a tornado in miles per hour" "$(cat "$tmp/t.svg")" '>mph</text>'
 finish

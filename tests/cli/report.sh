@@ -56,6 +56,13 @@ run report "$tmp/wall.json" $quicker -o "$tmp/de.html" --lang=de --date=2026-11-
 has "in German" "$(cat "$tmp/de.html")" '<h2>3 Eingaben und ihre Herkunft'
 has "with a decimal comma" "$(cat "$tmp/de.html")" 'EES</td><td>[0-9]+,[0-9] km/h \([0-9,]+ bis'
 has "with its date" "$(cat "$tmp/de.html")" 'Datum</td><td>2026-11-28'
+points=$(grep -cE '<text[^>]*>[^<]*[0-9][.][0-9]' "$tmp/de.html")
+same "in the pictures too" "$points$(grep -cE '<text[^>]*>[^<]*[0-9],[0-9]+ ms' "$tmp/de.html")" 02
+same "in the pictures too" \
+    "$points$(grep -cE '<text[^>]*>[^<]*[0-9],[0-9]+ ms' "$tmp/de.html")" 02
+empty "zero has no sign" "$(grep -oE "<td>-0,0+</td>" "$tmp/de.html")"
+empty "who has a position of his own does not stand against another" \
+    "$(printf "%s" "$html" | grep -o "<td>place\.overlap[^<]*")"
 left=$(sed -n 's/.*W(p, "\([A-Z][^"\\]*\)").*/\1/p' "$SRC"/src/report/section_*.c | sort -u |
     while read -r text; do
         grep -qF "{\"$text" "$SRC/src/report/german.h" || echo "$text"
@@ -70,6 +77,16 @@ if "$crumple" --version | grep -q 'cairo'; then
     # shellcheck disable=SC2086
     run report "$tmp/wall.json" $quicker -o "$tmp/r.pdf"
     same "the same PDF every time" "$(cksum <"$tmp/r.pdf")" "$first"
+    run report "$SRC/share/scenes/offset-car.json" --draws=10 --no-tests -q -o "$tmp/o.pdf"
+    if command -v pdftotext >/dev/null; then
+        pdftotext -layout "$tmp/o.pdf" "$tmp/o.txt"
+        alone=$(tr '\f' '\n' <"$tmp/o.txt" | grep -v '^ *$' | grep -B1 ' [0-9]* / [0-9]*$' |
+            grep -E '^ *([0-9]+ [A-Z]|[A-Z]: |Note in the|Input  )')
+        empty "no heading is left alone at the foot of a page" "$alone"
+        empty "every character can be drawn" "$(grep � "$tmp/o.txt")"
+    else
+        skip "the words of a PDF" "no pdftotext"
+    fi
     # shellcheck disable=SC2086
     run report "$tmp/wall.json" $quick --paper=letter -o "$tmp/l.pdf"
     has "on Letter" "$(grep -a MediaBox "$tmp/l.pdf")" '612 792'
@@ -148,6 +165,42 @@ fi
 sed 's/"id": "A"/"id": "Z"/' "$tmp/measured.json" >"$tmp/other.json"
 refused "damage of a vehicle that is not there" 3 "no vehicle 'Z'" \
     report "$tmp/wall.json" --draws=0 --no-tests -o "$tmp/none.html" --damage "$tmp/other.json"
+
+# ---- what the scene says was measured ----
+
+sed 's/"crumple": 1,/&  "x_expect": {"A": {"delta_v_kmh": 50, "delta_v_left_kmh": 2}},/' \
+    "$tmp/wall.json" >"$tmp/expect.json"
+run report "$tmp/expect.json" --draws=0 --no-tests -o "$tmp/expect.html"
+delta=$("$crumple" run "$tmp/wall.json" |
+    sed -n 's/.*"delta_v_kmh":[[:space:]]*\([0-9.]*\).*/\1/p' | head -n 1)
+percent=$(awk -v c="$delta" 'BEGIN { printf "%+.1f %%", 100 * (c / 50 - 1) }')
+has "measured beside computed, with the difference" "$(cat "$tmp/expect.html")" \
+    "<td>A</td><td>delta-v, km/h</td><td>50</td><td>[0-9.]+</td><td>[+]${percent#+}</td>"
+has "in its unit where a share says nothing" "$(cat "$tmp/expect.html")" \
+    '<td>delta-v left, km/h</td><td>2</td><td>[-0-9.e]+</td><td>-2</td>'
+sed -i 's/delta_v_kmh/colour/' "$tmp/expect.json"
+run report "$tmp/expect.json" --draws=0 --no-tests -o "$tmp/expect.html"
+has "what is no measure is told" "$(cat "$tmp/expect.html")" \
+    'class="warning">What the scene says was measured .x_expect. was not compared: .*colour'
+
+# ---- at the prompt ----
+
+type_scene="vehicle A type=compact mass=1400kg speed=50km/h; object W kind=wall;
+place W facing A gap=0.1m; save $tmp/typed.json; solve"
+run -e "$type_scene" \
+    -e "export! report $tmp/typed.html draws=10 tests=off author=\"A. Expert\" lang=de"
+same "export report" "$status$errs" 0
+has "names the line that repeats it" "$(cat "$tmp/typed.html")" \
+    "<pre>crumple report .*typed.json -o .*typed.html --lang=de '--author=A. Expert' --draws=10"
+line=$(sed -n "s/^<pre>crumple \(report .*\)<.pre>.*/\1/p" "$tmp/typed.html" | head -n 1)
+cp "$tmp/typed.html" "$tmp/first.html"
+(eval "\"$crumple\" $line") >"$tmp/errs" 2>&1
+cmp "$tmp/typed.html" "$tmp/first.html" >>"$tmp/errs" 2>&1
+same "which makes the same bytes" "$?$(cat "$tmp/errs")" 0
+run -e "export! report $tmp/none.html"
+has "not before it is solved" "$status $errs" '^3 .*nothing has been solved'
+run -e "load $tmp/typed.json" -e solve -e "export! report $tmp/none.csv"
+has "not in the form of a table" "$errs" 'suffix .txt, .html, .pdf'
 
 # ---- every warning has its German ----
 

@@ -27,6 +27,14 @@ same "--per impact: a row per impact and participant" \
 run run -f text "$(cd "$(dirname "$demo")" && pwd)/three-cars.json"
 has "text tells each impact" "$out" 'Impacts .*each by itself'
 has "and whose risk it is" "$out" 'injury by the severest impact'
+wall_scene '' '"model": { "stiffness": {
+    "front": { "A_N_per_m": 174000, "B_N_per_m2": 20000 } } }' >"$tmp/ab.json"
+run run "$tmp/ab.json"
+has "own A, B that hide more energy than a crash has are told" "$out" \
+    'its own A, B leave the front uncrushed up to an EES of [0-9]+ km/h'
+sed 's/174000/62300/; s/20000/234000/' "$tmp/ab.json" >"$tmp/ab-2.json"
+run run "$tmp/ab-2.json"
+same "those of the table of CRASH3 are not" "$(printf '%s' "$out" | grep -c 'uncrushed')" 0
 run run "$tmp/wall.json" --set A.mass_kg=3300
 has "a mass in lb is doubted" "$out" '"implausible"'
 has "with the guess" "$out" 'mass 3300 is far from .*if it is in lb it is 1497'
@@ -201,7 +209,7 @@ report $? "the same bytes on every run"
 has "with -o the result is written too" "$(head -n 3 "$tmp/r.json")" crumple_result
 refused "a picture that there is none of" 2 'no picture .pulses.*did you mean pulse=FILE' \
     run "$demo" -p "pulses=$tmp/x.svg"
-refused "a picture in an unknown form" 2 'none of .svg, .pdf, .png' run "$demo" -p "$tmp/x.gif"
+refused "a picture in an unknown form" 2 'ends in .svg, .pdf or .png' run "$demo" -p "$tmp/x.gif"
 refused "a picture that cannot be written" 2 'cannot write' run "$demo" -p "$tmp/no/x.svg"
 if "$crumple" --version | grep -q cairo; then
     run run "$demo" -p "after=$tmp/a.pdf" -p "after=$tmp/a.png"

@@ -69,7 +69,7 @@ run stack "$tmp/s.jsonl" --plot 'x=A.speed_kmh y=A.ees_kmh' --picture "$tmp/poin
 has "points as a picture" "$(cat "$tmp/points.svg")" '<title>A.ees_kmh over A.speed_kmh'
 run stack "$tmp/s.jsonl" --plot 'x=A.speed_kmh y=A.mass_kg z=A.ees' --picture "$tmp/map.svg"
 has "a heat map as a picture" "$(tr -d '\n' <"$tmp/map.svg")" '<svg.*A.mass_kg.*</svg>'
-refused "a picture of another kind" 2 'as .svg, .pdf or .png' \
+refused "a picture of another kind" 2 'ends in .svg, .pdf or .png' \
     stack "$tmp/s.jsonl" --plot 'x=A.ees y=A.ees' --picture "$tmp/x.gif"
 refused "a picture of no plot" 2 'is the file of a --plot' stack "$tmp/s.jsonl" --picture x.svg
 refused "a plot without y" 2 'x=NAME and y=NAME' stack "$tmp/s.jsonl" --plot x=A.ees

@@ -9,8 +9,17 @@ has "with the published figures" "$out" '^ delta-v +10 .* -1\.2 +14\.2 +10\.7'
 has "pulses are rated" "$out" 'camry-10146 Camry, extended: RMS error [0-9.]+ g, ISO/TS 18571 0\.'
 has "and have targets" "$out" '(met|missed) +camry-10146: ISO/TS 18571 rating'
 cp "$tmp/out" "$tmp/first"
-run validate --jobs 1 car-to-car pulse
+run validate --jobs 1 car-to-car pulse --picture "$tmp/points.svg"
 same "the same bytes with one thread" "$(cksum <"$tmp/out")" "$(cksum <"$tmp/first")"
+table=$(printf '%s\n' "$out" | sed -n 's/^ delta-v  *\([0-9]*\) .*/\1/p' |
+    awk '{ n += $1 } END { print n }')
+picture=$(sed -n 's/.*>delta-v, extended: \([0-9]*\) values<.*/\1/p' "$tmp/points.svg")
+same "the picture has the tests of the table" "$picture" "$table"
+has "each class by its own sign" "$(cat "$tmp/points.svg")" '>car-to-car<'
+run validate pulse --fast --picture "$tmp/few.svg"
+has "a picture of too few tests" "$errs" 'no picture: nothing was measured in 5 tests'
+has "leaves the table" "$out" '^ delta-v  *1 '
+refused "a picture in another form is told before" 2 'ends in .svg' validate --picture x.gif
 run validate pulse --format json --cases
 if command -v python3 >/dev/null 2>&1; then
     same "JSON is JSON" "$(printf '%s' "$out" | python3 -c 'import json, sys
@@ -123,8 +132,10 @@ has "in the depth of the poles" "$out" 'missed +pole: MPE of depth residual'
 mkdir -p "$tmp/data/share/validation/data"
 cp -R "$SRC/models" "$tmp/data/models"
 cp -R "$SRC/share/irf" "$SRC/share/calibration" "$tmp/data/share/"
-cp "$SRC"/share/validation/data/frontal_wall*.csv "$SRC"/share/validation/data/camry*.csv \
+cp "$SRC"/share/validation/data/*_pulse.csv "$SRC"/share/validation/data/camry*.csv \
     "$tmp/data/share/validation/data/"
+head -n 60 "$SRC/share/validation/data/frontal_wall.csv" \
+    >"$tmp/data/share/validation/data/frontal_wall.csv"
 head -n 14 "$SRC/share/validation/data/side_pole.csv" \
     >"$tmp/data/share/validation/data/side_pole.csv"
 CRUMPLE_DATA=$tmp/data

@@ -98,8 +98,9 @@ static void test_svg(void **state) {
     (void)state;
     struct cr_canvas *c = cr_canvas_new(100, 50);
     struct cr_type_face face = {.size = 10, .ink = 0x123456};
-    cr_canvas_comma(c, true);
     cr_canvas_text(c, 1.005, -0.001, &face, "<a & \"b\"> 1.5 v. \x01\xC3\x28");
+    cr_canvas_text(c, 0, 0, &face, "1.2.3 and 12.5");
+    cr_canvas_comma(c);
     cr_canvas_origin(c, 10, 20);
     cr_canvas_move(c, 0, 0);
     cr_canvas_line(c, 1.5, 2.25);
@@ -107,7 +108,8 @@ static void test_svg(void **state) {
     cr_canvas_paint(c, &(struct cr_paint){.fill = 0}); /* an empty path is nothing */
     char *svg = svg_of(c);
     assert_non_null(strstr(svg, "&lt;a &amp; &quot;b&quot;&gt; 1,5 v. \xEF\xBF\xBD\xEF\xBF\xBD("));
-    assert_non_null(strstr(svg, "y=\"0\"")); /* not -0 */
+    assert_non_null(strstr(svg, ">1.2.3 and 12,5<")); /* a version is no number */
+    assert_non_null(strstr(svg, "y=\"0\""));          /* not -0 */
     assert_non_null(strstr(svg, "M10 20L11.5 22.25"));
     assert_non_null(strstr(svg, "stroke=\"#ff0000\" stroke-width=\"2\""));
     assert_null(strstr(svg, "fill=\"#000000\""));

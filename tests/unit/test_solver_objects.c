@@ -239,6 +239,38 @@ static void chain_of_three(void **state) {
     cr_arena_free(&arena);
 }
 
+/* A car that is hit by two others one after the other, from behind and in the flank: in whatever
+ * order the three stand in the scene, the same to the last bit. */
+static void order_of_three(void **state) {
+    (void)state;
+    static const int order[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2},
+                                    {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+    static const double strength = 150e3, m = 1500, v = 15;
+    struct cr_arena arena = {0};
+    const struct cr_body car[3] = {block(&arena, &strength, m, -4.5, 0.013, 0, v),
+                                   block(&arena, &strength, m, 0, 0, 0, 0),
+                                   block(&arena, &strength, 1.3 * m, 1.2, 4, -CR_PI / 2, v)};
+    double vel[3], yaw[3];
+    for (int k = 0; k < 6; k++) {
+        struct cr_case cs = {.n = 3, .opts = cr_opts_default()};
+        for (int i = 0; i < 3; i++) {
+            cs.body[i] = car[order[k][i]];
+        }
+        struct cr_solver *s = solved(&cs);
+        const struct cr_solution *o = cr_solver_solution(s);
+        assert_true(o->contacts >= 2);
+        for (int i = 0; i < 3; i++) {
+            const struct cr_sample *rest = &o->body[i].rest;
+            int own = order[k][i];
+            assert_true(k == 0 || (rest->vel.x == vel[own] && rest->yaw_rate == yaw[own]));
+            vel[own] = rest->vel.x;
+            yaw[own] = rest->yaw_rate;
+        }
+        cr_solver_free(s);
+    }
+    cr_arena_free(&arena);
+}
+
 /* Two cars from either side at once: the one between goes nowhere. Without restitution each of the
  * outer ones spends 1/2 m V^2, half in itself. Contacts that act at the same time know nothing of
  * each other, but lead in turns: symmetric to first order in dt. */
@@ -281,6 +313,7 @@ int main(void) {
         cmocka_unit_test(under_the_tail_to_the_wall_behind),
         cmocka_unit_test(two_cars_at_different_heights),
         cmocka_unit_test(chain_of_three),
+        cmocka_unit_test(order_of_three),
         cmocka_unit_test(squeezed_between_two),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

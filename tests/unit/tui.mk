@@ -51,6 +51,29 @@ tui_golden = tests/golden/tui/compared-100x30.txt \
 	tests/golden/tui/help-80x24.txt \
 	tests/golden/tui/interrupted-80x24.txt \
 	tests/golden/tui/swept-80x24.txt \
+	tests/golden/tui/other.json \
+	tests/golden/tui/compare-80x24.txt \
+	tests/golden/tui/compare-200x50.txt \
+	tests/golden/tui/frame-80x24-dark.txt \
+	tests/golden/tui/frame-80x24-light.txt \
+	tests/golden/tui/frame-200x50-dark.txt \
+	tests/golden/tui/frame-200x50-light.txt \
+	tests/golden/tui/pulse-80x24-dark.txt \
+	tests/golden/tui/pulse-80x24-light.txt \
+	tests/golden/tui/energy-80x24-dark.txt \
+	tests/golden/tui/energy-80x24-light.txt \
+	tests/golden/tui/table-80x24-dark.txt \
+	tests/golden/tui/table-80x24-light.txt \
+	tests/golden/tui/map-80x24-dark.txt \
+	tests/golden/tui/map-80x24-light.txt \
+	tests/golden/tui/map-200x50-dark.txt \
+	tests/golden/tui/map-200x50-light.txt \
+	tests/golden/tui/start-80x24-dark.txt \
+	tests/golden/tui/start-80x24-light.txt \
+	tests/golden/tui/stale-80x24-dark.txt \
+	tests/golden/tui/stale-80x24-light.txt \
+	tests/golden/tui/compare-80x24-dark.txt \
+	tests/golden/tui/compare-80x24-light.txt \
 	tests/golden/tui/map-80x24.txt \
 	tests/golden/tui/map-80x24-ascii.txt \
 	tests/golden/tui/map-200x50.txt \
