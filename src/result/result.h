@@ -119,7 +119,8 @@ struct cr_result {
 /* An empty result with an empty case, freed as one block with free(); NULL without memory. */
 struct cr_result *cr_result_new(void);
 
-/* A participant as it was solved: whether it can move, its mass (kg), its voxels (nx = 0: rigid). */
+/* A participant as it was solved: whether it can move, its mass in kg, its voxels (nx = 0: a rigid
+ * object). */
 bool cr_result_moves(const struct cr_result *result, int body);
 double cr_result_mass(const struct cr_result *result, int body);
 const struct cr_grid *cr_result_grid(const struct cr_result *result, int body);

@@ -24,6 +24,10 @@ static void clear(void) {
         free(result->of[b].outline);
     }
     free(result->impact);
+    struct cr_compiled *compiled = result->compiled;
+    memset(result, 0, sizeof *result);
+    memset(compiled, 0, sizeof *compiled);
+    result->compiled = compiled;
 }
 
 /* three cars along x, at rest: 0 behind, 1 in the middle, 2 ahead */
@@ -38,10 +42,6 @@ static void make(void) {
                                .dt = time_step};
     clear();
     memset(trace, 0, sizeof trace);
-    struct cr_compiled *compiled = result->compiled;
-    memset(result, 0, sizeof *result);
-    memset(compiled, 0, sizeof *compiled);
-    result->compiled = compiled;
     result->solution = &sol;
     result->resolved.n = result->compiled->cs.n = 3;
     result->resolved.set.residual_curve = -1;
