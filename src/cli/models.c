@@ -153,7 +153,7 @@ static enum cr_err draw(const struct shown *s, const struct sheet *sheet, enum c
     struct cr_projection p = {
         .view = view, .slice_y = sheet->slice_y, .voxels = &s->voxels, .ees = s->ees};
     if (s->result != NULL) {
-        p.grid = &s->result->compiled.cs.body[s->body].grid;
+        p.grid = cr_result_grid(s->result, s->body);
         p.left = s->result->solution->body[s->body].left;
         p.face = s->result->of[s->body].face;
     }

@@ -34,8 +34,7 @@ static enum cr_err scene_text(struct cr_session *s, struct cr_str *out, struct c
     struct cr_scene_view view = cr_session_scene_view(s);
     struct cr_cells cells;
     bool solved = cr_session_fits(s);
-    const struct cr_compiled *compiled =
-        solved ? &s->result->compiled : cr_session_compiled(s, err);
+    const struct cr_compiled *compiled = solved ? s->result->compiled : cr_session_compiled(s, err);
     if (compiled == NULL) {
         return err->code;
     }
@@ -66,7 +65,7 @@ static enum cr_err export_field(struct cr_export *x, struct cr_error *err) {
     struct cr_str *out = &x->text;
     cr_str_add(out, "id,x_m,y_m,energy_J,fill,left,t_crushed_s,contact,induced\n");
     for (int b = 0; b < r->solution->bodies; b++) {
-        const struct cr_grid *g = &r->compiled.cs.body[b].grid;
+        const struct cr_grid *g = cr_result_grid(r, b);
         const struct cr_outcome *o = &r->solution->body[b];
         for (int i = 0; i < g->nx * g->ny; i++) {
             if (g->fill[i] <= 0) {

@@ -56,8 +56,8 @@ static enum cr_err draw_scene(void *user, struct cr_cells *cells, struct cr_rect
     struct cr_scene_view view = cr_session_scene_view(s);
     const struct cr_target target = {cells, at, &s->opts.look};
     if (!stale(s)) {
-        return cr_render_scene(&target, &s->result->compiled, &s->result->resolved, s->result,
-                               &view, err);
+        return cr_render_scene(&target, s->result->compiled, &s->result->resolved, s->result, &view,
+                               err);
     }
     const struct cr_compiled *compiled = cr_session_compiled(s, err);
     if (compiled == NULL) {

@@ -75,7 +75,7 @@ static enum cr_err draw_vehicle(struct cr_session *s, const struct cr_scene *sce
     }
     if (code == CR_ERR_OK) {
         bool solved = cr_session_fits(s);
-        const struct cr_grid *grid = solved ? &s->result->compiled.cs.body[part].grid : NULL;
+        const struct cr_grid *grid = solved ? cr_result_grid(s->result, part) : NULL;
         struct projection_job job = {s,
                                      {.view = view,
                                       .voxels = &voxels,

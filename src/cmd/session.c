@@ -4,6 +4,7 @@
 
 #include "base/grow.h"
 #include "base/show.h"
+#include "scene/compiled.h"
 #include "study/study.h"
 
 #include <math.h>

@@ -3,6 +3,7 @@
 #include "cmd/cmd_priv.h"
 
 #include "result/robust.h"
+#include "scene/compiled.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,6 +1,8 @@
 /* solve and explain: the crash as a whole, and one time slice of it with the paper's equations. */
 #include "cmd/cmd_priv.h"
 
+#include "scene/compiled.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -62,7 +64,7 @@ static void say_result(struct cr_session *s) {
     }
     cr_str_add(&line, ": EES");
     for (int i = 0; i < r->solution->bodies; i++) {
-        if (r->compiled.cs.body[i].grid.nx > 0) {
+        if (cr_result_grid(r, i)->nx > 0) {
             double ees = cr_kmh(r->of[i].ees);
             cr_units_shown(s->units, "km/h", &ees, NULL);
             cr_str_addf(&line, " %s %.1f", r->resolved.part[i].id, ees);
@@ -177,7 +179,7 @@ static void explain_contact(struct cr_session *s, const struct cr_slice *c) {
         cr_say(s,
                "Eq. (1)  E = 0 J: no voxel yields, the elastic impulse of %.0f N s works over "
                "%.1f ms",
-               pair->elastic_impulse, 1e3 * r->compiled.cs.opts.elastic_s);
+               pair->elastic_impulse, 1e3 * r->compiled->cs.opts.elastic_s);
     }
     cr_say(s, "Eq. (3)  COE = sum(E_voxel p_voxel) / sum(E_voxel) = (%.3f, %.3f) m",
            tidy(c->coe.x, 1e-3), tidy(c->coe.y, 1e-3));
@@ -200,7 +202,7 @@ static void explain_contact(struct cr_session *s, const struct cr_slice *c) {
 static void explain_body(struct cr_session *s, int body, int sample) {
     const struct cr_result *r = s->result;
     const struct cr_sample *x = &r->solution->trace[(long)sample * r->solution->bodies + body];
-    const struct cr_body *cb = &r->compiled.cs.body[body];
+    const struct cr_body *cb = &r->compiled->cs.body[body];
     const char *id = r->resolved.part[body].id;
     struct cr_vec2 total = cr_vec2_scale(x->acc, cb->mass);
     struct cr_vec2 tyres = cr_vec2_sub(total, x->force), arm = cr_vec2_sub(x->coe, x->pos);

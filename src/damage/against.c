@@ -8,7 +8,7 @@
 /* residual depth of the solve at a place along the face: the mean of the lines of voxels there */
 static double solved_at(const struct cr_result *r, int body, const struct cr_measured *m,
                         double at) {
-    const struct cr_deform d = {.grid = &r->compiled.cs.body[body].grid,
+    const struct cr_deform d = {.grid = cr_result_grid(r, body),
                                 .left = r->solution->body[body].left,
                                 .how = r->solution->body[body].how,
                                 .residual_curve = r->resolved.set.residual_curve == 1};

@@ -32,7 +32,7 @@ static enum cr_err frame(const struct cr_result *r, struct cr_cells *cells, doub
     cr_cells_clear(cells);
     enum cr_err code =
         cr_render_scene(&(struct cr_target){cells, {0, 0, cells->w, cells->h - 1}, &look},
-                        &r->compiled, &r->resolved, r, &view, err);
+                        r->compiled, &r->resolved, r, &view, err);
     if (code == CR_ERR_OK) {
         char line[80];
         snprintf(line, sizeof line, "%+.0f ms, %gx slower", 1e3 * (t - r->solution->t_contact),

@@ -28,7 +28,7 @@ static double sample(const struct cr_result *r, int body, const struct cr_pulse 
     if (curve < 2) {
         return curve == 0 ? p->ax[k] : p->ay[k];
     }
-    struct cr_sample s = cr_render_state(&r->compiled, r, body, p->t0 + (k + 0.5) * p->dt);
+    struct cr_sample s = cr_render_state(r->compiled, r, body, p->t0 + (k + 0.5) * p->dt);
     struct cr_vec2 v = cr_vec2_unrotate(s.vel, cos(s.heading), sin(s.heading));
     return curve == 2 ? v.x : curve == 3 ? v.y : s.yaw_rate;
 }

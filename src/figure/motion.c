@@ -19,7 +19,7 @@ void cr_form_motion(const struct cr_result *r, enum cr_axes_of axes, double step
             if (!cr_render_moves(r, body)) {
                 continue;
             }
-            struct cr_sample s = cr_render_state(&r->compiled, r, body, k * step);
+            struct cr_sample s = cr_render_state(r->compiled, r, body, k * step);
             cr_str_addf(out, "%.6g,", k * step - sol->t_contact);
             cr_str_csv(out, r->resolved.part[body].id);
             cr_str_addf(out, ",%.6g,%.6g,%.6g,%.6g,%.6g,%.6g\n", s.pos.x, sign * s.pos.y,

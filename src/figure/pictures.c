@@ -123,7 +123,7 @@ static enum cr_err plan(const struct cr_picture_source *s, double time, struct c
                         struct cr_error *err) {
     char title[160];
     const struct cr_result *r = s->result;
-    struct cr_figure_plan p = {.compiled = r != NULL ? &r->compiled : s->compiled,
+    struct cr_figure_plan p = {.compiled = r != NULL ? r->compiled : s->compiled,
                                .scene = r != NULL ? &r->resolved : s->scene,
                                .result = r,
                                .view = s->view,
@@ -176,7 +176,7 @@ static enum cr_err vehicle_of(const struct cr_picture_source *s, int *body, stru
 
 void cr_picture_profile_span(const struct cr_result *r, int body, double *from, double *to) {
     const struct cr_severity *of = &r->of[body];
-    const struct cr_grid *g = &r->compiled.cs.body[body].grid;
+    const struct cr_grid *g = cr_result_grid(r, body);
     struct cr_vec2 centre = cr_vec2(g->x0 + g->nx * g->h / 2, g->y0 + g->ny * g->h / 2);
     double middle =
         cr_face_is_end(of->face) ? centre.y - of->profile_middle : of->profile_middle - centre.x;
@@ -194,7 +194,7 @@ static enum cr_err damage(const struct cr_picture_source *s, struct cr_canvas **
     }
     const struct cr_severity *of = &s->result->of[body];
     const struct cr_participant *part = &s->result->resolved.part[body];
-    const struct cr_grid *g = &s->result->compiled.cs.body[body].grid;
+    const struct cr_grid *g = cr_result_grid(s->result, body);
     struct cr_damage_plan p = {.id = part->id,
                                .face = of->face,
                                .length = g->nx * g->h,
@@ -315,7 +315,7 @@ static enum cr_err risk(const struct cr_picture_source *s, struct cr_canvas **ou
 static enum cr_err overview_plan(const struct cr_picture_source *s, double time, struct cr_box at,
                                  struct cr_canvas *canvas, struct cr_error *err) {
     char title[160];
-    struct cr_figure_plan p = {.compiled = &s->result->compiled,
+    struct cr_figure_plan p = {.compiled = s->result->compiled,
                                .scene = &s->result->resolved,
                                .result = s->result,
                                .view = s->view,
@@ -330,7 +330,7 @@ static enum cr_err overview(const struct cr_picture_source *s, struct cr_canvas 
     enum { GAP = 20, HEAD = 24 };
     struct cr_plot_made made;
     double h = 300;
-    struct cr_figure_plan p = {.compiled = &s->result->compiled,
+    struct cr_figure_plan p = {.compiled = s->result->compiled,
                                .scene = &s->result->resolved,
                                .result = s->result,
                                .view = s->view,

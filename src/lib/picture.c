@@ -9,7 +9,7 @@ enum { WIDTH = 500, MOST = 400, EDGE = 4 }; /* points */
 
 static enum cr_err draw(const struct cr_result *r, double time, struct cr_str *out) {
     const struct cr_figure_plan plan = {
-        .compiled = &r->compiled,
+        .compiled = r->compiled,
         .scene = &r->resolved,
         .result = r,
         .view = {.field = CR_FIELD_EES,

@@ -2,6 +2,7 @@
 #include "lib/lib_priv.h"
 
 #include "base/str.h"
+#include "scene/compiled.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -139,7 +140,7 @@ size_t crumple_field(const crumple_result *result, const char *id, int kind, flo
     if (body < 0 || kind < CRUMPLE_FIELD_MATERIAL || kind > CRUMPLE_FIELD_TIME) {
         return 0;
     }
-    const struct cr_body *b = &r->compiled.cs.body[body];
+    const struct cr_body *b = &r->compiled->cs.body[body];
     const struct cr_outcome *o = &r->solution->body[body];
     size_t n = (size_t)b->grid.nx * (size_t)b->grid.ny;
     if (n == 0 || o->left == NULL || (kind == CRUMPLE_FIELD_EES && !(b->mass > 0))) {

@@ -42,7 +42,7 @@ enum cr_err cr_project_body(const struct cr_model_lib *lib, const struct cr_resu
     out->projection =
         (struct cr_projection){.voxels = v, .ees = ees, .face = result->of[body].face};
     if (o->left != NULL) {
-        out->projection.grid = &result->compiled.cs.body[body].grid;
+        out->projection.grid = cr_result_grid(result, body);
         out->projection.left = o->left;
     }
 out:

@@ -295,7 +295,7 @@ enum cr_err cr_render_scene(const struct cr_target *target, const struct cr_comp
         return CR_ERR_OK;
     }
     if (compiled == NULL && result != NULL) {
-        compiled = &result->compiled;
+        compiled = result->compiled;
     }
     if (result != NULL) {
         scene = &result->resolved;

@@ -118,7 +118,7 @@ static void say_damage(enum cr_units units, const struct cr_severity *s, char *b
 static void write_side(struct pen *p, const struct cr_result *r, const struct cr_impact *k,
                        int side) {
     int b = k->body[side];
-    const struct hit hit = {&k->of[side], r->compiled.cs.body[b].grid.nx > 0};
+    const struct hit hit = {&k->of[side], cr_result_grid(r, b)->nx > 0};
     if (full(p) || !cr_render_moves(r, b)) {
         return;
     }
@@ -152,7 +152,7 @@ int cr_render_impacts_rows(const struct cr_result *result) {
     int rows = 2 + result->impacts;
     for (int i = 0; i < 2 * result->impacts; i++) {
         int b = result->impact[i / 2].body[i % 2];
-        bool deforms = result->compiled.cs.body[b].grid.nx > 0;
+        bool deforms = cr_result_grid(result, b)->nx > 0;
         double wide = result->impact[i / 2].of[i % 2].profile_width;
         rows += cr_render_moves(result, b) ? 1 + (deforms && wide > 0) : 0;
     }

@@ -2,6 +2,7 @@
 #include "render/picture.h"
 
 #include "base/vec.h"
+#include "scene/compiled.h"
 
 #include <math.h>
 #include <string.h>
@@ -176,7 +177,7 @@ void cr_pic_box(const struct cr_pic *pic, const struct cr_result *result, struct
                 }
                 grow(box, p);
                 for (int t = 0; solved && !fixed && t < 2; t++) {
-                    struct cr_sample s = cr_render_state(&result->compiled, result, i, times[t]);
+                    struct cr_sample s = cr_render_state(result->compiled, result, i, times[t]);
                     grow(box, corner(b, &s, k));
                 }
             }
@@ -223,7 +224,7 @@ enum cr_err cr_pic_frame(const struct cr_result *result, struct cr_scene_view *v
                          int most, int *rows, struct cr_error *err) {
     struct cr_pic pic;
     struct cr_vec2 box[2];
-    enum cr_err code = cr_pic_init(&pic, &result->compiled, &result->resolved, result, view, err);
+    enum cr_err code = cr_pic_init(&pic, result->compiled, &result->resolved, result, view, err);
     if (code != CR_ERR_OK) {
         return code;
     }

@@ -4,6 +4,7 @@
 #include "base/arena.h"
 #include "base/vec.h"
 #include "result/pulse.h"
+#include "scene/compiled.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -39,7 +40,7 @@ enum cr_role cr_render_role_of(int body) {
 }
 
 bool cr_render_moves(const struct cr_result *result, int body) {
-    return result->compiled.cs.body[body].mass > 0;
+    return cr_result_moves(result, body);
 }
 
 int cr_render_samples(const struct cr_solution *sol) {
@@ -186,7 +187,7 @@ static double kinetic(const struct cr_result *result, int sample) {
     const struct cr_solution *sol = result->solution;
     double sum = 0;
     for (int b = 0; b < sol->bodies; b++) {
-        const struct cr_body *body = &result->compiled.cs.body[b];
+        const struct cr_body *body = &result->compiled->cs.body[b];
         const struct cr_sample *s = &sol->trace[sample * sol->bodies + b];
         if (body->mass > 0) {
             sum += 0.5 * body->mass * cr_vec2_dot(s->vel, s->vel);
@@ -214,7 +215,7 @@ enum cr_err cr_plot_energy(const struct cr_result *result, double cursor, struct
         .x = t, .y = y, .n = n, .mark = 'k', .name = "kinetic", .role = CR_ROLE_REFERENCE};
     for (int b = 0; b < sol->bodies; b++) {
         double *e = y + (size_t)curves * (size_t)n;
-        if (result->compiled.cs.body[b].grid.nx == 0) {
+        if (cr_result_grid(result, b)->nx == 0) {
             continue;
         }
         for (int i = 0; i < n; i++) {

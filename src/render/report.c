@@ -22,7 +22,7 @@ static enum cr_err summary(const struct cr_page *page, struct cr_error *err) {
     for (int i = 0; i < n; i++) {
         const struct cr_severity *of = &r->of[body[i]];
         cr_str_addf(&text, "%s%s", i > 0 ? "   " : "", r->resolved.part[body[i]].id);
-        if (r->compiled.cs.body[body[i]].grid.nx > 0) {
+        if (cr_result_grid(r, body[i])->nx > 0) {
             cr_str_addf(&text, "  EES %.1f km/h", cr_kmh(of->ees));
         }
         if (cr_render_moves(r, body[i])) {
@@ -69,7 +69,7 @@ static enum cr_err strip(const struct cr_page *page, const struct shot *shot, in
         struct cr_target target = {&c, {x, 1, w, 1}, page->look};
         cr_page_draw_heading(&target, shot[i].name, shot[i].note);
         target.at = (struct cr_rect){x, 2, w, rows};
-        code = cr_render_scene(&target, &r->compiled, &r->resolved, r, &shot[i].view, err);
+        code = cr_render_scene(&target, r->compiled, &r->resolved, r, &shot[i].view, err);
     }
     if (code != CR_ERR_OK) {
         cr_cells_fini(&c);
@@ -185,8 +185,7 @@ static enum cr_err impacts(const struct cr_page *page, struct cr_error *err) {
 }
 
 static bool has_profile(const struct cr_result *r, int b) {
-    return r->compiled.cs.body[b].grid.nx > 0 && r->of[b].face < CR_FACES &&
-           r->of[b].deformation_max > 0;
+    return cr_result_grid(r, b)->nx > 0 && r->of[b].face < CR_FACES && r->of[b].deformation_max > 0;
 }
 
 static enum cr_err profile_line(const struct cr_page *page, int b, double most,

@@ -23,7 +23,7 @@ struct source {
     static double name(const struct source *s) {                                                   \
         return expression;                                                                         \
     }
-OF(mass, s->result->compiled.cs.body[s->body].mass)
+OF(mass, cr_result_mass(s->result, s->body))
 OF(v0, cr_kmh(cr_vec2_len(s->result->solution->body[s->body].before.vel)))
 OF(v_now, cr_kmh(cr_vec2_len(s->now.vel)))
 OF(ees_now, cr_kmh(sqrt(2 * fmax(s->now.energy, 0) / mass(s))))
@@ -94,9 +94,9 @@ static void write_rows(struct spot *p, const struct cr_result *result, double ti
         for (int k = 0; k < p->n; k++) {
             int b = p->body[k];
             char text[32] = "-";
-            struct source s = {result, b, cr_render_state(&result->compiled, result, b, time),
+            struct source s = {result, b, cr_render_state(result->compiled, result, b, time),
                                final};
-            if (!value_rows[i].grid_only || result->compiled.cs.body[b].grid.nx > 0) {
+            if (!value_rows[i].grid_only || cr_result_grid(result, b)->nx > 0) {
                 double x = value_rows[i].get(&s);
                 int decimals = value_rows[i].decimals;
                 cr_units_shown(result->units, value_rows[i].unit, &x, &decimals);
@@ -116,7 +116,7 @@ static double plastic_until(const struct cr_result *result, double time) {
         return result->solution->balance.plastic;
     }
     for (int b = 0; b < result->solution->bodies; b++) {
-        sum += cr_render_state(&result->compiled, result, b, time).energy;
+        sum += cr_render_state(result->compiled, result, b, time).energy;
     }
     return sum;
 }

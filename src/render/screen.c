@@ -174,7 +174,7 @@ enum cr_err cr_render_screen(struct cr_cells *cells, const struct cr_look *look,
         }
         live->units = screen->scene_view.units;
         shown.result = live;
-        shown.compiled = &live->compiled;
+        shown.compiled = live->compiled;
         shown.scene_view.time = (double)NAN;
         shown.stale = false;
     }

@@ -2,6 +2,7 @@
 #include "render/picture.h"
 
 #include "base/vec.h"
+#include "scene/compiled.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -53,10 +54,10 @@ bool cr_render_final(const struct cr_solution *sol) {
 
 struct cr_result *cr_render_live(const struct cr_scene *scene, const struct cr_case *cs,
                                  const struct cr_solution *live) {
-    struct cr_result *r = calloc(1, sizeof *r);
+    struct cr_result *r = cr_result_new();
     if (r != NULL) {
         r->resolved = *scene;
-        r->compiled.cs = *cs;
+        r->compiled->cs = *cs;
         r->solution = live;
     }
     return r;

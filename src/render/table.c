@@ -3,6 +3,7 @@
 #include "render/table.h"
 
 #include "base/vec.h"
+#include "scene/compiled.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -38,7 +39,7 @@ static double at_rest_or_none(const struct cr_outcome *o, double x) {
     static double name(const struct source *s) {                                                   \
         return expression;                                                                         \
     }
-OF(get_mass, s->result->compiled.cs.body[s->body].mass)
+OF(get_mass, cr_result_mass(s->result, s->body))
 OF(get_ees, cr_kmh(s->of->ees))
 OF(get_delta_v, cr_kmh(s->of->delta_v))
 OF(get_forward, cr_kmh(s->of->delta_v_body.x))
@@ -212,7 +213,7 @@ enum {
 int cr_table_bodies(const struct cr_result *result, int body[CR_BODY_MAX]) {
     int n = 0;
     for (int i = 0; i < result->solution->bodies; i++) {
-        const struct cr_body *b = &result->compiled.cs.body[i];
+        const struct cr_body *b = &result->compiled->cs.body[i];
         if (b->mass > 0 || b->grid.nx > 0) {
             body[n++] = i;
         }
@@ -370,9 +371,9 @@ static void write_row(struct layout *l, const struct cr_result *result, const st
                            .of = &result->of[b],
                            .outcome = &result->solution->body[b]};
         char text[CR_NAME_MAX] = "-";
-        bool has = !row->grid_only || result->compiled.cs.body[b].grid.nx > 0;
+        bool has = !row->grid_only || cr_result_grid(result, b)->nx > 0;
         if (isfinite(time)) {
-            s.now = cr_render_state(&result->compiled, result, b, time);
+            s.now = cr_render_state(result->compiled, result, b, time);
         }
         if (has && row->decimals < 0) {
             row->text(&s, text, sizeof text);

@@ -28,7 +28,7 @@ static void trace(struct cr_paper *p) {
     const struct cr_solution *sol = p->r->solution;
     int bodies = 0;
     for (int i = 0; i < sol->bodies; i++) {
-        bodies += p->r->compiled.cs.body[i].mass > 0;
+        bodies += cr_result_moves(p->r, i);
     }
     int rows = bodies > 0 ? TRACE_ROWS / bodies : 0;
     int every = rows > 0 ? (sol->samples + rows - 1) / rows : 1;
@@ -39,7 +39,7 @@ static void trace(struct cr_paper *p) {
          W(p, "yaw rate, deg/s"), W(p, "force, kN"), W(p, "energy, kJ"));
     for (int k = every - 1; k < sol->samples; k += every) {
         for (int i = 0; i < sol->bodies; i++) {
-            if (p->r->compiled.cs.body[i].mass > 0) {
+            if (cr_result_moves(p->r, i)) {
                 trace_row(p, k, i);
             }
         }

@@ -73,7 +73,7 @@ static void impact_row(const struct cr_result *r, int impact, int side, struct c
     const struct cr_impact *one = &r->impact[impact];
     const struct cr_severity *s = &one->of[side];
     int i = one->body[side];
-    bool deforms = r->compiled.cs.body[i].grid.nx > 0;
+    bool deforms = cr_result_grid(r, i)->nx > 0;
     const double *c = s->profile;
     const double value[] = {one->t_begin,
                             one->t_end,
@@ -128,7 +128,7 @@ static void table(const struct cr_result *r, struct cr_str *out) {
                     "acceleration_mean_g,pulse_ms,olc_g,asi,thiv_kmh,rest_x_m,rest_y_m,"
                     "rest_heading_deg,rest_t_s\n");
     for (int i = 0; i < r->solution->bodies; i++) {
-        if (r->compiled.cs.body[i].mass > 0) {
+        if (cr_result_moves(r, i)) {
             row(r, i, out);
         }
     }
@@ -144,7 +144,7 @@ static void impacts(const struct cr_result *r, struct cr_str *out) {
                     "profile_middle_m,acceleration_max_g,acceleration_mean_g,pulse_ms\n");
     for (int k = 0; k < 2 * r->impacts; k++) {
         const struct cr_impact *one = &r->impact[k / 2];
-        if (r->compiled.cs.body[one->body[k % 2]].mass > 0) {
+        if (cr_result_moves(r, one->body[k % 2])) {
             impact_row(r, k / 2, k % 2, out);
         }
     }

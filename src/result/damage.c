@@ -89,7 +89,7 @@ static int owner(const struct cr_events *all, int body, double t, struct cr_vec2
 
 enum cr_err cr_damage_owners(const struct cr_result *r, const struct cr_events *all, int body,
                              short **out, struct cr_error *err) {
-    const struct cr_grid *g = &r->compiled.cs.body[body].grid;
+    const struct cr_grid *g = cr_result_grid(r, body);
     const struct cr_outcome *o = &r->solution->body[body];
     size_t n = (size_t)g->nx * (size_t)g->ny;
     *out = malloc((n > 0 ? n : 1) * sizeof **out);
@@ -413,7 +413,7 @@ struct cr_deform cr_damage_of(const struct cr_result *r, int body) {
     const struct cr_outcome *o = &r->solution->body[body];
     int residual = r->resolved.set.residual_curve;
     bool paper = r->resolved.set.method == CR_METHOD_PAPER;
-    return (struct cr_deform){.grid = &r->compiled.cs.body[body].grid,
+    return (struct cr_deform){.grid = cr_result_grid(r, body),
                               .left = o->left,
                               .how = o->how,
                               .residual_curve = residual < 0 ? paper : residual > 0};

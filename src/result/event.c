@@ -1,6 +1,8 @@
 /* Groups the contacts of a solve into impacts and adds up what each did to its two bodies. */
 #include "result/event.h"
 
+#include "scene/compiled.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

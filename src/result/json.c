@@ -9,6 +9,7 @@
 #include "base/json.h"
 #include "base/number.h"
 #include "base/tree.h"
+#include "scene/compiled.h"
 
 #include <cjson/cJSON.h>
 #include <math.h>
@@ -67,11 +68,11 @@ static bool put_input(const struct cr_result *r, const struct cr_result_opts *op
     cr_tree_text(input, "scene_sha256", hex);
     cJSON *models = cr_tree_object(input, "models");
     for (int i = 0; i < r->resolved.n; i++) {
-        if (!r->compiled.model[i][0]) {
+        if (!r->compiled->model[i][0]) {
             continue;
         }
         struct cr_str s = {0};
-        cr_str_addf(&s, "%s sha256 %s", r->compiled.model[i], r->compiled.hash[i]);
+        cr_str_addf(&s, "%s sha256 %s", r->compiled->model[i], r->compiled->hash[i]);
         cr_tree_str(models, r->resolved.part[i].id, &s);
         cr_str_fini(&s);
     }
@@ -130,10 +131,10 @@ static void put_participants(const struct cr_result *r, int version, cJSON *json
             cr_tree_text(p, "kind", "object");
         }
         /* a fixed object has no motion to report */
-        if (r->compiled.cs.body[i].mass > 0) {
+        if (cr_result_moves(r, i)) {
             cr_json_motion(&r->of[i], version, p);
         }
-        if (r->compiled.cs.body[i].mass > 0 && version > 1) {
+        if (cr_result_moves(r, i) && version > 1) {
             cr_json_totals(&r->of[i], p);
         }
         if (!vehicle && r->resolved.part[i].shape == CR_OBJECT_BARRIER) {
@@ -145,7 +146,7 @@ static void put_participants(const struct cr_result *r, int version, cJSON *json
             cr_json_pulse(&r->of[i], p);
             cr_json_occupant(&r->of[i], p);
         }
-        if (r->compiled.cs.body[i].mass > 0) {
+        if (cr_result_moves(r, i)) {
             put_rest(&r->solution->body[i], version, p);
         }
         if (vehicle) {

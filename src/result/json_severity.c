@@ -150,7 +150,7 @@ static void put_vehicle(const struct cr_result *r, const struct cr_impact *k, in
                         cJSON *list) {
     int i = k->body[side];
     bool vehicle = r->resolved.part[i].kind == CR_KIND_VEHICLE;
-    if (!(r->compiled.cs.body[i].mass > 0)) {
+    if (!cr_result_moves(r, i)) {
         return;
     }
     cJSON *p = cJSON_CreateObject();

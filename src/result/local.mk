@@ -1,5 +1,6 @@
 noinst_LIBRARIES += libresult.a
 libresult_a_SOURCES = \
+	src/result/body.c \
 	src/result/budget.c \
 	src/result/cdc.c src/result/cdc.h \
 	src/result/corridor.c src/result/compare.c src/result/compare.h \

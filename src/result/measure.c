@@ -3,6 +3,7 @@
 
 #include "result/damage.h"
 #include "result/pulse.h"
+#include "scene/compiled.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -58,7 +59,7 @@ static int impacts_of(const struct cr_events *all, int body) {
  * that the force lies in. */
 static void name_model(const struct cr_result *r, int i, struct cr_severity *s) {
     const struct cr_participant *p = &r->resolved.part[i];
-    memcpy(s->model, r->compiled.model[i], sizeof s->model);
+    memcpy(s->model, r->compiled->model[i], sizeof s->model);
     if (cr_scene_by_push(p) && p->model.kind != CR_MODEL_STIFFNESS) {
         snprintf(s->model, sizeof s->model, "%s/%d", cr_type_word(p->type), s->pdof_clock);
     }
@@ -69,7 +70,7 @@ static void measure_motion(const struct taking *t, const struct cr_event *e, int
     const struct cr_result *r = t->r;
     const struct cr_event_body *of = &e->of[side];
     int i = e->body[side], last = e->first + e->samples - 1;
-    double mass = r->compiled.cs.body[i].mass;
+    double mass = cr_result_mass(r, i);
     const struct cr_sample *before = cr_event_before(r->solution, e, i);
     const struct cr_sample *after =
         last < 0 ? before : &r->solution->trace[(long)last * r->solution->bodies + i];
@@ -176,7 +177,7 @@ static enum cr_err measure_side(const struct taking *t, int event, int side, con
     const struct cr_event *e = &t->all->event[event];
     struct cr_severity *s = &t->r->impact[event].of[side];
     int i = e->body[side];
-    const struct cr_body *body = &t->r->compiled.cs.body[i];
+    const struct cr_body *body = &t->r->compiled->cs.body[i];
     enum cr_err code = CR_ERR_OK;
     s->second.face = CR_FACES;
     measure_motion(t, e, side, s);
@@ -242,7 +243,7 @@ static void measure_totals(const struct taking *t, int body, struct cr_severity 
     const struct cr_result *r = t->r;
     const struct cr_outcome *o = &r->solution->body[body];
     const struct cr_severity *main = severest(r, body);
-    double mass = r->compiled.cs.body[body].mass;
+    double mass = cr_result_mass(r, body);
     if (main != NULL) {
         *s = *main;
     } else {
@@ -294,7 +295,7 @@ static enum cr_err measure_body(const struct taking *t, int i) {
         return code;
     }
     measure_totals(t, i, s);
-    if (touched && t->r->compiled.cs.body[i].mass > 0 && s->impacts > 1) {
+    if (touched && cr_result_moves(t->r, i) && s->impacts > 1) {
         code = measure_record(t, i, s);
     }
     if (!code && touched && o->left != NULL) {
@@ -323,7 +324,7 @@ static void take_impact(const struct cr_event *e, struct cr_impact *to) {
 enum cr_err cr_result_measure(struct cr_result *r, const struct cr_irf_set *irf,
                               struct cr_error *err) {
     struct cr_events all;
-    enum cr_err code = cr_events_find(r->solution, &r->compiled.cs, &all, err);
+    enum cr_err code = cr_events_find(r->solution, &r->compiled->cs, &all, err);
     if (code) {
         return code;
     }

@@ -3,6 +3,7 @@
 #include "result/planar.h"
 
 #include "result/result_priv.h"
+#include "scene/compiled.h"
 
 /* symmetric 2 x 2: what an impulse at the impact centre does to the velocity there */
 struct mobility {
@@ -44,7 +45,7 @@ double cr_planar_yaw_change(const struct cr_result *result, int body, struct cr_
     const int of[2] = {c->a, c->b};
     struct cr_planar_body b[2];
     for (int i = 0; i < 2; i++) {
-        const struct cr_body *own = &result->compiled.cs.body[of[i]];
+        const struct cr_body *own = &result->compiled->cs.body[of[i]];
         const struct cr_sample *before = &sol->body[of[i]].before;
         const struct cr_sample *then = cr_result_motion_at(sol, of[i], c->t_plastic_end);
         b[i] =

@@ -2,6 +2,8 @@
  * beyond what a structure can tell, contacts that ended while bodies still came on. */
 #include "result/result_priv.h"
 
+#include "scene/compiled.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -71,7 +73,7 @@ static const struct cr_sample *sample(const struct cr_solution *sol, int k, int 
 static bool swallowed(const struct cr_result *r, const struct cr_impact *k, int side) {
     const struct cr_solution *sol = r->solution;
     int i = k->body[side], other = k->body[!side];
-    if (!(r->compiled.cs.body[i].mass > 0)) { /* a fixed barrier's place is its face, not its CG */
+    if (!cr_result_moves(r, i)) { /* a fixed barrier's place is its face, not its CG */
         return false;
     }
     for (int n = 0; n < sol->samples; n++) {
@@ -81,7 +83,7 @@ static bool swallowed(const struct cr_result *r, const struct cr_impact *k, int 
         const struct cr_sample *own = sample(sol, n, i), *it = sample(sol, n, other);
         struct cr_vec2 p =
             cr_vec2_unrotate(cr_vec2_sub(own->pos, it->pos), cos(it->heading), sin(it->heading));
-        if (is_inside(&r->compiled.cs.body[other], p)) {
+        if (is_inside(&r->compiled->cs.body[other], p)) {
             return true;
         }
     }
@@ -98,7 +100,7 @@ static bool cut_through(const struct cr_result *r, const struct cr_impact *k, in
 static void check_through(struct cr_result *r, const struct cr_impact *k) {
     const char *a = r->resolved.part[k->body[0]].id, *b = r->resolved.part[k->body[1]].id;
     for (int side = 0; side < 2; side++) {
-        bool car = r->compiled.cs.body[k->body[side]].grid.nx > 0;
+        bool car = cr_result_grid(r, k->body[side])->nx > 0;
         if (car && (swallowed(r, k, side) || cut_through(r, k, side))) {
             cr_result_warn(r, "through",
                            "%s and %s went through each other: %s; no value of this impact can be "

@@ -92,14 +92,17 @@ struct cr_impact {
     struct cr_severity of[2];   /* what it did to either */
 };
 
+struct cr_compiled;
+struct cr_grid;
 struct cr_robust;
 struct cr_result {
     enum cr_units units;      /* in which tables, plots and reports of it are; all in it is SI */
     struct cr_scene scene;    /* as given */
     struct cr_scene resolved; /* with every default filled in */
     struct cr_assumed assumed;
-    struct cr_compiled compiled; /* the case that was solved, with the models and their hashes */
-    struct cr_solver *solver;    /* owns the solution */
+    struct cr_compiled *compiled; /* the case that was solved, with the models and their hashes; in
+                                     the same block of memory */
+    struct cr_solver *solver;     /* owns the solution */
     const struct cr_solution *solution;
     struct cr_severity of[CR_BODY_MAX];
     int impacts;
@@ -112,6 +115,15 @@ struct cr_result {
                                               block of memory, owned; NULL: not checked */
     char irf_hash[CR_HASH_SIZE];           /* of the risk functions, "" without */
 };
+
+/* An empty result with an empty case, freed as one block with free(); NULL without memory. */
+struct cr_result *cr_result_new(void);
+
+/* A participant as it was solved: whether it can move, its mass in kg, its voxels (nx = 0: a rigid
+ * object). */
+bool cr_result_moves(const struct cr_result *result, int body);
+double cr_result_mass(const struct cr_result *result, int body);
+const struct cr_grid *cr_result_grid(const struct cr_result *result, int body);
 
 /* Shared, immutable data a run needs: models and injury risk functions. */
 struct cr_irf_set;

@@ -3,6 +3,8 @@
  * model"). */
 #include "result/result_priv.h"
 
+#include "scene/compiled.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -212,7 +214,7 @@ static enum cr_err settle(struct cr_result *r, const struct cr_context *ctx, str
         r->passes++;
     }
     for (int pass = 0; pass < 2 && !code; pass++) {
-        code = solve(scene, ctx, pdof, &r->compiled, &r->solver, err);
+        code = solve(scene, ctx, pdof, r->compiled, &r->solver, err);
         r->passes++;
         r->solution = r->solver != NULL ? cr_solver_solution(r->solver) : NULL;
         if (code) {
@@ -233,7 +235,7 @@ static enum cr_err settle(struct cr_result *r, const struct cr_context *ctx, str
         }
         memcpy(pdof, found, sizeof pdof);
         cr_solver_free(r->solver);
-        cr_compiled_fini(&r->compiled);
+        cr_compiled_fini(r->compiled);
         r->solver = NULL;
         r->solution = NULL;
     }
@@ -276,7 +278,7 @@ static enum cr_err check_injury(const struct cr_scene *scene, const struct cr_co
 enum cr_err cr_result_run(const struct cr_scene *scene, const struct cr_context *ctx,
                           struct cr_result **out, struct cr_error *err) {
     *out = NULL;
-    struct cr_result *r = calloc(1, sizeof *r);
+    struct cr_result *r = cr_result_new();
     if (!r) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for a result");
     }
@@ -319,7 +321,7 @@ void cr_result_free(struct cr_result *result) {
     free(result->robust);
     if (result->solver) {
         cr_solver_free(result->solver);
-        cr_compiled_fini(&result->compiled);
+        cr_compiled_fini(result->compiled);
     }
     cr_assumed_fini(&result->assumed);
     cr_scene_fini(&result->scene);

@@ -4,6 +4,7 @@
 #include "result/result_priv.h"
 
 #include "base/number.h"
+#include "scene/compiled.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -130,7 +131,7 @@ static void check_contact(struct cr_result *r, const struct cr_contact *c) {
     int car = vehicle[0] ? c->a : c->b, other = vehicle[0] ? c->b : c->a;
     const char *id = r->resolved.part[car].id, *with = r->resolved.part[other].id;
     enum cr_face face = r->of[car].face;
-    if (is_narrow(&r->resolved.part[other]) && !r->compiled.cs.opts.induced) {
+    if (is_narrow(&r->resolved.part[other]) && !r->compiled->cs.opts.induced) {
         cr_result_warn(r, "no-induced",
                        "%s: narrow object %s without induced deformation: depth comes out about "
                        "twice too large; use method extended or \"induced\": true",
@@ -245,7 +246,7 @@ void cr_result_check(struct cr_result *r) {
                 cr_result_warn(r, "not-at-rest",
                                "%s: still moving after %.0f s; brake it or take its rest "
                                "position as that instant's",
-                               r->resolved.part[i].id, r->compiled.cs.opts.rest_time);
+                               r->resolved.part[i].id, r->compiled->cs.opts.rest_time);
             }
         }
     }

@@ -1,6 +1,8 @@
 /* Resolved scene -> case for the solver. */
 #include "scene/scene_priv.h"
 
+#include "scene/compiled.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

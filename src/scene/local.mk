@@ -1,7 +1,7 @@
 noinst_LIBRARIES += libscene.a
 libscene_a_SOURCES = \
 	src/scene/check.c \
-	src/scene/compile.c \
+	src/scene/compile.c src/scene/compiled.h \
 	src/scene/dive.c \
 	src/scene/guess.c \
 	src/scene/keys.c src/scene/keys.h \

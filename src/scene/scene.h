@@ -10,7 +10,7 @@
 #include "base/str.h"
 #include "base/vec.h"
 #include "model/model.h"
-#include "solver/case.h"
+#include "solver/limits.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -301,25 +301,9 @@ void cr_scene_model_path(const struct cr_scene *scene, const struct cr_participa
 double cr_scene_pitch(const struct cr_participant *p, double delta_v, double force_height,
                       bool front);
 
-/* What a compiled case was made of. */
-struct cr_compiled {
-    struct cr_case cs;
-    struct cr_arena arena;                /* owns the grids, vertices and waypoints of cs */
-    char model[CR_BODY_MAX][CR_NAME_MAX]; /* "suv/12", "file my.json", "stiffness" */
-    char hash[CR_BODY_MAX][CR_HASH_SIZE]; /* of the model's source */
-};
-
 /* Does a vehicle resist with strengths that are mixed by the direction in which it is pushed
  * (model.blend), so that no sector of the PDOF has to be known before the solve? */
 bool cr_scene_by_push(const struct cr_participant *p);
-
-/* Resolved scene -> case. pdof[i] is the PDOF (rad) for vehicle i's model, used where the model
- * choice is auto. Own model files are read here. Errors: those of the model functions. */
-CR_MUST_CHECK enum cr_err cr_scene_compile(const struct cr_scene *scene,
-                                           const struct cr_model_lib *lib,
-                                           const double pdof[CR_BODY_MAX], struct cr_compiled *out,
-                                           struct cr_error *err);
-void cr_compiled_fini(struct cr_compiled *compiled);
 
 /* Outline of a participant in its own frame, counter-clockwise, for drawing, placing and overlap
  * tests; returns the number of points (a wall: a long rectangle behind its face). */

@@ -145,6 +145,7 @@ void cr_scene_part_init(struct cr_participant *part, enum cr_kind kind);
 void cr_scene_part_fini(struct cr_participant *part);
 /* Kind of the model from what is given of it: a file, a stiffness, or the type alone. */
 void cr_scene_model_kind(struct cr_participant *part);
+struct cr_case;
 /* Face of vehicle i that participant k of a case comes at. */
 enum cr_face cr_scene_struck_face(const struct cr_scene *scene, const struct cr_case *cs, int i,
                                   int k);

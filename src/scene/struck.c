@@ -3,6 +3,8 @@
  * is struck in the flank, while it drives faster than what strikes it, struck at its front. */
 #include "scene/scene_priv.h"
 
+#include "scene/compiled.h"
+
 #include <math.h>
 
 /* A stretch of one axis of the vehicle's frame, m. */

@@ -6,10 +6,9 @@
 
 #include "base/vec.h"
 #include "model/grid.h"
+#include "solver/limits.h"
 
 #include <stdbool.h>
-
-enum { CR_BODY_MAX = 16, CR_WHEELS = 4 };
 
 enum cr_shape_kind {
     CR_SHAPE_NONE,    /* the body is a voxel grid */
@@ -45,14 +44,6 @@ struct cr_strength {
     const double *energy[CR_PUSHES]; /* borrowed, [ny * nx] */
 };
 
-/* One row of a prescribed motion that ends at the first contact. */
-struct cr_waypoint {
-    double t; /* s, increasing */
-    struct cr_vec2 pos;
-    double heading; /* rad */
-    double speed;   /* m/s along the path */
-};
-
 struct cr_body {
     double mass;    /* kg; <= 0: fixed to the ground */
     double inertia; /* about the vertical axis through the CG, kg m2; <= 0: does not turn */
@@ -71,8 +62,6 @@ struct cr_body {
     int waypoints;                           /* 0: pos, vel, heading above are the start */
     const struct cr_waypoint *waypoint;      /* borrowed, [waypoints] */
 };
-
-enum cr_end { CR_END_SEPARATION, CR_END_REST };
 
 struct cr_opts {
     double dt;             /* longest time slice, s */

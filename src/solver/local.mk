@@ -1,7 +1,7 @@
 noinst_LIBRARIES += libsolver.a
 libsolver_a_SOURCES = \
 	src/solver/abort.c \
-	src/solver/case.h \
+	src/solver/case.h src/solver/limits.h \
 	src/solver/check.c \
 	src/solver/crush.c \
 	src/solver/crush.h \

@@ -6,8 +6,9 @@
 #define CR_SOLVER_SOLVER_H
 
 #include "base/err.h"
-#include "solver/case.h"
+#include "solver/limits.h"
 
+#include <stdbool.h>
 #include <stdint.h>
 
 /* Why the plastic compression of a contact ended (paper, step 5). X(name, word in the result) */
@@ -124,6 +125,7 @@ struct cr_solution {
 
 enum cr_status { CR_STATUS_RUNNING, CR_STATUS_DONE, CR_STATUS_FAILED };
 
+struct cr_case;
 struct cr_solver;
 
 /* New solver for a case. Errors: RANGE for a body without mass or extent, OVERLAP for bodies that

@@ -3,6 +3,7 @@
 #define CR_SOLVER_STATE_H
 
 #include "base/arena.h"
+#include "solver/case.h"
 #include "solver/solver.h"
 #include "solver/surface.h"
 

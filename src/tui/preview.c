@@ -3,6 +3,7 @@
 #include "tui/tui_priv.h"
 
 #include "base/vec.h"
+#include "scene/compiled.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -2,6 +2,7 @@
 #include "tui/tui_priv.h"
 
 #include "render/theme.h"
+#include "scene/compiled.h"
 
 #include <curses.h>
 #include <math.h>

@@ -27,7 +27,7 @@ bool cr_scene_picture(struct cr_tui *t, struct cr_pic *pic) {
     enum cr_solve_state state = cr_session_state(t->session);
     if (state == CR_STATE_SOLVED || state == CR_STATE_INTERRUPTED) {
         result = cr_session_result(t->session);
-        compiled = &result->compiled;
+        compiled = result->compiled;
         scene = &result->resolved;
     } else {
         compiled = cr_session_compiled(t->session, &err);

@@ -4,6 +4,7 @@
 #include "base/arena.h"
 #include "base/file.h"
 #include "result/result.h"
+#include "scene/compiled.h"
 #include "scene/scene.h"
 
 #include <fcntl.h>
@@ -129,7 +130,7 @@ static void bench_scene(const char *name, char *path, char *program, const struc
         cr_result_run(&scene, ctx, &result, &err) != CR_ERR_OK) {
         die(&err);
     }
-    time_solver(&result->compiled.cs, &solve);
+    time_solver(&result->compiled->cs, &solve);
     time_results(&scene, ctx, &whole);
     time_process(program, path, &process, &peak_kb);
     const struct cr_solution *sol = result->solution;

@@ -133,7 +133,7 @@ static void severity(const struct car *car, struct cr_severity *of) {
 
 static void add_car(struct render_double *d, int i, const struct car *car) {
     struct cr_participant *part = &d->result.resolved.part[i];
-    struct cr_body *body = &d->result.compiled.cs.body[i];
+    struct cr_body *body = &d->result.compiled->cs.body[i];
     struct cr_outcome *o = &d->solution.body[i];
     snprintf(part->id, sizeof part->id, "%s", car->id);
     *body = (struct cr_body){
@@ -175,6 +175,7 @@ static void add_trace(struct render_double *d, const struct car *car, int n) {
 
 static void begin(struct render_double *d, int n) {
     memset(d, 0, sizeof *d);
+    d->result.compiled = &d->compiled;
     d->result.solution = &d->solution;
     d->solution.bodies = n;
     d->solution.t_contact = t_contact;
@@ -182,7 +183,7 @@ static void begin(struct render_double *d, int n) {
     d->result.resolved.n = n;
     d->result.resolved.set.dt = time_step;
     d->result.resolved.set.voxel = edge;
-    d->result.compiled.cs.n = n;
+    d->result.compiled->cs.n = n;
 }
 
 static void add_contact(struct render_double *d, double impulse) {
@@ -258,7 +259,7 @@ void render_double_wall(struct render_double *d) {
     wall->heading = CR_PI;
     wall->length = 4;
     wall->mass = NAN;
-    d->result.compiled.cs.body[1] = (struct cr_body){.mass = 0, .heading = CR_PI};
+    d->result.compiled->cs.body[1] = (struct cr_body){.mass = 0, .heading = CR_PI};
     d->solution.body[1].t_first = t_contact;
     d->solution.body[1].t_last = NAN;
     d->solution.body[1].before.heading = CR_PI;

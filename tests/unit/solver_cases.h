@@ -4,6 +4,7 @@
 #define CR_SOLVER_CASES_H
 
 #include "base/arena.h"
+#include "solver/case.h"
 #include "solver/solver.h"
 
 /* Energy per plan area, J/m2, at a distance behind the front and from the flank, m; negative where

@@ -5,6 +5,7 @@
 #include "base/vec.h"
 #include "render/screen.h"
 #include "render_double.h"
+#include "scene/compiled.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -94,7 +95,7 @@ static void draw_screen(struct cr_cells *cells, const struct golden *g, struct r
                                .view = CR_AREA_SCENE,
                                .active = CR_AREAS,
                                .scene = &d->result.resolved,
-                               .compiled = &d->result.compiled,
+                               .compiled = d->result.compiled,
                                .result = &d->result,
                                .scene_view = {.field = g->field,
                                               .time = g->time,
@@ -112,7 +113,7 @@ static void draw_screen(struct cr_cells *cells, const struct golden *g, struct r
     struct cr_layout layout;
     if (g->draw == draw_live) {
         screen.live = &d->solution;
-        screen.live_case = &d->result.compiled.cs;
+        screen.live_case = &d->result.compiled->cs;
         screen.result = NULL;
         screen.title.state = CR_TITLE_SOLVING;
         screen.title.progress = 0.5;

@@ -4,6 +4,7 @@
 #include "base/vec.h"
 #include "render/picture.h"
 #include "render_double.h"
+#include "scene/compiled.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -22,7 +23,7 @@ static struct cr_cells picture(const struct render_double *d, const struct cr_sc
     struct cr_error err;
     assert_int_equal(cr_cells_new(120, 30, &c, &err), CR_ERR_OK);
     assert_int_equal(cr_render_scene(&(struct cr_target){&c, {0, 0, 120, 30}, look},
-                                     &d->result.compiled, &d->result.resolved, &d->result, view,
+                                     d->result.compiled, &d->result.resolved, &d->result, view,
                                      &err),
                      CR_ERR_OK);
     return c;
@@ -56,7 +57,7 @@ static void test_motion_between(void **state) {
     (void)state;
     struct render_double d;
     render_double_init(&d);
-    const struct cr_compiled *k = &d.result.compiled;
+    const struct cr_compiled *k = d.result.compiled;
     double v = 56 / 3.6;
     /* half way to the first contact, which is 100 ms after the start */
     struct cr_sample s = cr_render_state(k, &d.result, 0, 0.05);
@@ -88,7 +89,7 @@ static void test_state_while_solving(void **state) {
     d.solution.contact = &k;
     d.solution.samples = 80; /* 40 ms: half of the delta-v */
     d.solution.body[0].t_last = d.solution.body[1].t_last = (double)NAN;
-    struct cr_sample s = cr_render_state(&d.result.compiled, &d.result, 0, (double)NAN);
+    struct cr_sample s = cr_render_state(d.result.compiled, &d.result, 0, (double)NAN);
     check_near(s.vel.x, 56 / 3.6 - dv_a / 2, 1e-6);
     check_near(cr_render_t_main(&d.solution), 0.14, 1e-9);
     struct cr_scene_view view = view_at((double)NAN);
@@ -163,7 +164,7 @@ static void test_overlap_before_the_crash(void **state) {
         struct cr_error err;
         assert_int_equal(cr_cells_new(120, 30, &c, &err), CR_ERR_OK);
         assert_int_equal(cr_render_scene(&(struct cr_target){&c, {0, 0, 120, 30}, &plain},
-                                         &d.result.compiled, &d.result.resolved, NULL, &view, &err),
+                                         d.result.compiled, &d.result.resolved, NULL, &view, &err),
                          CR_ERR_OK);
         if (i == 0) {
             assert_int_equal(count(&c, '!'), 0);
@@ -172,8 +173,8 @@ static void test_overlap_before_the_crash(void **state) {
             assert_in_range(count(&c, '!'), 12, 25);
         }
         cr_cells_fini(&c);
-        d.result.compiled.cs.body[0].pos = cr_vec2(-2.25, 0);
-        d.result.compiled.cs.body[1].pos = cr_vec2(1.55, 0.9);
+        d.result.compiled->cs.body[0].pos = cr_vec2(-2.25, 0);
+        d.result.compiled->cs.body[1].pos = cr_vec2(1.55, 0.9);
     }
     render_double_fini(&d);
 }

@@ -1,6 +1,7 @@
 /* Heights that meet, dive, and what each setting beyond the paper changes (method.md "Beyond the
  * paper"), with the real models: tests on sense and on energy. */
 #include "result_models.h"
+#include "scene/compiled.h"
 #include "test.h"
 
 #include "result/result_priv.h"
@@ -93,7 +94,7 @@ static void front_into_flank(void **state) {
 
 /* Share of a vehicle's crush energy that went in within a distance of its front end. */
 static double energy_ahead_of(const struct cr_result *r, double depth) {
-    const struct cr_body *b = &r->compiled.cs.body[0];
+    const struct cr_body *b = &r->compiled->cs.body[0];
     const struct cr_grid *g = &b->grid;
     const double *energy =
         b->against[1].energy[0] != NULL ? b->against[1].energy[0] : b->strength.energy[0];

@@ -3,6 +3,7 @@
 #include "test.h"
 
 #include "result/result_priv.h"
+#include "scene/compiled.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -23,6 +24,10 @@ static void clear(void) {
         free(result->of[b].outline);
     }
     free(result->impact);
+    struct cr_compiled *compiled = result->compiled;
+    memset(result, 0, sizeof *result);
+    memset(compiled, 0, sizeof *compiled);
+    result->compiled = compiled;
 }
 
 /* three cars along x, at rest: 0 behind, 1 in the middle, 2 ahead */
@@ -37,9 +42,8 @@ static void make(void) {
                                .dt = time_step};
     clear();
     memset(trace, 0, sizeof trace);
-    memset(result, 0, sizeof *result);
     result->solution = &sol;
-    result->resolved.n = result->compiled.cs.n = 3;
+    result->resolved.n = result->compiled->cs.n = 3;
     result->resolved.set.residual_curve = -1;
     for (int i = 0; i < N; i++) {
         fill[i] = left[i] = 1;
@@ -56,7 +60,7 @@ static void make(void) {
     for (int b = 0; b < 3; b++) {
         result->resolved.part[b] = (struct cr_participant){
             .kind = CR_KIND_VEHICLE, .length = 4, .width = 1.8, .height = 1.5};
-        struct cr_body *body = &result->compiled.cs.body[b];
+        struct cr_body *body = &result->compiled->cs.body[b];
         body->mass = mass_kg;
         body->inertia = inertia;
         body->grid = (struct cr_grid){.nx = NX,
@@ -361,7 +365,7 @@ static void doubts_are_named(void **state) {
 
 static int setup(void **state) {
     (void)state;
-    result = calloc(1, sizeof *result);
+    result = cr_result_new();
     return result != NULL ? 0 : -1;
 }
 

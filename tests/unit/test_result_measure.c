@@ -3,6 +3,7 @@
 #include "test.h"
 
 #include "result/result_priv.h"
+#include "scene/compiled.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -62,7 +63,10 @@ static void make(double psi, double (*a)(double), double length) {
                                      .t_elastic_end = 2.075,
                                      .t_end = 2 + length,
                                      .impulse = cr_vec2_scale(o->delta_v, -mass_kg)};
+    struct cr_compiled *compiled = result->compiled;
     memset(result, 0, sizeof *result);
+    memset(compiled, 0, sizeof *compiled);
+    result->compiled = compiled;
     result->solution = &sol;
     result->resolved.n = 2;
     result->resolved.part[0] = (struct cr_participant){.kind = CR_KIND_VEHICLE,
@@ -74,8 +78,8 @@ static void make(double psi, double (*a)(double), double length) {
     result->resolved.part[1].kind = CR_KIND_OBJECT;
     result->resolved.part[1].z_hi = 3;
     result->resolved.set.residual_curve = -1;
-    struct cr_body *car = &result->compiled.cs.body[0];
-    result->compiled.cs.n = 2;
+    struct cr_body *car = &result->compiled->cs.body[0];
+    result->compiled->cs.n = 2;
     car->mass = mass_kg;
     car->grid = (struct cr_grid){.nx = NX,
                                  .ny = NY,
@@ -85,7 +89,7 @@ static void make(double psi, double (*a)(double), double length) {
                                  .fill = fill,
                                  .energy = energy,
                                  .springback = {0.15, 0.05, 0.15, 0.05}};
-    strcpy(result->compiled.model[0], "compact/12");
+    strcpy(result->compiled->model[0], "compact/12");
 }
 
 static double constant(double s) {
@@ -326,7 +330,7 @@ static void limits_of_validity_are_named(void **state) {
     assert_false(has_warning("small overlap"));
     result->warnings = 0;
     result->resolved.part[1].shape = CR_OBJECT_POLE;
-    result->compiled.cs.opts.induced = true;
+    result->compiled->cs.opts.induced = true;
     result->of[0].face = CR_FACE_REAR;
     cr_result_check(result);
     assert_false(has_warning("narrow object"));
@@ -364,7 +368,7 @@ static void warnings_do_not_contradict_themselves(void **state) {
 
 static int setup(void **state) {
     (void)state;
-    result = calloc(1, sizeof *result);
+    result = cr_result_new();
     return result ? 0 : -1;
 }
 

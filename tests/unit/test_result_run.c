@@ -3,6 +3,7 @@
 #include "test.h"
 
 #include "result/result_priv.h"
+#include "scene/compiled.h"
 
 #include <cjson/cJSON.h>
 #include <stdio.h>

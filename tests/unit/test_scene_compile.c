@@ -1,6 +1,7 @@
 /* A scene resolved and compiled: assumed values, bodies, wheels, shapes, heights that meet. */
 #include "scene_help.h"
 
+#include "scene/compiled.h"
 #include "solver/solver.h"
 
 #include <stdlib.h>

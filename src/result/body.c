@@ -1,0 +1,30 @@
+/* The participants of a result as they were solved, for who has no need of the case itself. */
+#include "result/result.h"
+
+#include "scene/compiled.h"
+
+#include <stdlib.h>
+
+struct cr_result *cr_result_new(void) {
+    struct whole {
+        struct cr_result result;
+        struct cr_compiled compiled;
+    } *whole = calloc(1, sizeof *whole);
+    if (whole == NULL) {
+        return NULL;
+    }
+    whole->result.compiled = &whole->compiled;
+    return &whole->result;
+}
+
+bool cr_result_moves(const struct cr_result *result, int body) {
+    return result->compiled->cs.body[body].mass > 0;
+}
+
+double cr_result_mass(const struct cr_result *result, int body) {
+    return result->compiled->cs.body[body].mass;
+}
+
+const struct cr_grid *cr_result_grid(const struct cr_result *result, int body) {
+    return &result->compiled->cs.body[body].grid;
+}
