@@ -6,8 +6,6 @@ cd "$SRC" || exit 99
 tmp=$(mktemp -d) || exit 99
 trap 'rm -rf "$tmp"' EXIT
 pages=share/doc/sources.md
-# the solver still cites notes that are not shipped: take this out when it does not
-late='^src/solver/'
 
 sed -n 's/^### \([A-Z0-9-]*\)$/\1/p' $pages | LC_ALL=C sort >"$tmp/there"
 empty "no source stands there twice" "$(uniq -d "$tmp/there")"
@@ -33,11 +31,11 @@ report $? "and they are cited"
 
 # pages by name, in whatever folder they lie once installed
 grep -rnoE '[a-z_]+\.md\b' src tests models share man README.md HACKING.md NEWS |
-    grep -vE "$late" | grep -v '^tests/check_sources.sh:' | while IFS=: read -r file line page; do
+    grep -v '^tests/check_sources.sh:' | while IFS=: read -r file line page; do
     [ -e "share/doc/$page" ] || [ -e "$(dirname "$file")/$page" ] ||
         echo "$file:$line: $page"
 done >"$tmp/pages"
 empty "every page that is named is in the tree" "$(cat "$tmp/pages")"
 empty "and none by a number that it has not" "$(grep -rnE '(method|models|validation)\.md [0-9]' \
-    src tests models share man README.md | grep -vE "$late")"
+    src tests models share man README.md)"
 finish

@@ -14,7 +14,7 @@
 enum format { FORMAT_TEXT, FORMAT_JSON, FORMAT_CSV };
 
 struct options {
-    int format, draws, seed, sampling, jobs;
+    int format, draws, seed, sampling, jobs, units;
     bool no_scatter, quiet;
     const char *out, *plot;
     struct cr_option_values set, pictures;
@@ -96,9 +96,10 @@ static enum cr_err pictures(const struct options *opt, const struct cr_mc *mc,
         if (code != CR_ERR_OK || mc == NULL) {
             continue;
         }
+        const struct cr_figure_words words = {.units = (enum cr_units)opt->units};
         code = read_plot(mc, opt->plot != NULL ? opt->plot : "ees", &plot, err);
         if (code == CR_ERR_OK) {
-            code = cr_mc_chart(mc, chart, &plot, NULL, &canvas, err);
+            code = cr_mc_chart(mc, chart, &plot, &words, &canvas, err);
         }
         if (code == CR_ERR_OK) {
             code = cr_picture_write(canvas, file, mc->study.scene->name, err);
@@ -118,7 +119,7 @@ static enum cr_err write_mc(const struct cr_mc *mc, const struct options *opt, s
     int width;
     struct cr_mc_plot plot;
     struct cr_look look = cr_cli_look_of(&opt->look, opt->out != NULL, &width);
-    const struct cr_mc_words words = {.ascii = look.ascii};
+    const struct cr_mc_words words = {(enum cr_units)opt->units, look.ascii};
     enum cr_err code = opt->plot != NULL ? read_plot(mc, opt->plot, &plot, err) : CR_ERR_OK;
     return code == CR_ERR_OK ? cr_mc_text(mc, opt->plot != NULL ? &plot : NULL, &words, text, err)
                              : code;
@@ -223,6 +224,7 @@ int cr_cli_mc(int argc, char **argv) {
          .arg = "KEY=VALUE",
          .values = &opt.set,
          .help = "override a value, also by one with a tolerance (A.speed_kmh=56+-3)"},
+        CR_CLI_UNITS_OPTION(&opt.units),
         CR_CLI_BUDGET_OPTIONS(&opt.budget),
         CR_CLI_LOOK_OPTIONS(&opt.look),
     };

@@ -74,7 +74,7 @@ struct cr_opts {
     struct cr_vec2 slope;  /* towards where the road falls, m of height per m of plan */
     double restitution;    /* 0..1, see restitution_auto */
     bool restitution_auto; /* from closing speed, kind of partner and the share of an end's width
-                              that is pressed instead (stiffness.md 6) */
+                              that is pressed instead [RESTITUTION-SPEED] */
     double elastic_s;      /* length of the elastic compression, and of the restitution, s; 0: from
                               the force at the end of the plastic phase, which goes on smoothly */
     bool plane;            /* the force is normal to the plane through the deformed voxels, not

@@ -81,7 +81,7 @@ static double last_impulse(const struct cr_contact *c, double v, double give, do
 
 /* Direction of the force over an impulse j, not longer than 1. Sliding friction may turn the slip
  * round to as much as it was when the elastic phases began, as Poisson's impulse does at the limit
- * of sticking (literature.md 2.1), but not further: it would give back more than it took. */
+ * of sticking [PLANAR-IMPACT], but not further: it would give back more than it took. */
 static struct cr_vec2 sliding_direction(const struct cr_duo *d, struct cr_vec2 rel, double j) {
     const struct cr_touch *t = d->touch;
     struct cr_vec2 normal, tangent = tangential(t, &normal);

@@ -110,7 +110,7 @@ static bool work_pair(struct cr_duo *d) {
     return true;
 }
 
-/* a wheel whose place was crushed to more than half slides (issue: after the impact) */
+/* a wheel whose place was crushed to more than half slides */
 static void drag_wheels(struct cr_moving *m) {
     for (int i = 0; i < m->body->wheels; i++) {
         int k = m->wheel_voxel[i];

@@ -1,4 +1,4 @@
-/* The collision solver: six steps of the paper per time slice (method.md 3), pure computation.
+/* The collision solver: six steps of the paper per time slice (method.md), pure computation.
  *
  * cr_solver_new borrows the case until cr_solver_free; cr_solver_step works one time slice; what
  * came out is read at any time through cr_solver_solution and belongs to the solver. */
@@ -164,7 +164,7 @@ void cr_solver_free(struct cr_solver *s);
 CR_MUST_CHECK enum cr_err cr_solver_run(struct cr_solver *s, int (*cancel)(void *), void *user,
                                         struct cr_error *err);
 
-/* Restitution from closing speed, m/s (stiffness.md 6, "suggested rule"). */
+/* Restitution from closing speed, m/s [RESTITUTION-SPEED]. */
 double cr_restitution_auto(double closing, bool rigid_partner);
 
 #endif

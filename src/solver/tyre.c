@@ -1,5 +1,5 @@
 /* Tyre forces: static loads (paper, assumption), friction circle, lateral force that saturates
- * with the slip angle (literature.md 7.3-7.5). */
+ * with the slip angle [TYRE-LATERAL]. */
 #include "solver/motion.h"
 #include "solver/tuning.h"
 

@@ -70,4 +70,9 @@ refused "a key that is none" 3 'unknown key "width"' mc "$tmp/bad.json"
 same "commands draw the charts" "$?" 0
 has "a histogram in inches" "$(cat "$tmp/h.svg")" '>in</text>'
 has "a tornado in miles per hour" "$(cat "$tmp/t.svg")" '>mph</text>'
+run mc "$demo" --set A.speed_kmh=56+-3 --no-scatter --draws 12 --units=us -q \
+    -p "tornado=$tmp/u.svg"
+same "the word takes units" "$status" 0
+has "tells miles per hour" "$out" mph
+has "and draws them" "$(cat "$tmp/u.svg")" '>mph</text>'
 finish
