@@ -105,7 +105,11 @@ static struct cr_balance balance_of(const struct cr_solver *s) {
     double l, size, lsize;
     struct cr_vec2 p = momentum(s, &l, &size, &lsize);
     struct cr_vec2 missing = cr_vec2_sub(cr_vec2_sub(s->p_before, p), s->p_ground);
-    b.momentum_residual = cr_vec2_len(missing) / cr_max(s->scale_p, 1e-9);
+    double most = s->scale_p; /* a body that only turns has no momentum before, but gets some */
+    for (int i = 0; i < s->cs->n; i++) {
+        most = cr_max(most, cr_vec2_len(s->m[i].impulse));
+    }
+    b.momentum_residual = cr_vec2_len(missing) / cr_max(most, 1e-9);
     b.angular_residual = fabs(s->l_before - l - s->l_ground) / cr_max(s->scale_l, 1e-9);
     b.energy_residual =
         fabs(b.kinetic_before - b.kinetic_after - b.plastic - b.friction - b.tyre - stored) /
