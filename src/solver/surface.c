@@ -3,8 +3,6 @@
 
 #include "solver/tuning.h"
 
-#include <string.h>
-
 static struct cr_lines lines_of(const struct cr_grid *g, enum cr_face face) {
     double x1 = g->x0 + g->nx * g->h, y1 = g->y0 + g->ny * g->h, low_y = g->y0, low_x = g->x0;
     switch (face) {
@@ -106,6 +104,17 @@ static void spread_outward(struct cr_surface *s, const double *near) {
     }
 }
 
+static void mark_near(struct cr_surface *s) {
+    for (int iy = -CR_MARGIN + 1; iy < s->grid->ny + CR_MARGIN - 1; iy++) {
+        for (int ix = -CR_MARGIN + 1; ix < s->grid->nx + CR_MARGIN - 1; ix++) {
+            int at = cr_surface_at(s, ix, iy);
+            if (s->phi[at] > -s->band) {
+                cr_surface_near(s, at);
+            }
+        }
+    }
+}
+
 static void measure_outline(struct cr_surface *s, enum cr_face face) {
     const struct cr_grid *g = s->grid;
     struct cr_lines lines = s->lines[face];
@@ -140,13 +149,14 @@ static bool take_arrays(struct cr_surface *s, struct cr_arena *arena, double **n
     size_t n = (size_t)g->nx * (size_t)g->ny;
     size_t padded = (size_t)s->stride * (size_t)(g->ny + 2 * CR_MARGIN);
     s->phi = cr_arena_take_raw(arena, padded, sizeof *s->phi);
+    s->near = cr_arena_take(arena, padded, sizeof *s->near);
     *near = cr_arena_take_raw(arena, padded, sizeof **near);
     s->dense = cr_arena_take_raw(arena, n, sizeof *s->dense);
     s->left = cr_arena_take_raw(arena, n, sizeof *s->left);
     s->t_sum = cr_arena_take(arena, n, sizeof *s->t_sum);
     s->how = cr_arena_take(arena, n, sizeof *s->how);
-    bool ok = s->phi != NULL && *near != NULL && s->dense != NULL && s->left != NULL &&
-              s->t_sum != NULL && s->how != NULL;
+    bool ok = s->phi != NULL && s->near != NULL && *near != NULL && s->dense != NULL &&
+              s->left != NULL && s->t_sum != NULL && s->how != NULL;
     for (int f = 0; f < CR_FACES; f++) {
         size_t lines = (size_t)cr_face_lines(g, f);
         s->outline[f] = cr_arena_take_raw(arena, lines, sizeof *s->outline[f]);
@@ -190,6 +200,7 @@ bool cr_surface_new(struct cr_surface *s, const struct cr_grid *grid, struct cr_
         }
     }
     spread_outward(s, near);
+    mark_near(s);
     for (int f = 0; f < CR_FACES; f++) {
         measure_outline(s, f);
     }

@@ -13,6 +13,7 @@
 #include "solver/case.h"
 
 #include <stdint.h>
+#include <string.h>
 
 /* voxels of nothing about the grid, so that a place just outside has four neighbours */
 enum { CR_MARGIN = 4 };
@@ -32,6 +33,7 @@ struct cr_surface {
     int stride;                 /* voxels in a row of phi */
     double band;                /* m within which phi is a distance */
     double *phi;                /* with CR_MARGIN voxels more on each side, m */
+    uint8_t *near;              /* as phi: 1 within the band or beside it, 0 deep inside */
     double *dense;              /* share of a voxel that is material away from the outline, 0..1 */
     double *left;               /* material left, 0..fill */
     double *t_sum;              /* sum of time x material lost: gives t_crushed */
@@ -59,6 +61,13 @@ struct cr_vec2 cr_surface_gradient(const struct cr_surface *s, double u, double 
 static inline double cr_surface_left(double phi, struct cr_vec2 n, double h, double dense) {
     double width = h * (fabs(n.x) + fabs(n.y));
     return dense * cr_clamp(0.5 - phi / width, 0, 1);
+}
+
+/* A voxel comes into the band about the surface: its neighbours may be next. */
+static inline void cr_surface_near(struct cr_surface *s, int at) {
+    for (int k = -1; k <= 1; k++) {
+        memset(s->near + at + k * s->stride - 1, 1, 3);
+    }
 }
 
 /* Weight of a voxel for a surface at the distance phi: over a line of voxels it adds up to one. */
