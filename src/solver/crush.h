@@ -12,7 +12,7 @@ bool cr_overlap_find(struct cr_duo *d, bool *met);
  * outward normal there, not quite of length 1 */
 double cr_overlap_distance(const struct cr_side *k, struct cr_vec2 p);
 struct cr_vec2 cr_overlap_normal(const struct cr_side *k, struct cr_vec2 p);
-/* plan area that the two share at their present places, m2; negative when memory is out */
+/* plan area that the two share at their present places, m2 */
 double cr_overlap_area(struct cr_duo *d);
 
 /* yield.c: by what share of the overlap each of the two gives way */

@@ -55,9 +55,10 @@ static struct window window_of(const struct cr_moving *me, const struct cr_oppon
 /* The opponent's distance along a row of the body: its grid is walked through by steps. */
 struct walk {
     const struct cr_surface *f; /* NULL: a rigid shape */
-    double u, v;                /* of the row's voxel 0 in the opponent's padded grid, voxels */
-    double du, dv;              /* from voxel to voxel */
-    double wide, high;          /* of what can be interpolated in that grid, voxels */
+    int row;                    /* of the body's grid */
+    double u, v;       /* of the row's voxel 0 in the opponent's padded grid, voxels */
+    double du, dv;     /* from voxel to voxel */
+    double wide, high; /* of what can be interpolated in that grid, voxels */
     double h;
 };
 
@@ -124,11 +125,12 @@ static void meet(struct cr_side *k, struct cr_cell *c, struct cr_vec2 v) {
 }
 
 /* A voxel that lies near both surfaces, into the list, which has room for it. */
-static void note_cell(struct cr_side *k, const struct walk *walk, int ix, int iy, double phi,
-                      double other, bool core) {
+static void note_cell(struct cr_side *k, const struct walk *walk, int ix, double phi, double other,
+                      bool core) {
     const struct cr_opponent *o = &k->opponent;
     const struct cr_surface *f = &k->m->surface;
     const struct cr_grid *g = f->grid;
+    int iy = walk->row;
     struct cr_vec2 place = cr_vec2(g->x0 + (ix + 0.5) * g->h, g->y0 + (iy + 0.5) * g->h);
     struct cr_vec2 normal = walk_normal(walk, o, ix, place);
     double steep = cr_vec2_len(normal);
@@ -162,6 +164,7 @@ static void find_in_row(struct cr_side *k, int iy, int from, int to) {
     double h = g->h, kept = cr_kept_voxels * h, per = 1 / h;
     struct cr_vec2 row = {g->x0 + 0.5 * h, g->y0 + (iy + 0.5) * h};
     struct walk walk = walk_of(&k->opponent, row, h);
+    walk.row = iy;
     const double *own = f->phi + cr_surface_at(f, 0, iy);
     const uint8_t *near = f->near + cr_surface_at(f, 0, iy), *next;
     for (int ix = from; ix < to; ix++) {
@@ -187,7 +190,7 @@ static void find_in_row(struct cr_side *k, int iy, int from, int to) {
         double middle = fabs(phi - other);
         bool core = middle < 2 * cr_core_voxels * h;
         if (middle < 2 * kept && (!core || phi + other < 0)) {
-            note_cell(k, &walk, ix, iy, phi, other, core);
+            note_cell(k, &walk, ix, phi, other, core);
         }
     }
 }
@@ -261,7 +264,8 @@ static struct cr_vec2 push_on(const struct cr_duo *d, int side) {
     return cr_vec2_unrotate(side == 0 ? cr_vec2_scale(on_b, -1) : on_b, m->c, m->s);
 }
 
-static bool find_side(struct cr_duo *d, int side) {
+/* An empty side of a pair, and what its voxels see; false for a rigid shape, which has none. */
+static bool begin_side(struct cr_duo *d, int side) {
     struct cr_side *k = &d->s->side[side];
     struct cr_moving *me = side == 0 ? d->ma : d->mb, *other = side == 0 ? d->mb : d->ma;
     struct cr_side kept = *k;
@@ -271,21 +275,24 @@ static bool find_side(struct cr_duo *d, int side) {
                           .loss = kept.loss,
                           .losses_size = kept.losses_size};
     if (!me->soft) {
-        return true;
+        return false;
     }
     k->unit = me->unit[side == 0 ? d->b : d->a];
     k->push = push_on(d, side);
     k->opponent = opponent_of(me, other, d->s->dt);
-    return find_cells(k);
+    return true;
 }
 
 bool cr_overlap_find(struct cr_duo *d, bool *met) {
     *met = false;
-    if (!find_side(d, 0) || !find_side(d, 1)) {
-        return false;
-    }
     for (int side = 0; side < 2; side++) {
         struct cr_side *k = &d->s->side[side];
+        if (!begin_side(d, side)) {
+            continue;
+        }
+        if (!find_cells(k)) {
+            return false;
+        }
         sum_cells(k);
         *met = *met || k->end > 0;
     }
@@ -293,19 +300,24 @@ bool cr_overlap_find(struct cr_duo *d, bool *met) {
 }
 
 double cr_overlap_area(struct cr_duo *d) {
-    if (!find_side(d, 0) || !find_side(d, 1)) {
-        return -1;
-    }
     double most = 0;
     for (int side = 0; side < 2; side++) {
         const struct cr_side *k = &d->s->side[side];
-        double area = 0, h = k->m->soft ? k->m->body->grid.h : 0;
-        for (int i = 0; i < k->cells; i++) {
-            const struct cr_cell *c = &k->cell[i];
-            double there = cr_clamp(0.5 - c->other / h, 0, 1);
-            double both = c->voxel >= 0 ? k->m->surface.left[c->voxel] + there - 1 : 0;
-            bool solid = both > 0 && cr_unit_energy(k, c->voxel, k->push) > 0;
-            area += solid ? both * h * h : 0;
+        if (!begin_side(d, side)) {
+            continue;
+        }
+        const struct cr_grid *g = &k->m->body->grid;
+        struct window w = window_of(k->m, &k->opponent);
+        double area = 0, h = g->h;
+        for (int iy = w.y0 > 0 ? w.y0 : 0; iy < w.y1 && iy < g->ny; iy++) {
+            for (int ix = w.x0 > 0 ? w.x0 : 0; ix < w.x1 && ix < g->nx; ix++) {
+                int voxel = iy * g->nx + ix;
+                struct cr_vec2 place = {g->x0 + (ix + 0.5) * h, g->y0 + (iy + 0.5) * h};
+                double there = cr_clamp(0.5 - distance_to(&k->opponent, place) / h, 0, 1);
+                double both = k->m->surface.left[voxel] + there - 1;
+                bool solid = there > 0 && both > 0 && cr_unit_energy(k, voxel, k->push) > 0;
+                area += solid ? both * h * h : 0;
+            }
         }
         most = cr_max(most, area);
     }

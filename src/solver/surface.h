@@ -32,14 +32,16 @@ struct cr_surface {
     const struct cr_grid *grid; /* borrowed */
     int stride;                 /* voxels in a row of phi */
     double band;                /* m within which phi is a distance */
-    double *phi;                /* with CR_MARGIN voxels more on each side, m */
-    uint8_t *near;              /* as phi: 1 within the band or beside it, 0 deep inside */
-    double *dense;              /* share of a voxel that is material away from the outline, 0..1 */
-    double *left;               /* material left, 0..fill */
-    double *t_sum;              /* sum of time x material lost: gives t_crushed */
-    uint8_t *how;               /* enum cr_crush flags */
-    double *outline[CR_FACES];  /* undeformed surface of each line behind the edge of the grid, m */
-    double *limit[CR_FACES];    /* depth down to which each line was dragged along, likewise, m */
+    char *state, *kept;         /* all that changes in one piece, and room for it as it was */
+    size_t state_size;
+    double *phi;               /* with CR_MARGIN voxels more on each side, m */
+    uint8_t *near;             /* as phi: 1 within the band or beside it, 0 deep inside */
+    double *dense;             /* share of a voxel that is material away from the outline, 0..1 */
+    double *left;              /* material left, 0..fill */
+    double *t_sum;             /* sum of time x material lost: gives t_crushed */
+    uint8_t *how;              /* enum cr_crush flags */
+    double *outline[CR_FACES]; /* undeformed surface of each line behind the edge of the grid, m */
+    double *limit[CR_FACES];   /* depth down to which each line was dragged along, likewise, m */
     struct cr_lines lines[CR_FACES];
     int *first[CR_FACES]; /* of each line the first voxel from outside that holds material */
 };
@@ -74,6 +76,10 @@ static inline void cr_surface_near(struct cr_surface *s, int at) {
 static inline double cr_surface_weight(double phi, double h) {
     return cr_max(1 - fabs(phi) / h, 0);
 }
+
+/* Keep the surface as it is, and make it again what it was. */
+void cr_surface_keep(struct cr_surface *s);
+void cr_surface_back(struct cr_surface *s);
 
 /* The voxels that were emptied are passed over from now on in `first`. */
 void cr_surface_renew(struct cr_surface *s, enum cr_face face, int line);
