@@ -135,7 +135,9 @@ static void greet(struct cr_session *s, const char *state_dir) {
 }
 
 int cr_repl_main(int argc, char **argv, const char *data_dir, const char *cars_dir,
-                 enum cr_err (*report)(const struct cr_report_order *order, struct cr_error *err)) {
+                 enum cr_err (*report)(const struct cr_report_order *order, struct cr_error *err),
+                 enum cr_err (*ask)(struct cr_session *s, struct cr_terminal *t,
+                                    const char *state_dir)) {
     struct cr_repl_options o;
     struct cr_error err;
     char state_dir[1024] = "";
@@ -144,7 +146,7 @@ int cr_repl_main(int argc, char **argv, const char *data_dir, const char *cars_d
     if (status != 0) {
         return status;
     }
-    bool prompt = isatty(STDIN_FILENO) && isatty(STDOUT_FILENO) && (o.prompt || o.sources == 0);
+    bool prompt = ask != NULL && (o.prompt || o.sources == 0);
     struct cr_terminal t = {.progress = isatty(STDERR_FILENO) != 0};
     int max_seconds = o.max_seconds > 0 || prompt ? o.max_seconds : CR_MAX_SECONDS;
     if (prompt) {
@@ -170,7 +172,7 @@ int cr_repl_main(int argc, char **argv, const char *data_dir, const char *cars_d
         t.prompt = true;
         cr_repl_interrupted = 0;
         greet(s, state_dir);
-        code = cr_repl_prompt(s, &t, state_dir);
+        code = ask(s, &t, state_dir);
     } else if (!prompt && code == CR_ERR_OK && (o.sources == 0 || o.prompt)) {
         code = run_stream(s);
     }
