@@ -126,14 +126,6 @@ static enum cr_err run_sources(struct cr_session *s, int argc, char **argv, cons
     return code;
 }
 
-static void greet(struct cr_session *s, const char *state_dir) {
-    puts("Crumple: crash simulation by voxels. help lists the commands, Tab completes, ^D ends.");
-    if (cr_session_left_behind(state_dir)) {
-        puts("  An earlier session ended without being quit. Its scene: load --recover");
-    }
-    (void)s;
-}
-
 int cr_repl_main(int argc, char **argv, const char *data_dir, const char *cars_dir,
                  enum cr_err (*report)(const struct cr_report_order *order, struct cr_error *err),
                  enum cr_err (*ask)(struct cr_session *s, struct cr_terminal *t,
@@ -169,9 +161,6 @@ int cr_repl_main(int argc, char **argv, const char *data_dir, const char *cars_d
     enum cr_err code = o.sources > 0 ? run_sources(s, argc, argv, data_dir) : CR_ERR_OK;
     /* -i stays also after ^C, to look at what a solve has left */
     if (prompt && (code == CR_ERR_OK || code == CR_ERR_INTERRUPTED) && !cr_session_over(s)) {
-        t.prompt = true;
-        cr_repl_interrupted = 0;
-        greet(s, state_dir);
         code = ask(s, &t, state_dir);
     } else if (!prompt && code == CR_ERR_OK && (o.sources == 0 || o.prompt)) {
         code = run_stream(s);

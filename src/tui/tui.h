@@ -8,7 +8,7 @@
 
 struct cr_report_order;
 
-/* Why the full screen cannot be used on this terminal: one clause for a message; NULL when it can. */
+/* Why there is no full screen on this terminal: one clause for a message; NULL when there is. */
 const char *cr_tui_refusal(void);
 
 /* How it begins. */
