@@ -37,7 +37,7 @@ fuzz_import_CFLAGS = $(CR_CFLAGS)
 fuzz_import_LDADD = libimport.a $(fuzz_files_ldadd) $(CR_IMPORT_LIBS)
 fuzz_records_SOURCES = tests/fuzz/fuzz_records.c tests/fuzz/fuzz.h
 fuzz_records_CFLAGS = $(CR_CFLAGS)
-fuzz_records_LDADD = libimport.a $(fuzz_ldadd)
+fuzz_records_LDADD = libimport.a libresult.a $(fuzz_ldadd)
 if FUZZING
 fuzz_cmd_LDFLAGS = $(CR_LDFLAGS) -fsanitize=fuzzer
 fuzz_scene_LDFLAGS = $(CR_LDFLAGS) -fsanitize=fuzzer
