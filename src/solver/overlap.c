@@ -56,9 +56,9 @@ static struct window window_of(const struct cr_moving *me, const struct cr_oppon
 struct walk {
     const struct cr_surface *f; /* NULL: a rigid shape */
     int row;                    /* of the body's grid */
-    double u, v;       /* of the row's voxel 0 in the opponent's padded grid, voxels */
-    double du, dv;     /* from voxel to voxel */
-    double wide, high; /* of what can be interpolated in that grid, voxels */
+    double u, v;                /* of the row's voxel 0 in the opponent's padded grid, voxels */
+    double du, dv;              /* from voxel to voxel */
+    double wide, high;          /* of what can be interpolated in that grid, voxels */
     double h;
 };
 
