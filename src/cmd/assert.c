@@ -4,6 +4,7 @@
 #include "base/file.h"
 #include "base/json.h"
 #include "result/diff.h"
+#include "result/signal.h"
 
 #include <cjson/cJSON.h>
 #include <math.h>
@@ -313,8 +314,7 @@ enum cr_err cr_cmd_compare(struct cr_call *call, struct cr_error *err) {
     size_t len;
     double worst = 0, within = cr_cmd_number(call, "within", INFINITY);
     enum cr_err code = cr_session_need_whole(call->s, err);
-    size_t end = strlen(path);
-    if (code == CR_ERR_OK && end > 4 && strcmp(path + end - 4, ".csv") == 0) {
+    if (code == CR_ERR_OK && cr_signal_is(path)) {
         return cr_cmd_compare_pulse(call, path, err);
     }
     if (code == CR_ERR_OK) {

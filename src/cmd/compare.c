@@ -120,6 +120,33 @@ static enum cr_err say_corridor(struct cr_session *s, int body, const struct cr_
     return CR_ERR_OK;
 }
 
+/* The axis that was named; a channel knows its own, and which signs it was measured with is told.
+ * A channel of a velocity becomes that of its change since time 0. */
+static enum cr_err take_axis(struct cr_call *call, struct cr_signal *measured,
+                             struct cr_compare_opts *opts, struct cr_error *err) {
+    enum cr_compare_axis asked = opts->axis;
+    if (measured->axis == '\0') {
+        return CR_ERR_OK;
+    }
+    opts->axis = measured->axis == 'Y' ? CR_COMPARE_LEFT : CR_COMPARE_FORWARD;
+    if ((measured->axis != 'X' && measured->axis != 'Y') ||
+        (cr_cmd_given(call, "axis") && asked != opts->axis)) {
+        cr_err_set(err, CR_ERR_TYPE, "channel %.60s is not along the axis %s", measured->name,
+                   asked == CR_COMPARE_LEFT ? "left" : "forward");
+        cr_err_hint(err, "name another channel with column=");
+        return CR_ERR_TYPE;
+    }
+    cr_say(call->s, "channel %s, taken with %s%s (sign=minus turns it)", measured->name,
+           opts->axis == CR_COMPARE_LEFT ? "right" : "forward",
+           opts->sign < 0 ? " negative" : " positive, as laboratories have it");
+    double first =
+        strcmp(measured->unit, "m/s") == 0 ? cr_signal_at(measured, 0, measured->x[0]) : 0;
+    for (int i = 0; i < measured->n; i++) {
+        measured->x[i] -= first;
+    }
+    return CR_ERR_OK;
+}
+
 enum cr_err cr_cmd_compare_pulse(struct cr_call *call, const char *path, struct cr_error *err) {
     struct cr_session *s = call->s;
     struct cr_signal measured = {0};
@@ -132,7 +159,10 @@ enum cr_err cr_cmd_compare_pulse(struct cr_call *call, const char *path, struct 
     }
     opts.axis = cr_cmd_word(call, "axis", 0) == 1 ? CR_COMPARE_LEFT : CR_COMPARE_FORWARD;
     opts.sign = cr_cmd_word(call, "sign", 0) == 1 ? -1 : 1;
-    enum cr_err code = cr_signal_load(path, cr_cmd_text(call, "column", NULL), &measured, err);
+    const struct cr_signal_pick pick = {cr_cmd_text(call, "column", NULL), body + 1,
+                                        opts.axis == CR_COMPARE_LEFT};
+    enum cr_err code = cr_signal_load_any(path, &pick, &measured, err);
+    code = code == CR_ERR_OK ? take_axis(call, &measured, &opts, err) : code;
     if (code == CR_ERR_OK) {
         code = cr_compare_pulse(s->result->solution, body, &measured, &opts, &c, err);
     }

@@ -9,7 +9,7 @@ fuzz_cmd_LDADD = libcmd.a libstudy.a libfigure.a libdamage.a librender.a libresu
 fuzz_scene_SOURCES = tests/fuzz/fuzz_scene.c tests/fuzz/fuzz.h
 fuzz_scene_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS)
 fuzz_scene_LDADD = $(fuzz_ldadd)
-fuzz_model_SOURCES = tests/fuzz/fuzz_model.c tests/fuzz/fuzz.h
+fuzz_model_SOURCES = tests/fuzz/fuzz_model.c tests/fuzz/fuzz.h tests/fuzz/scratch.h
 fuzz_model_CFLAGS = $(CR_CFLAGS)
 fuzz_model_LDADD = $(fuzz_ldadd)
 # readers of files, results and whole solves
@@ -37,7 +37,7 @@ fuzz_import_CFLAGS = $(CR_CFLAGS)
 fuzz_import_LDADD = libimport.a $(fuzz_files_ldadd) $(CR_IMPORT_LIBS)
 fuzz_records_SOURCES = tests/fuzz/fuzz_records.c tests/fuzz/fuzz.h
 fuzz_records_CFLAGS = $(CR_CFLAGS)
-fuzz_records_LDADD = libimport.a $(fuzz_ldadd)
+fuzz_records_LDADD = libimport.a libresult.a $(fuzz_ldadd)
 if FUZZING
 fuzz_cmd_LDFLAGS = $(CR_LDFLAGS) -fsanitize=fuzzer
 fuzz_scene_LDFLAGS = $(CR_LDFLAGS) -fsanitize=fuzzer
@@ -65,8 +65,9 @@ TESTS += $(fuzz_targets) $(fuzz_files)
 endif
 EXTRA_DIST += tests/fuzz/corpus
 
-# seconds per target; what is found is kept in fuzzing/
+# seconds per target; what is found is kept in fuzzing/. Long inputs say little that short ones do not, and take long.
 FUZZ_SECONDS = 60
+FUZZ_BYTES = 2000
 fuzz:
 	$(MKDIR_P) fuzzing
 	case '$(srcdir)' in /*) src='$(srcdir)' ;; *) src='../$(srcdir)' ;; esac; cd fuzzing && \
@@ -74,7 +75,7 @@ fuzz:
 	cd fuzzing && $(MAKE) $(fuzz_targets) $(fuzz_files)
 	cd fuzzing && for target in scene model cmd signal table feed data crash import records; do \
 	    $(MKDIR_P) corpus-$$target && \
-	    SRC='$(abs_srcdir)' ./fuzz_$$target -max_total_time=$(FUZZ_SECONDS) -max_len=20000 -timeout=10 \
+	    SRC='$(abs_srcdir)' ./fuzz_$$target -max_total_time=$(FUZZ_SECONDS) -max_len=$(FUZZ_BYTES) -timeout=10 \
 	        corpus-$$target '$(abs_srcdir)'/tests/fuzz/corpus/$$target || exit 1; \
 	done
 .PHONY: fuzz
