@@ -35,7 +35,6 @@ libcli_a_CPPFLAGS = $(AM_CPPFLAGS) -DPKGDATADIR='"$(pkgdatadir)"'
 # tells a program that was not installed where its source tree is; no path is in the program itself
 noinst_DATA = source-folder
 CLEANFILES += source-folder
-EXTRA_crumple_DEPENDENCIES = source-folder
 source-folder: Makefile
 	$(AM_V_GEN)echo '$(CR_SRCDIR)' >$@
 # the commit of the sources, where they are a checkout; written anew only when it changed
