@@ -325,6 +325,9 @@ static const struct cr_arg mc_args[] = {
         .help = "of the generator; the same seed gives the same numbers"),
     KEY("sampling", CR_VALUE_WORD, .words = "latin|sobol", .def = "latin",
         .help = "Latin hypercube, or Sobol sequence"),
+    KEY("grid", CR_VALUE_WORD, .words = "auto|own", .def = "auto",
+        .help =
+            "own: all on the scene's voxels; auto: many draws on coarse ones where that serves"),
     KEY("scatter", CR_VALUE_SWITCH, .words = "on|off", .def = "on",
         .help = "the stiffness of each vehicle varies too, as cars of its type differ"),
     KEY("plot", CR_VALUE_TEXT, .def = "ees of all",
