@@ -107,7 +107,8 @@ refused "a mass that may be anything" 3 'more than the mass of 1600 kg' damage "
 sed 's/"vehicles"/"object": {"mass_kg": 1e-300}, "vehicles"/' "$tmp/tree.json" |
     sed 's/"object": {}, //' >"$tmp/bad.json"
 refused "an object of no mass" 3 'a mass is 0.1 to 10000000 kg' damage "$tmp/bad.json"
-awk 'BEGIN { printf "id,type,mass_kg,face,field_length_m"; for (i = 1; i < 66; i++) printf ",c%d_m", i
+awk 'BEGIN { printf "id,type,mass_kg,face,field_length_m"
+    for (i = 1; i < 66; i++) printf ",c%d_m", i
     printf "\nA,sedan,1600,front,1.4"; for (i = 1; i < 66; i++) printf ",0.3"; print "" }' \
     >"$tmp/bad.csv"
 refused "more stations than are taken" 3 'bad.csv:2.*2 to 64' damage "$tmp/bad.csv"
