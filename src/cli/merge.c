@@ -1,6 +1,7 @@
 /* crumple merge: the parts of a stack that was spread over machines, put in order again. */
 #include "cli/cli.h"
 
+#include "process/signals.h"
 #include "base/grow.h"
 #include "cli/part.h"
 #include "cli/sink.h"
@@ -294,7 +295,7 @@ int cr_cli_merge(int argc, char **argv) {
     }
     struct merge m = {.opt = &opt, .path = argv + 1, .paths = operands};
     m.file = calloc((size_t)operands, sizeof *m.file);
-    cr_cli_catch();
+    cr_signals_catch_word();
     enum cr_err code = m.file != NULL ? cr_sink_new(&opt.sink, &sink, &err)
                                       : cr_err_set(&err, CR_ERR_MEMORY, "no memory to merge");
     code = code == CR_ERR_OK ? merge(&m, sink, &err) : code;
