@@ -213,10 +213,10 @@ static enum cr_err write_all(struct merge *m, struct cr_sink *sink, bool *gone,
         }
         code = give(m, sink, e, gone, err);
     }
-    if (code == CR_ERR_OK) {
+    if (code == CR_ERR_OK && !*gone) {
         code = cr_sink_pairs(sink, &m->form, &lonely, err);
-        m->failed += lonely;
     }
+    m->failed = *gone ? 0 : m->failed + lonely;
     return code;
 }
 
