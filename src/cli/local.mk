@@ -24,6 +24,7 @@ libcli_a_SOURCES = \
 	src/cli/schema.c \
 	src/cli/shared.c \
 	src/cli/sink.c src/cli/sink.h \
+	src/cli/solve.c \
 	src/cli/stack.c \
 	src/cli/study.c src/cli/study.h src/cli/study_priv.h \
 	src/cli/study_picture.c \

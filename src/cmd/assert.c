@@ -294,12 +294,7 @@ static enum cr_err compare_result(struct cr_session *s, const cJSON *other, cons
         code = cr_diff_text(&d, &text, err);
     }
     if (code == CR_ERR_OK) {
-        for (char *p = text.s, *end; p != NULL && (end = strchr(p, '\n')) != NULL; p = end + 1) {
-            *end = '\0';
-            char line[200]; /* its numbers are in the units of the session already */
-            snprintf(line, sizeof line, "  %.190s", p);
-            cr_session_text(s, CR_TONE_ANSWER, line);
-        }
+        cr_session_lines(s, &text, true);
     }
     *worst = d.worst;
     cr_str_fini(&text);
