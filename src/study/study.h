@@ -120,9 +120,9 @@ struct cr_mc {
 };
 
 /* Solve the draws: many draws of a scene with fine voxels on coarse ones, moved by what the first
- * draws, solved on both, differ by; unless these say that the grid decides. The same bytes come out for every number of jobs. Errors: USAGE when this build
- * has no GSL, RANGE for options, those of the scene as given, MEMORY; INTERRUPTED with *out as far
- * as it came. */
+ * draws, solved on both, differ by; unless these say that the grid decides. The same bytes come out
+ * for every number of jobs. Errors: USAGE when this build has no GSL, RANGE for options, those of
+ * the scene as given, MEMORY; INTERRUPTED with *out as far as it came. */
 CR_MUST_CHECK enum cr_err cr_mc_run(const struct cr_study *study, const struct cr_mc_opts *opts,
                                     const struct cr_context *ctx, struct cr_mc **out,
                                     struct cr_error *err);
