@@ -167,7 +167,9 @@ enum cr_err cr_vary_apply(struct cr_state *state, const struct cr_vary *var, dou
     }
     full_name(var, full, sizeof full);
     snprintf(value, sizeof value, "%.17g", cr_unit_from_si(cr_scene_key_unit(key), si));
-    return cr_scene_set(&state->scene, full, value, err);
+    enum cr_err code = cr_scene_set(&state->scene, full, value, err);
+    cr_scene_mass_follows(&state->scene, full);
+    return code;
 }
 
 enum cr_err cr_vary_word(struct cr_state *state, const struct cr_vary *var, const char *word,

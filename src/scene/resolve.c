@@ -35,10 +35,12 @@ static double rule_length(const struct basis *b) {
 }
 
 /* Kerb mass: what is given of it; else the type's (its recipe has the mass as tested), with the
- * power of length that is the inverse of that trend. */
+ * power of length that is the inverse of that trend, but no more than the car weighs with all that
+ * is in it. */
 static double rule_kerb_mass(const struct basis *b) {
     double kerb = given_kerb_mass(b->part), size = b->part->length / b->ref->length;
-    return isnan(kerb) ? (b->ref_mass - CR_TEST_LOAD) * pow(size, 2.7) : kerb;
+    double of_type = (b->ref_mass - CR_TEST_LOAD) * pow(size, 2.7);
+    return isnan(kerb) ? fmin(of_type, b->part->mass) : kerb;
 }
 
 static double rule_load(const struct basis *b) {

@@ -131,7 +131,7 @@ static void test_masses(void **state) {
     } rows[] = {
         {1600, NAN, 200, {1600, 1400, 200}}, {NAN, 1400, 200, {1600, 1400, 200}},
         {NAN, 1400, NAN, {1400, 1400, 0}},   {1600, 1400, NAN, {1600, 1400, 200}},
-        {1300, 1400, NAN, {1300, 1400, 0}},
+        {1300, 1400, NAN, {1300, 1400, 0}},  {700, NAN, NAN, {700, 700, 0}},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         scene_of(CAR_A, CAR_B, &s);
