@@ -7,9 +7,9 @@
 #include "base/str.h"
 #include "cli/cli.h"
 #include "expert/expert.h"
+#include "module/module.h"
 #include "repl/repl.h"
 #include "trial/trial.h"
-#include "tui/tui.h"
 
 #include <fcntl.h>
 #include <locale.h>
@@ -115,7 +115,7 @@ static int tell_help(int argc, char **argv) {
     }
     snprintf(line, sizeof line, "help %.200s", argv[1][0] != '-' ? argv[1] : "help");
     char *commands[] = {argv[0], e, line, NULL};
-    return cr_repl_main(3, commands, cr_data_dir(data, sizeof data), "", cr_expert_order);
+    return cr_repl_main(3, commands, cr_data_dir(data, sizeof data), "", cr_expert_order, NULL);
 }
 
 static int unknown(const char *what, const char *given) {
@@ -179,43 +179,16 @@ static int complete(int argc, char **argv) {
     return status;
 }
 
-static int interactive(int argc, char **argv, const struct cr_repl_start *start) {
-    const char *why = cr_tui_refusal();
-    char state[1024], data[4096], cars[4096];
-    const char *data_dir = cr_data_dir(data, sizeof data), *own = cr_own_cars(cars, sizeof cars);
-    if (why == NULL) {
-        const struct cr_tui_start screen = {.data_dir = data_dir,
-                                            .cars_dir = own,
-                                            .state_dir = cr_repl_state_dir(state, sizeof state),
-                                            .ascii = start->ascii,
-                                            .color = start->color,
-                                            .max_seconds = start->max_seconds,
-                                            .max_megabytes = start->max_megabytes,
-                                            .lines = cr_str_get(&start->lines),
-                                            .report = cr_expert_order};
-        return cr_tui_main(&screen);
-    }
-    if (why[0] != '\0') {
-        fprintf(stderr, "crumple: no full screen (%s), so the plain prompt\n", why);
-    } else if (cr_repl_one_scene(argc, argv)) {
-        return cr_cli_run(argc, argv); /* nobody is there to look at it */
-    }
-    return cr_repl_main(argc, argv, data_dir, own, cr_expert_order);
-}
-
 /* files, scenes, -e and what belongs to them */
 static int session(int argc, char **argv) {
     char data[4096], cars[4096];
-    struct cr_repl_start start;
-    if (cr_repl_wants_screen(argc, argv, cr_data_dir(data, sizeof data), &start)) {
-        int status = interactive(argc, argv, &start);
-        cr_str_fini(&start.lines);
-        return status;
+    if (isatty(STDIN_FILENO) && isatty(STDOUT_FILENO)) {
+        return cr_screen_main(argc, argv);
     }
     return cr_repl_one_scene(argc, argv)
-               ? cr_cli_run(argc, argv)
+               ? cr_cli_run(argc, argv) /* nobody is there to look at it */
                : cr_repl_main(argc, argv, cr_data_dir(data, sizeof data),
-                              cr_own_cars(cars, sizeof cars), cr_expert_order);
+                              cr_own_cars(cars, sizeof cars), cr_expert_order, NULL);
 }
 
 int main(int argc, char **argv) {
@@ -240,10 +213,7 @@ int main(int argc, char **argv) {
             return words[i].run(argc - 1, argv + 1);
         }
     }
-    if (argc <= 1) {
-        return interactive(argc, argv, &(struct cr_repl_start){.color = "auto"});
-    }
-    if (word[0] == '\0' || cr_repl_takes(word)) {
+    if (argc <= 1 || word[0] == '\0' || cr_repl_takes(word)) {
         return session(argc, argv);
     }
     return unknown(word[0] == '-' ? "option" : "word", word);

@@ -34,5 +34,7 @@ hardened() {
     rm -f told symbols
 }
 hardened crumple
-[ ! -e libcrumple.so.0.0.0 ] || hardened libcrumple.so.0.0.0
+for file in libcrumple.so.0.0.0 crumple-*.so; do
+    [ ! -e "$file" ] || hardened "$file"
+done
 finish

@@ -14,7 +14,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { BLOCK_MIN = 64 * 1024 };
+/* bytes; an arena begins small, since the words of a command fit and what is taken is zeroed */
+enum { BLOCK_FIRST = 4 * 1024, BLOCK_MIN = 64 * 1024 };
 
 struct cr_arena_block {
     struct cr_arena_block *next;
@@ -24,7 +25,8 @@ struct cr_arena_block {
 };
 
 static struct cr_arena_block *new_block(struct cr_arena *arena, size_t want, bool zeroed) {
-    size_t bytes = want > BLOCK_MIN ? want : BLOCK_MIN;
+    size_t least = arena->head == NULL ? BLOCK_FIRST : BLOCK_MIN,
+           bytes = want > least ? want : least;
     struct cr_arena_block *b = zeroed ? calloc(1, sizeof *b + bytes) : malloc(sizeof *b + bytes);
     if (b != NULL) {
         *b = (struct cr_arena_block){.next = arena->head, .size = bytes, .zeroed = zeroed};

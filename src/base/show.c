@@ -2,6 +2,7 @@
 #include "base/show.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 size_t cr_utf8_length(const char *s, size_t left) {
@@ -45,6 +46,27 @@ size_t cr_utf8_put(uint32_t ch, char out[4]) {
     }
     out[0] = (char)(mark[n] | ch);
     return n;
+}
+
+char *cr_utf8_copy(const char *text) {
+    size_t left = strlen(text);
+    char *copy = malloc(2 * left + 1), *to = copy;
+    while (copy != NULL && left > 0) {
+        size_t n = cr_utf8_length(text, left);
+        if (n > 0) {
+            memcpy(to, text, n);
+            to += n;
+        } else {
+            to += cr_utf8_put((unsigned char)*text, to);
+            n = 1;
+        }
+        text += n;
+        left -= n;
+    }
+    if (copy != NULL) {
+        *to = '\0';
+    }
+    return copy;
 }
 
 bool cr_show_acts(uint32_t ch) {

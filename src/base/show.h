@@ -18,6 +18,9 @@ size_t cr_utf8_chars(const char *text);
 uint32_t cr_utf8_get(const char *s, size_t n);
 /* Write a code point up to 0x10FFFF as UTF-8; returns its bytes. */
 size_t cr_utf8_put(uint32_t ch, char out[4]);
+/* A copy of the text in UTF-8: bytes that are none are read as Latin-1. NULL without memory; the
+ * caller frees it. */
+char *cr_utf8_copy(const char *text);
 
 /* Whether a code point acts instead of being seen: C0 and C1 controls, DEL, marks that turn the
  * direction of text (bidi controls), characters without width, separators of lines. */

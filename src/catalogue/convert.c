@@ -7,6 +7,7 @@
 
 #include "base/csv.h"
 #include "base/grow.h"
+#include "base/show.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -206,6 +207,14 @@ static enum cr_err add_to(struct group *g, int year, double kerb) {
     return CR_ERR_OK;
 }
 
+static void forget(struct group *g) {
+    if (g != NULL) {
+        free(g->make);
+        free(g->model);
+        free(g);
+    }
+}
+
 /* the group of a row, a new one if there is none */
 static enum cr_err group_of(struct work *w, const struct group *key, struct group **out,
                             struct cr_error *err) {
@@ -219,17 +228,19 @@ static enum cr_err group_of(struct work *w, const struct group *key, struct grou
                             ROWS_MAX);
     }
     struct group *g = malloc(sizeof *g);
-    bool room = g != NULL && cr_grow(&w->group, &w->room, w->n, sizeof *w->group);
-    if (room) {
+    if (g != NULL) {
         *g = *key;
         g->make = strdup(key->make);
         g->model = strdup(key->model);
-        w->group[w->n++] = *out = g;
-        room = g->make != NULL && g->model != NULL && tsearch(g, &w->tree, order) != NULL;
-    } else {
-        free(g);
     }
-    return room ? CR_ERR_OK : cr_err_set(err, CR_ERR_MEMORY, "no memory for a table of cars");
+    if (g == NULL || g->make == NULL || g->model == NULL ||
+        !cr_grow(&w->group, &w->room, w->n, sizeof *w->group) ||
+        tsearch(g, &w->tree, order) == NULL) {
+        forget(g);
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for a table of cars");
+    }
+    w->group[w->n++] = *out = g;
+    return CR_ERR_OK;
 }
 
 static enum cr_err take_row(struct work *w, struct cr_error *err) {
@@ -238,8 +249,8 @@ static enum cr_err take_row(struct work *w, struct cr_error *err) {
     double kerb = NAN;
     int rear = 0;
     enum cr_err code = CR_ERR_OK;
-    snprintf(make, sizeof make, "%s", cr_csv_cell(w->csv, w->at[MAKE]));
-    snprintf(model, sizeof model, "%s", cr_csv_cell(w->csv, w->at[MODEL]));
+    cr_show(cr_csv_cell(w->csv, w->at[MAKE]), make, sizeof make);
+    cr_show(cr_csv_cell(w->csv, w->at[MODEL]), model, sizeof model);
     for (int k = 0; k < SIZES && code == CR_ERR_OK; k++) {
         code = size(w, k, &key.size[k], err);
     }
@@ -319,9 +330,7 @@ enum cr_err cr_catalogue_convert(const char *path, int form, struct cr_str *out,
     cr_csv_close(w.csv);
     for (int i = 0; i < w.n; i++) {
         tdelete(w.group[i], &w.tree, order);
-        free(w.group[i]->make);
-        free(w.group[i]->model);
-        free(w.group[i]);
+        forget(w.group[i]);
     }
     free(w.group);
     return code;

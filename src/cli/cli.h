@@ -2,6 +2,11 @@
 #ifndef CR_CLI_CLI_H
 #define CR_CLI_CLI_H
 
+#include <stddef.h>
+
+/* Folder that this program was started from, "" if the system does not tell. */
+void cr_own_folder(char *buf, size_t size);
+
 /* Folder of models/ and share/: $CRUMPLE_DATA, the source tree of a build, or the installed one.
  * Returns "" and leaves buf empty if none has what is needed. */
 const char *cr_data_dir(char *buf, int size);

@@ -70,7 +70,11 @@ static enum cr_err compare(struct work *w, struct cr_error *err) {
         }
     }
     if (code == CR_ERR_OK) {
-        code = cr_result_run(&scene, &w->shared.ctx, &result, err);
+        const struct cr_cli_budget budget = CR_CLI_BUDGET;
+        code = cr_cli_solve(&w->shared, &budget, &scene, &result, err);
+        if (code != CR_ERR_OK) {
+            cr_cli_locate(w->opt->solved, err);
+        }
     }
     for (int i = 0; i < w->what.n && code == CR_ERR_OK; i++) {
         struct cr_crush_car *car = &w->what.car[i];

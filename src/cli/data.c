@@ -22,8 +22,7 @@ static bool is_data_dir(const char *dir) {
            stat(cr_file_part(dir, "irf", path, sizeof path), &st) == 0 && S_ISDIR(st.st_mode);
 }
 
-/* folder that this program was started from, "" if the system does not tell */
-static void own_folder(char *buf, size_t size) {
+void cr_own_folder(char *buf, size_t size) {
     ssize_t n = readlink("/proc/self/exe", buf, size - 1);
     buf[n > 0 ? n : 0] = '\0';
     char *slash = strrchr(buf, '/');
@@ -61,7 +60,7 @@ const char *cr_data_dir(char *buf, int size) {
         return is_data_dir(buf) ? buf : empty(buf);
     }
     char own[4096];
-    own_folder(own, sizeof own);
+    cr_own_folder(own, sizeof own);
     if (own[0] != '\0' && source_tree(own, buf, size)) {
         return buf;
     }

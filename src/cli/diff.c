@@ -23,29 +23,15 @@ struct options {
 static enum cr_err solve(const char *path, const struct options *opt, cJSON **out,
                          struct cr_error *err) {
     const struct cr_result_opts form = {.resolved = true};
-    struct cr_cli_shared shared = {0};
-    struct cr_result *result = NULL;
-    struct cr_scene scene;
-    cr_scene_init(&scene);
-    enum cr_err code = cr_scene_load(path, &scene, err);
-    cr_cli_catch();
+    struct cr_cli_job job;
+    enum cr_err code = cr_cli_begin(path, NULL, &opt->budget, &job, err);
     if (code == CR_ERR_OK) {
-        code = cr_cli_open(&shared, CR_CLI_NEEDED, err);
+        code = cr_cli_solve_job(&job, &opt->budget, err);
     }
     if (code == CR_ERR_OK) {
-        struct cr_cli_work work;
-        const struct cr_context ctx = cr_cli_context(&shared, &opt->budget, &work);
-        code = cr_result_run(&scene, &ctx, &result, err);
-        if (code != CR_ERR_OK && err->src[0] == '\0') {
-            cr_scene_locate_file(path, path, err);
-        }
+        code = cr_result_tree(job.result, &form, out, err);
     }
-    if (code == CR_ERR_OK) {
-        code = cr_result_tree(result, &form, out, err);
-    }
-    cr_result_free(result);
-    cr_scene_fini(&scene);
-    cr_cli_close(&shared);
+    cr_cli_end(&job);
     return code;
 }
 

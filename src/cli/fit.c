@@ -49,12 +49,9 @@ static enum cr_err read_words(char **word, int n, const struct cr_scene *scene,
         } else if (!behind) {
             code = cr_err_set(err, CR_ERR_RANGE, "no more than %d inputs can be searched for",
                               CR_FIT_INPUTS);
-        } else if (equals == NULL || equals - word[i] >= (long)sizeof name) {
-            code = cr_err_set(err, CR_ERR_SYNTAX, "'%.60s' is no EVIDENCE=VALUE", word[i]);
-            cr_err_hint(err, "for example dv.A=43km/h");
         } else {
-            snprintf(name, sizeof name, "%.*s", (int)(equals - word[i]), word[i]);
-            code = cr_fit_add(evidence, scene, name, equals + 1, err);
+            snprintf(name, sizeof name, "%.*s", (int)strcspn(word[i], "="), word[i]);
+            code = cr_fit_add(evidence, scene, name, equals != NULL ? equals + 1 : NULL, err);
         }
     }
     if (code != CR_ERR_OK && err->src[0] == '\0') {
@@ -87,36 +84,20 @@ static enum cr_err search(struct cr_study *study, const struct cr_fit_evidence *
 }
 
 static enum cr_err run(char **word, int n, const struct options *opt, struct cr_error *err) {
-    struct cr_cli_shared shared = {0};
-    struct cr_scene scene;
+    struct cr_cli_job job;
     struct cr_str text = {0};
-    cr_scene_init(&scene);
-    enum cr_err code = cr_scene_load(word[0], &scene, err);
-    cr_cli_catch();
-    for (int i = 0; i < opt->set.n && code == CR_ERR_OK; i++) {
-        code = cr_scene_assign(&scene, opt->set.value[i], err);
-    }
+    enum cr_err code = cr_cli_begin(word[0], &opt->set, &opt->budget, &job, err);
     if (code == CR_ERR_OK) {
-        code = cr_cli_open(&shared, CR_CLI_NEEDED, err);
-    }
-    if (code == CR_ERR_OK) {
-        struct cr_context ctx = shared.ctx;
-        ctx.irf = NULL;
-        ctx.max_seconds = opt->budget.seconds;
-        ctx.max_bytes = 1e6 * opt->budget.megabytes;
-        struct cr_study study = {.make = cr_fit_scene_make, .scene = &scene};
+        struct cr_context ctx = job.shared.ctx;
+        struct cr_study study = {.make = cr_fit_scene_make, .scene = &job.scene};
         struct cr_fit_evidence evidence = {.n = 0};
-        code = read_words(word + 1, n - 1, &scene, &study, &evidence, err);
+        ctx.irf = NULL;
+        code = read_words(word + 1, n - 1, &job.scene, &study, &evidence, err);
         code = code == CR_ERR_OK ? search(&study, &evidence, opt, &ctx, &text, err) : code;
     }
-    if (text.len > 0) {
-        struct cr_error other;
-        enum cr_err wrote = cr_cli_emit(opt->out, &text, code == CR_ERR_OK ? err : &other);
-        code = code == CR_ERR_OK ? wrote : code;
-    }
+    code = cr_cli_emit_after(code, opt->out, &text, err);
     cr_str_fini(&text);
-    cr_scene_fini(&scene);
-    cr_cli_close(&shared);
+    cr_cli_end(&job);
     return code;
 }
 

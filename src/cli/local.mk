@@ -24,6 +24,7 @@ libcli_a_SOURCES = \
 	src/cli/schema.c \
 	src/cli/shared.c \
 	src/cli/sink.c src/cli/sink.h \
+	src/cli/solve.c \
 	src/cli/stack.c \
 	src/cli/study.c src/cli/study.h src/cli/study_priv.h \
 	src/cli/study_picture.c \
@@ -34,7 +35,6 @@ libcli_a_CPPFLAGS = $(AM_CPPFLAGS) -DPKGDATADIR='"$(pkgdatadir)"'
 # tells a program that was not installed where its source tree is; no path is in the program itself
 noinst_DATA = source-folder
 CLEANFILES += source-folder
-EXTRA_crumple_DEPENDENCIES = source-folder
 source-folder: Makefile
 	$(AM_V_GEN)echo '$(CR_SRCDIR)' >$@
 # the commit of the sources, where they are a checkout; written anew only when it changed

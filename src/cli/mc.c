@@ -156,38 +156,18 @@ static enum cr_err solve(const struct cr_scene *scene, const struct options *opt
 }
 
 static enum cr_err run(const char *path, const struct options *opt, struct cr_error *err) {
-    struct cr_cli_shared shared = {0};
-    struct cr_scene scene;
+    struct cr_cli_job job;
     struct cr_str text = {0};
-    cr_scene_init(&scene);
-    const char *name = strcmp(path, "-") == 0 ? "standard input" : path;
-    enum cr_err code = cr_scene_load(path, &scene, err);
-    if (code != CR_ERR_OK && strcmp(err->src, "-") == 0) {
-        cr_err_place(err, name, err->line, err->col);
-    }
-    cr_cli_catch();
+    enum cr_err code = cr_cli_begin(path, &opt->set, &opt->budget, &job, err);
     if (code == CR_ERR_OK) {
-        code = cr_cli_override(&scene, &opt->set, err);
-    }
-    if (code == CR_ERR_OK) {
-        code = cr_cli_open(&shared, CR_CLI_NEEDED, err);
-    }
-    if (code == CR_ERR_OK) {
-        shared.ctx.max_seconds = opt->budget.seconds;
-        shared.ctx.max_bytes = 1e6 * opt->budget.megabytes;
-        code = solve(&scene, opt, &shared.ctx, &text, err);
-        if (code != CR_ERR_OK && err->src[0] == '\0' && err->where[0] != '\0') {
-            cr_scene_locate_file(path, name, err);
+        code = solve(&job.scene, opt, &job.shared.ctx, &text, err);
+        if (code != CR_ERR_OK && err->where[0] != '\0') {
+            cr_cli_locate(path, err);
         }
     }
-    if (text.len > 0) {
-        struct cr_error other;
-        enum cr_err wrote = cr_cli_emit(opt->out, &text, code == CR_ERR_OK ? err : &other);
-        code = code == CR_ERR_OK ? wrote : code;
-    }
+    code = cr_cli_emit_after(code, opt->out, &text, err);
     cr_str_fini(&text);
-    cr_scene_fini(&scene);
-    cr_cli_close(&shared);
+    cr_cli_end(&job);
     return code;
 }
 

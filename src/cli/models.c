@@ -114,11 +114,9 @@ static enum cr_err solve(const struct cr_cli_shared *shared, const struct option
     enum cr_err code = cr_scene_load(opt->crash, &scene, err);
     if (code == CR_ERR_OK) {
         const struct cr_cli_budget budget = CR_CLI_BUDGET;
-        struct cr_cli_work work;
-        const struct cr_context ctx = cr_cli_context(shared, &budget, &work);
-        code = cr_result_run(&scene, &ctx, &s->result, err);
-        if (code && err->src[0] == '\0') {
-            cr_scene_locate_file(opt->crash, opt->crash, err);
+        code = cr_cli_solve(shared, &budget, &scene, &s->result, err);
+        if (code != CR_ERR_OK) {
+            cr_cli_locate(opt->crash, err);
         }
     }
     if (code == CR_ERR_OK) {

@@ -44,6 +44,16 @@ enum cr_err cr_cli_emit(const char *path, const struct cr_str *text, struct cr_e
     return cr_file_write(path, cr_str_get(text), text->len, err);
 }
 
+enum cr_err cr_cli_emit_after(enum cr_err code, const char *path, const struct cr_str *text,
+                              struct cr_error *err) {
+    struct cr_error other;
+    if (text->len == 0) {
+        return code;
+    }
+    enum cr_err wrote = cr_cli_emit(path, text, code == CR_ERR_OK ? err : &other);
+    return code == CR_ERR_OK ? wrote : code;
+}
+
 int cr_cli_options(const struct cr_usage *usage, int argc, char **argv, int *operands) {
     struct cr_str out = {0};
     struct cr_error err = {0};

@@ -10,6 +10,7 @@
 
 #include <cjson/cJSON.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,12 +19,15 @@ struct pair {
     char name[CR_NAME_MAX];
     long home;
     int scenes;     /* noted so far */
+    int next;       /* pair of the same slot, 0: none, else its place + 1 */
     cJSON *part[2]; /* the results' names and the numbers that are compared */
 };
 
+enum { SLOTS = 1 << 16 };
 struct cr_pair_set {
     int n, size;
     struct pair *pair;
+    int slot[SLOTS]; /* by name: the pair that came last, as in `next` */
 };
 
 enum cr_err cr_pair_new(struct cr_pair_set **out, struct cr_error *err) {
@@ -44,17 +48,22 @@ void cr_pair_free(struct cr_pair_set *set) {
 
 /* The pair of a name; a new name makes a new pair. NULL without memory. */
 static struct pair *find(struct cr_pair_set *set, const char *name) {
-    /* the two scenes of a pair mostly stand together */
-    for (int i = set->n - 1; i >= 0; i--) {
-        if (strcmp(set->pair[i].name, name) == 0) {
-            return &set->pair[i];
+    uint32_t hash = 2166136261U; /* FNV-1a */
+    for (const char *p = name; *p != '\0'; p++) {
+        hash = (hash ^ (unsigned char)*p) * 16777619U;
+    }
+    int *slot = &set->slot[(hash ^ hash >> 16) % SLOTS];
+    for (int i = *slot; i != 0; i = set->pair[i - 1].next) {
+        if (strcmp(set->pair[i - 1].name, name) == 0) {
+            return &set->pair[i - 1];
         }
     }
     if (!cr_grow(&set->pair, &set->size, set->n, sizeof *set->pair)) {
         return NULL;
     }
     struct pair *p = &set->pair[set->n++];
-    *p = (struct pair){.home = -1};
+    *p = (struct pair){.home = -1, .next = *slot};
+    *slot = set->n;
     snprintf(p->name, sizeof p->name, "%s", name);
     return p;
 }

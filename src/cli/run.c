@@ -35,15 +35,6 @@ static const char about[] =
     "output. Exit status: 0 solved; 2 usage or file system; 3 the scene is invalid; 4 the\n"
     "solver failed, for example because the participants never meet; 130 interrupted.\n";
 
-enum cr_err cr_cli_override(struct cr_scene *scene, const struct cr_option_values *set,
-                            struct cr_error *err) {
-    enum cr_err code = CR_ERR_OK;
-    for (int i = 0; i < set->n && code == CR_ERR_OK; i++) {
-        code = cr_scene_assign(scene, set->value[i], err);
-    }
-    return code;
-}
-
 static enum cr_err write_result(const struct cr_result *result, const struct run_options *opt,
                                 struct cr_str *text, struct cr_error *err) {
     struct cr_result_opts form = {.trace = opt->trace,
@@ -95,42 +86,19 @@ static enum cr_err check(struct cr_result *result, const struct cr_cli_shared *s
 }
 
 static enum cr_err run(const char *path, const struct run_options *opt, struct cr_error *err) {
-    struct cr_cli_shared shared = {0};
-    struct cr_scene scene;
-    struct cr_result *result = NULL;
-    cr_scene_init(&scene);
-    const char *name = strcmp(path, "-") == 0 ? "standard input" : path;
-    enum cr_err code = cr_scene_load(path, &scene, err);
-    if (code != CR_ERR_OK && strcmp(err->src, "-") == 0) {
-        cr_err_place(err, name, err->line, err->col);
-    }
-    /* Until here ^C ends the program at once, also while the program waits for input. */
-    cr_cli_catch();
+    struct cr_cli_job job;
+    enum cr_err code = cr_cli_begin(path, &opt->set, &opt->budget, &job, err);
     if (code == CR_ERR_OK) {
-        code = cr_cli_override(&scene, &opt->set, err);
-    }
-    if (code == CR_ERR_OK) {
-        code = cr_cli_open(&shared, CR_CLI_NEEDED, err);
-    }
-    if (code == CR_ERR_OK) {
-        struct cr_cli_work work;
-        const struct cr_context ctx = cr_cli_context(&shared, &opt->budget, &work);
-        code = cr_result_run(&scene, &ctx, &result, err);
-        /* faults that show once all is known have a pointer, which leads to the line */
-        if (code != CR_ERR_OK && err->src[0] == '\0') {
-            cr_scene_locate_file(path, name, err);
-        }
+        code = cr_cli_solve_job(&job, &opt->budget, err);
     }
     if (code == CR_ERR_OK && opt->check > 0) {
-        code = check(result, &shared, opt, err);
+        code = check(job.result, &job.shared, opt, err);
     }
     if (code == CR_ERR_OK) {
-        result->units = (enum cr_units)opt->units;
-        code = write_all(result, opt, &shared.ctx, err);
+        job.result->units = (enum cr_units)opt->units;
+        code = write_all(job.result, opt, &job.shared.ctx, err);
     }
-    cr_result_free(result);
-    cr_scene_fini(&scene);
-    cr_cli_close(&shared);
+    cr_cli_end(&job);
     return code;
 }
 

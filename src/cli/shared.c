@@ -4,7 +4,6 @@
 
 #include <signal.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
 static volatile sig_atomic_t interrupted;
@@ -43,30 +42,13 @@ int cr_cli_cancelled(void *unused) {
     return interrupted;
 }
 
-/* s of processor time of this thread: a loaded machine takes no scene's time away */
-static double processor_s(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-static int cancelled_or_late(void *user) {
-    struct cr_cli_work *work = user;
-    if (interrupted) {
-        return CR_CANCEL_USER;
-    }
-    bool late = ++work->polls % 32 == 0 && processor_s() > work->end;
-    return late ? CR_CANCEL_TIME : CR_CANCEL_NO;
-}
-
 struct cr_context cr_cli_context(const struct cr_cli_shared *shared,
                                  const struct cr_cli_budget *budget, struct cr_cli_work *work) {
-    struct cr_context ctx = shared->ctx;
-    *work = (struct cr_cli_work){.end = processor_s() + budget->seconds};
-    ctx.cancel = cancelled_or_late;
-    ctx.user = work;
-    ctx.max_seconds = budget->seconds;
-    ctx.max_bytes = budget->megabytes * 1e6;
+    work->given = shared->ctx;
+    work->given.max_seconds = budget->seconds;
+    work->given.max_bytes = budget->megabytes * 1e6;
+    struct cr_context ctx = cr_study_limited(&work->given, &work->limit);
+    ctx.irf = shared->irf;
     return ctx;
 }
 

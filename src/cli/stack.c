@@ -168,9 +168,7 @@ static enum cr_err solve(const struct stack *s, const struct cr_scene *scene, bo
             return code;
         }
     }
-    struct cr_cli_work work;
-    const struct cr_context ctx = cr_cli_context(&s->shared, &s->opt->budget, &work);
-    code = cr_result_run(scene, &ctx, &result, err);
+    code = cr_cli_solve(&s->shared, &s->opt->budget, scene, &result, err);
     struct cr_result_opts form = form_of(s->opt);
     form.resolved = resolved;
     code = code ? code : cr_result_tree(result, &form, out, err);

@@ -1,4 +1,4 @@
-/* The plot of a study as a picture: points as crosses, or a heat map. */
+/* The plot of a study as a picture: points, or a heat map. */
 #include "cli/study_priv.h"
 
 #include "figure/pictures.h"
@@ -7,45 +7,15 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { WIDTH = 500, HEIGHT = 340, EDGE = 6, CROSS = 6 }; /* points; values of a cross */
-
-/* half the size of a cross as a share of the range */
-static const double arm = 0.006;
-
-static double span(const struct cr_study *s, int axis) {
-    double lo = INFINITY, hi = -INFINITY;
-    for (int i = 0; i < s->rows; i++) {
-        double x = cr_study_axis(s, i, axis);
-        lo = isfinite(x) ? fmin(lo, x) : lo;
-        hi = isfinite(x) ? fmax(hi, x) : hi;
-    }
-    return hi > lo ? hi - lo : 1;
-}
-
-/* Two strokes for each point, with a NaN between them, so that no line joins them. */
-static void crosses(const struct cr_study *s, double *x, double *y) {
-    const double dx = arm * span(s, 0), dy = 2.4 * arm * span(s, 1), none = (double)NAN;
-    for (int i = 0; i < s->rows; i++) {
-        double at[2] = {cr_study_axis(s, i, 0), cr_study_axis(s, i, 1)};
-        const double xs[CROSS] = {at[0] - dx, at[0] + dx, none, at[0], at[0], none};
-        const double ys[CROSS] = {at[1], at[1], none, at[1] - dy, at[1] + dy, none};
-        for (int k = 0; k < CROSS; k++) {
-            x[i * CROSS + k] = xs[k];
-            y[i * CROSS + k] = ys[k];
-        }
-    }
-}
+enum { WIDTH = 500, HEIGHT = 340, EDGE = 6 }; /* points */
 
 static bool draw_points(const struct cr_study *s, struct cr_canvas *canvas, struct cr_box at,
                         const char *title) {
-    size_t n = (size_t)s->rows * CROSS;
-    double *x = calloc(2 * n + 1, sizeof *x);
-    if (x == NULL) {
+    struct cr_curve_line curve;
+    double *xy = cr_study_points(s, &curve);
+    if (xy == NULL) {
         return false;
     }
-    crosses(s, x, x + n);
-    const struct cr_curve_line curve = {
-        .x = x, .y = x + n, .n = (int)n, .mark = ' ', .name = "", .role = cr_render_role_of(0)};
     const struct cr_plot plot = {.title = title,
                                  .x_unit = s->axis[0],
                                  .y_unit = "",
@@ -54,7 +24,7 @@ static bool draw_points(const struct cr_study *s, struct cr_canvas *canvas, stru
                                  .cursor = (double)NAN};
     const struct cr_figure_words english = {.say = NULL};
     cr_figure_plot(canvas, at, &plot, &english);
-    free(x);
+    free(xy);
     return true;
 }
 

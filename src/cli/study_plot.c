@@ -13,23 +13,35 @@ double cr_study_axis(const struct cr_study *s, int row, int axis) {
     return s->value[row * (fields + s->axes) + fields + axis];
 }
 
-/* Points: a NaN stands between any two, so that no line joins them. */
+double *cr_study_points(const struct cr_study *s, struct cr_curve_line *out) {
+    double *x = calloc(2 * (size_t)s->rows + 1, sizeof *x), *y = x + s->rows;
+    if (x == NULL) {
+        return NULL;
+    }
+    for (int i = 0; i < s->rows; i++) {
+        x[i] = cr_study_axis(s, i, 0);
+        y[i] = cr_study_axis(s, i, 1);
+    }
+    *out = (struct cr_curve_line){.x = x,
+                                  .y = y,
+                                  .n = s->rows,
+                                  .mark = ' ',
+                                  .name = "",
+                                  .role = cr_render_role_of(0),
+                                  .points = true};
+    return x;
+}
+
 static enum cr_err points(const struct cr_study *s, const struct cr_look *look, int width,
                           struct cr_str *out, struct cr_error *err) {
     struct cr_cells cells;
     char title[2 * CR_FIELD_SIZE + 16];
-    double *xy = calloc(4 * (size_t)s->rows + 4, sizeof *xy), *y = xy + 2 * s->rows + 2;
+    struct cr_curve_line curve;
+    double *xy = cr_study_points(s, &curve);
     if (xy == NULL) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for a plot");
     }
-    for (int i = 0; i < s->rows; i++) {
-        xy[2 * i] = cr_study_axis(s, i, 0);
-        y[2 * i] = cr_study_axis(s, i, 1);
-        xy[2 * i + 1] = y[2 * i + 1] = (double)NAN;
-    }
     snprintf(title, sizeof title, "%s over %s", s->axis[1], s->axis[0]);
-    const struct cr_curve_line curve = {
-        .x = xy, .y = y, .n = 2 * s->rows, .mark = ' ', .name = "", .role = cr_render_role_of(0)};
     const struct cr_plot plot = {.title = title,
                                  .x_unit = "",
                                  .y_unit = "",

@@ -39,6 +39,9 @@ struct cr_map *cr_study_map(const struct cr_study *study);
 
 /* Value of an axis of the plot in a row. */
 double cr_study_axis(const struct cr_study *study, int row, int axis);
+/* The rows as points over both axes of the plot; NULL when memory is out. free() what is returned,
+ * which holds their places. */
+double *cr_study_points(const struct cr_study *study, struct cr_curve_line *out);
 
 /* Finite values of a column (fields, then axes) in a group (-1: all) into out; how many. */
 int cr_study_column(const struct cr_study *study, int column, int group, double *out);

@@ -7,6 +7,7 @@
 #include "cli/options.h"
 #include "render/render.h"
 #include "result/result.h"
+#include "study/limit.h"
 
 /* Print an error on standard error as one line ("crumple: error: ...", or the place first when it
  * is known) and return its exit status. */
@@ -25,6 +26,11 @@ void cr_cli_complete(const struct cr_usage *usage, int n, char **word, struct cr
  * Errors: IO, also for a closed pipe or a full disk behind standard output. */
 CR_MUST_CHECK enum cr_err cr_cli_emit(const char *path, const struct cr_str *text,
                                       struct cr_error *err);
+
+/* The same for what there is after `code`: where that is an error, as of an interruption, it stays
+ * the error. Nothing is written for an empty text. */
+CR_MUST_CHECK enum cr_err cr_cli_emit_after(enum cr_err code, const char *path,
+                                            const struct cr_str *text, struct cr_error *err);
 
 /* Path of `name` inside the data folder, into buf. Errors: IO when there is no data folder. */
 CR_MUST_CHECK enum cr_err cr_cli_data(const char *name, char *buf, int size, struct cr_error *err);
@@ -81,11 +87,36 @@ struct cr_cli_budget {
 /* The context for one solve of the calling thread under that budget; its time begins now. `work`
  * lives as long as the context. */
 struct cr_cli_work {
-    double end; /* of its time, s of processor time of the thread */
-    unsigned polls;
+    struct cr_context given; /* what is shared, with the limits */
+    struct cr_study_limit limit;
 };
 struct cr_context cr_cli_context(const struct cr_cli_shared *shared,
                                  const struct cr_cli_budget *budget, struct cr_cli_work *work);
+
+/* One scene of a word of the command line: read and overridden (cr_cli_begin), solved when that is
+ * the word's business (cr_cli_solve_job), given back in any case (cr_cli_end). */
+struct cr_cli_job {
+    const char *path; /* as given, "-" for standard input; borrowed */
+    struct cr_scene scene;
+    struct cr_cli_shared shared; /* ctx has the limits of the budget */
+    struct cr_result *result;    /* NULL: not solved */
+};
+/* set: nullable. From here on ^C sets a flag. Errors: those of cr_scene_load, cr_cli_override and
+ * cr_cli_open. */
+CR_MUST_CHECK enum cr_err cr_cli_begin(const char *path, const struct cr_option_values *set,
+                                       const struct cr_cli_budget *budget, struct cr_cli_job *job,
+                                       struct cr_error *err);
+/* Errors: those of cr_result_run, with their place in the file. */
+CR_MUST_CHECK enum cr_err
+cr_cli_solve_job(struct cr_cli_job *job, const struct cr_cli_budget *budget, struct cr_error *err);
+void cr_cli_end(struct cr_cli_job *job);
+/* One solve under the budget, its time beginning now; as cr_result_run. */
+CR_MUST_CHECK enum cr_err cr_cli_solve(const struct cr_cli_shared *shared,
+                                       const struct cr_cli_budget *budget,
+                                       const struct cr_scene *scene, struct cr_result **out,
+                                       struct cr_error *err);
+/* Give an error without a place the one in the file that its JSON pointer leads to. */
+void cr_cli_locate(const char *path, struct cr_error *err);
 
 /* --units: of what people read; files for programs stay metric. */
 #define CR_CLI_UNITS_OPTION(to)                                                                    \

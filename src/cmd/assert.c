@@ -4,6 +4,7 @@
 #include "base/file.h"
 #include "base/json.h"
 #include "result/diff.h"
+#include "result/signal.h"
 
 #include <cjson/cJSON.h>
 #include <math.h>
@@ -293,12 +294,7 @@ static enum cr_err compare_result(struct cr_session *s, const cJSON *other, cons
         code = cr_diff_text(&d, &text, err);
     }
     if (code == CR_ERR_OK) {
-        for (char *p = text.s, *end; p != NULL && (end = strchr(p, '\n')) != NULL; p = end + 1) {
-            *end = '\0';
-            char line[200]; /* its numbers are in the units of the session already */
-            snprintf(line, sizeof line, "  %.190s", p);
-            cr_session_text(s, CR_TONE_ANSWER, line);
-        }
+        cr_session_lines(s, &text, true);
     }
     *worst = d.worst;
     cr_str_fini(&text);
@@ -318,8 +314,7 @@ enum cr_err cr_cmd_compare(struct cr_call *call, struct cr_error *err) {
     size_t len;
     double worst = 0, within = cr_cmd_number(call, "within", INFINITY);
     enum cr_err code = cr_session_need_whole(call->s, err);
-    size_t end = strlen(path);
-    if (code == CR_ERR_OK && end > 4 && strcmp(path + end - 4, ".csv") == 0) {
+    if (code == CR_ERR_OK && cr_signal_is(path)) {
         return cr_cmd_compare_pulse(call, path, err);
     }
     if (code == CR_ERR_OK) {

@@ -131,8 +131,9 @@ void cr_warn(struct cr_session *s, const char *fmt, ...) CR_PRINTF(2, 3);
 void cr_session_text(struct cr_session *s, enum cr_tone tone, const char *line);
 /* A line that was put together, as cr_say does; the command fails where memory was out for it. */
 void cr_say_str(struct cr_session *s, const struct cr_str *line);
-/* Text of several lines, each likewise. */
-void cr_session_lines(struct cr_session *s, const struct cr_str *text);
+/* Text of several lines, each likewise; in_units: its numbers are in those of the session already,
+ * not to be converted again. */
+void cr_session_lines(struct cr_session *s, const struct cr_str *text, bool in_units);
 void cr_session_room(struct cr_session *s, int *width, int *height);
 enum cr_err cr_session_remember(struct cr_session *s, const char *line, struct cr_error *err);
 void cr_session_reset_view(struct cr_session *s);

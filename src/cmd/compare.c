@@ -1,11 +1,10 @@
 /* compare with a measured pulse: overlay, RMS error and ratings, by the code of crumple validate;
  * and with evidence as it is typed. */
-#include "cmd/cmd_priv.h"
+#include "cmd/vary.h"
 
 #include "base/units.h"
 #include "render/render.h"
 #include "result/compare.h"
-#include "study/fit.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -121,6 +120,33 @@ static enum cr_err say_corridor(struct cr_session *s, int body, const struct cr_
     return CR_ERR_OK;
 }
 
+/* The axis that was named; a channel knows its own, and which signs it was measured with is told.
+ * A channel of a velocity becomes that of its change since time 0. */
+static enum cr_err take_axis(struct cr_call *call, struct cr_signal *measured,
+                             struct cr_compare_opts *opts, struct cr_error *err) {
+    enum cr_compare_axis asked = opts->axis;
+    if (measured->axis == '\0') {
+        return CR_ERR_OK;
+    }
+    opts->axis = measured->axis == 'Y' ? CR_COMPARE_LEFT : CR_COMPARE_FORWARD;
+    if ((measured->axis != 'X' && measured->axis != 'Y') ||
+        (cr_cmd_given(call, "axis") && asked != opts->axis)) {
+        cr_err_set(err, CR_ERR_TYPE, "channel %.60s is not along the axis %s", measured->name,
+                   asked == CR_COMPARE_LEFT ? "left" : "forward");
+        cr_err_hint(err, "name another channel with column=");
+        return CR_ERR_TYPE;
+    }
+    cr_say(call->s, "channel %s, taken with %s%s (sign=minus turns it)", measured->name,
+           opts->axis == CR_COMPARE_LEFT ? "right" : "forward",
+           opts->sign < 0 ? " negative" : " positive, as laboratories have it");
+    double first =
+        strcmp(measured->unit, "m/s") == 0 ? cr_signal_at(measured, 0, measured->x[0]) : 0;
+    for (int i = 0; i < measured->n; i++) {
+        measured->x[i] -= first;
+    }
+    return CR_ERR_OK;
+}
+
 enum cr_err cr_cmd_compare_pulse(struct cr_call *call, const char *path, struct cr_error *err) {
     struct cr_session *s = call->s;
     struct cr_signal measured = {0};
@@ -133,7 +159,10 @@ enum cr_err cr_cmd_compare_pulse(struct cr_call *call, const char *path, struct 
     }
     opts.axis = cr_cmd_word(call, "axis", 0) == 1 ? CR_COMPARE_LEFT : CR_COMPARE_FORWARD;
     opts.sign = cr_cmd_word(call, "sign", 0) == 1 ? -1 : 1;
-    enum cr_err code = cr_signal_load(path, cr_cmd_text(call, "column", NULL), &measured, err);
+    const struct cr_signal_pick pick = {cr_cmd_text(call, "column", NULL), body + 1,
+                                        opts.axis == CR_COMPARE_LEFT};
+    enum cr_err code = cr_signal_load_any(path, &pick, &measured, err);
+    code = code == CR_ERR_OK ? take_axis(call, &measured, &opts, err) : code;
     if (code == CR_ERR_OK) {
         code = cr_compare_pulse(s->result->solution, body, &measured, &opts, &c, err);
     }
@@ -166,29 +195,33 @@ static enum cr_err read_evidence(struct cr_call *call, struct cr_fit_evidence *o
             continue;
         }
         call->blame = tok;
-        code = tok->kind == CR_TOKEN_PAIR
-                   ? cr_fit_add(out, &call->s->result->resolved, tok->key, tok->text, err)
-                   : cr_err_set(err, CR_ERR_SYNTAX, "'%.60s' is no EVIDENCE=VALUE", tok->text);
+        code = cr_cmd_evidence(tok, &call->s->result->resolved, out, err);
     }
     if (code == CR_ERR_OK && out->n == 0) {
         code = cr_err_set(err, CR_ERR_MISSING, "compare needs a file or what was measured");
-    }
-    if (code == CR_ERR_MISSING || code == CR_ERR_SYNTAX) {
-        cr_err_hint(err, "for example dv.A=43km/h or rest.A=12,3m");
+        cr_err_hint(err, CR_FIT_EVIDENCE_HINT);
     }
     return code;
 }
 
+/* What the result has no value for is missed whatever was allowed. */
+static enum cr_err missed(const char *absent, double worst, double within, struct cr_error *err) {
+    return absent != NULL
+               ? cr_err_set(err, CR_ERR_MISSED, "the result has no %s", absent)
+               : cr_err_set(err, CR_ERR_MISSED,
+                            "the largest error is %.1f tolerances, more than %.10g", worst, within);
+}
+
 enum cr_err cr_cmd_compare_evidence(struct cr_call *call, struct cr_error *err) {
-    const struct cr_result *r = call->s->result;
     struct cr_fit_evidence evidence = {.n = 0};
     struct cr_str text = {0};
+    const char *absent = NULL;
     double found[CR_FIT_TARGETS], within = cr_cmd_number(call, "within", INFINITY), worst = 0;
     enum cr_err code = cr_session_need_whole(call->s, err);
     if (code == CR_ERR_OK) {
-        r = call->s->result;
         code = read_evidence(call, &evidence, err);
     }
+    const struct cr_result *r = call->s->result;
     if (code == CR_ERR_OK && cr_cmd_given(call, "FILE")) {
         return cr_err_set(err, CR_ERR_DUPLICATE, "compare takes a file or what was measured");
     }
@@ -204,13 +237,12 @@ enum cr_err cr_cmd_compare_evidence(struct cr_call *call, struct cr_error *err) 
     for (int k = 0; k < evidence.n; k++) {
         const struct cr_fit_target *t = &evidence.target[k];
         found[k] = cr_fit_found(r, t);
-        worst = fmax(worst, fabs(found[k] - t->value) / t->half);
+        double error = fabs(found[k] - t->value) / t->half;
+        worst = isnan(error) ? (double)INFINITY : fmax(worst, error);
+        absent = isnan(error) && absent == NULL ? t->name : absent;
     }
     cr_fit_evidence_text(&evidence, found, &text);
-    cr_session_lines(call->s, &text);
+    cr_session_lines(call->s, &text, false);
     cr_str_fini(&text);
-    return worst > within
-               ? cr_err_set(err, CR_ERR_MISSED,
-                            "the largest error is %.1f tolerances, more than %.10g", worst, within)
-               : CR_ERR_OK;
+    return worst > within ? missed(absent, worst, within, err) : CR_ERR_OK;
 }

@@ -195,7 +195,7 @@ static enum cr_err say_picture(struct cr_session *s, const struct cr_crush_case 
         code = cr_crush_picture(&what->car[i], rules, &how, &text, err);
     }
     if (code == CR_ERR_OK) {
-        cr_session_lines(s, &text);
+        cr_session_lines(s, &text, false);
     }
     cr_str_fini(&text);
     return code;
@@ -241,7 +241,7 @@ static enum cr_err work_back(struct cr_call *call, const char *id, struct cr_err
         code = cr_crush_text(&b->what, &b->impact, &text, err);
     }
     if (code == CR_ERR_OK) {
-        cr_session_lines(s, &text);
+        cr_session_lines(s, &text, false);
         code = cr_cmd_given(call, "picture") ? say_picture(s, &b->what, &b->rules, err) : code;
     }
     if (code == CR_ERR_OK) {
@@ -273,7 +273,7 @@ static enum cr_err against_solve(struct cr_call *call, const char *id, struct cr
     struct cr_scene *scene = &cr_session_now(s)->scene;
     cr_crush_against(s->result, (int)(cr_scene_find(scene, id) - scene->part), m, &against);
     cr_crush_against_text(id, m, &against, &text);
-    cr_session_lines(s, &text);
+    cr_session_lines(s, &text, false);
     cr_str_fini(&text);
     return CR_ERR_OK;
 }

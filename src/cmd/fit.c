@@ -2,7 +2,6 @@
 #include "cmd/vary.h"
 
 #include "base/file.h"
-#include "study/fit.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -77,11 +76,8 @@ static enum cr_err read_words(struct cr_call *call, struct cr_study *study, stru
             behind = true;
         } else if (!behind) {
             code = add_input(call, tok, study, d, err);
-        } else if (tok->kind != CR_TOKEN_PAIR) {
-            code = cr_err_set(err, CR_ERR_SYNTAX, "'%.60s' is no EVIDENCE=VALUE", tok->text);
-            cr_err_hint(err, "for example dv.A=43km/h");
         } else {
-            code = cr_fit_add(evidence, cr_session_scene(call->s), tok->key, tok->text, err);
+            code = cr_cmd_evidence(tok, cr_session_scene(call->s), evidence, err);
         }
         if (code != CR_ERR_OK) {
             return code;
@@ -144,7 +140,7 @@ static enum cr_err tell(struct cr_call *call, const struct cr_fit *fit, struct c
     struct cr_str text = {0};
     enum cr_err code = cr_fit_text(fit, &text, err);
     if (code == CR_ERR_OK) {
-        cr_session_lines(call->s, &text);
+        cr_session_lines(call->s, &text, false);
         code = write_file(call, fit, err);
     }
     cr_str_fini(&text);

@@ -158,7 +158,7 @@ static void say_term(struct cr_session *s, const struct term *t) {
             cr_help_fold(&page, texts[i], 11, 11);
         }
     }
-    cr_session_lines(s, &page);
+    cr_session_lines(s, &page, false);
     cr_str_fini(&page);
 }
 
@@ -183,7 +183,7 @@ static void say_units(struct cr_session *s) {
     cr_str_add(&page,
                "Angles are counter-clockwise from x (east) but for the PDOF, which is clockwise "
                "from\nahead.\n");
-    cr_session_lines(s, &page);
+    cr_session_lines(s, &page, false);
     cr_str_fini(&page);
 }
 

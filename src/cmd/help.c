@@ -204,7 +204,7 @@ static enum cr_err explain(struct cr_call *call, const char *name, struct cr_err
         return cr_cmd_blame(call, "COMMAND", CR_ERR_NAME);
     }
     cr_command_help(cmd, &page);
-    cr_session_lines(s, &page);
+    cr_session_lines(s, &page, false);
     cr_str_fini(&page);
     if (whole) {
         cr_glossary_say(s, name);

@@ -176,7 +176,7 @@ static enum cr_err tell(struct cr_call *call, const struct cr_mc *mc, const stru
     const struct cr_mc_words words = {call->s->units, call->s->opts.look.ascii};
     enum cr_err code = cr_mc_text(mc, all ? NULL : plot, &words, &text, err);
     if (code == CR_ERR_OK) {
-        cr_session_lines(call->s, &text);
+        cr_session_lines(call->s, &text, false);
         code = write_file(call, mc, err);
     }
     cr_str_fini(&text);

@@ -60,14 +60,15 @@ static double shown_per_si(const char *unit, int kind) {
 }
 
 /* The column that was named; else that of the quantity ("ax_g", "v_kmh" ...) where there is one;
- * else the first beside the time. */
-static enum cr_err load_measured(struct cr_call *call, const char *path, int kind,
+ * else the first beside the time, or of a crash test the acceleration of participant `of`. */
+static enum cr_err load_measured(struct cr_call *call, const char *path, int of, int kind,
                                  struct cr_signal *out, struct cr_error *err) {
-    const char *column = cr_cmd_text(call, "column", NULL);
+    struct cr_signal_pick pick = {cr_cmd_text(call, "column", NULL), of + 1,
+                                  kinds[kind].of == CR_QUANTITY_AY};
     char word[16], name[40];
     int n = 0;
-    if (column != NULL) {
-        return cr_signal_load(path, column, out, err);
+    if (pick.column != NULL) {
+        return cr_signal_load_any(path, &pick, out, err);
     }
     cr_cmd_word_at(call->cmd->arg[cr_cmd_arg(call, "QUANTITY") - call->value].words, kind, word,
                    sizeof word);
@@ -79,14 +80,19 @@ static enum cr_err load_measured(struct cr_call *call, const char *path, int kin
         }
     }
     name[n] = '\0';
-    enum cr_err code = cr_signal_load(path, name, out, err);
-    return code == CR_ERR_OK || code == CR_ERR_MEMORY ? code : cr_signal_load(path, NULL, out, err);
+    pick.column = name;
+    enum cr_err code = cr_signal_load_any(path, &pick, out, err);
+    if (code != CR_ERR_OK && code != CR_ERR_MEMORY) {
+        pick.column = NULL;
+        code = cr_signal_load_any(path, &pick, out, err);
+    }
+    return code;
 }
 
 /* the curve in ms and in the unit of the plot */
-static enum cr_err read_measured(struct cr_call *call, const char *path, int kind,
+static enum cr_err read_measured(struct cr_call *call, const char *path, int of, int kind,
                                  struct cr_signal *out, struct cr_error *err) {
-    enum cr_err code = load_measured(call, path, kind, out, err);
+    enum cr_err code = load_measured(call, path, of, kind, out, err);
     if (code != CR_ERR_OK) {
         return code;
     }
@@ -340,7 +346,8 @@ enum cr_err cr_cmd_pulse(struct cr_call *call, struct cr_error *err) {
     if (path != NULL) {
         char buf[2 * CR_PATH_MAX];
         const char *found = cr_session_find_file(s, path, buf, sizeof buf);
-        code = read_measured(call, found, what.kind, &measured, err);
+        code =
+            read_measured(call, found, what.only >= 0 ? what.only : 0, what.kind, &measured, err);
         if (code != CR_ERR_OK) {
             return cr_cmd_blame(call, "vs", code);
         }

@@ -201,12 +201,18 @@ void cr_warn(struct cr_session *s, const char *fmt, ...) {
     say_shown(s, CR_TONE_WARN, buf);
 }
 
-void cr_session_lines(struct cr_session *s, const struct cr_str *lines) {
+void cr_session_lines(struct cr_session *s, const struct cr_str *lines, bool in_units) {
     const char *text = cr_str_get(lines);
     s->lost = s->lost || lines->failed;
     while (*text != '\0') {
+        char line[TEXT_MAX];
         int n = (int)strcspn(text, "\n");
-        cr_say(s, "%.*s", n, text);
+        snprintf(line, sizeof line, "  %.*s", n, text);
+        if (in_units) {
+            cr_session_text(s, CR_TONE_ANSWER, line);
+        } else {
+            say_shown(s, CR_TONE_ANSWER, line);
+        }
         text += n + (text[n] == '\n');
     }
 }

@@ -228,7 +228,7 @@ static enum cr_err check_robust(struct cr_call *call, struct cr_error *err) {
     struct cr_str text = {0};
     cr_robust_end(s->result);
     cr_render_robust(s->result, &text);
-    cr_session_lines(s, &text);
+    cr_session_lines(s, &text, false);
     cr_str_fini(&text);
     for (int i = before; i < s->result->warnings; i++) {
         cr_warn(s, "%s", s->result->warning[i]);

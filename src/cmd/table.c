@@ -259,8 +259,8 @@ static const struct cr_arg pulse_args[] = {
     OPTION("QUANTITY", CR_VALUE_WORD,
            .words = "a|ax|ay|v|vx|vy|yaw|yawrate|yawacc|x|y|force|energy", .def = "a",
            .help = "what is drawn over the time"),
-    KEY("vs", CR_VALUE_FILE, .words = ".csv",
-        .help = "measured curve over the time; units as in t_ms, ax_g, v_kmh"),
+    KEY("vs", CR_VALUE_FILE, .words = ".csv|.EV5|.mme|.001",
+        .help = "measured curve over the time; units as in t_ms, ax_g, v_kmh; or a crash test"),
     KEY("column", CR_VALUE_TEXT, .help = "its column; else that of the quantity, or the first"),
     KEY("filter", CR_VALUE_WORD, .words = "none|cfc60|cfc180|cfc600|cfc1000", .def = "cfc60",
         .help = "channel class of SAE J211, of accelerations"),
@@ -275,15 +275,15 @@ static const struct cr_arg explain_args[] = {
 };
 
 static const struct cr_arg compare_args[] = {
-    OPTION("FILE", CR_VALUE_FILE, .words = ".json|.csv",
-           .help = "measured values, or another result"),
+    OPTION("FILE", CR_VALUE_FILE, .words = ".json|.csv|.EV5|.mme|.001",
+           .help = "measured values, a curve, a crash test (or its folder), or another result"),
     REST("EVIDENCE=VALUE ...", CR_VALUE_TEXT,
          .help = "in place of a file, as fit takes it: rest.A=12,3m, dv.B=43+-4km/h, "
                  "crush.A=12,14,20,22,18,10cm ..."),
     KEY("within", CR_VALUE_NUMBER, .unit = "%", .lo = 0, .hi = 1000,
         .help = "largest error of a value that passes; of evidence, share of its tolerance"),
     KEY("of", CR_VALUE_NAME, .help = "whose pulse, where more than one moves"),
-    KEY("column", CR_VALUE_TEXT, .help = "column of the pulse; else the first beside the time"),
+    KEY("column", CR_VALUE_TEXT, .help = "of the pulse, or channel; else the first, or at the CG"),
     KEY("axis", CR_VALUE_WORD, .words = "forward|left", .def = "forward", .help = "of the pulse"),
     KEY("sign", CR_VALUE_WORD, .words = "plus|minus", .def = "plus",
         .help = "minus where rearward or right is positive"),

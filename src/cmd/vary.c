@@ -199,3 +199,9 @@ double cr_vary_now(struct cr_session *s, const struct cr_vary *var) {
     bool known = cr_measure_eval(s, full, &now, NULL) == CR_ERR_OK && !now.is_word;
     return known ? now.si : (double)NAN;
 }
+
+enum cr_err cr_cmd_evidence(const struct cr_token *word, const struct cr_scene *scene,
+                            struct cr_fit_evidence *evidence, struct cr_error *err) {
+    return word->kind == CR_TOKEN_PAIR ? cr_fit_add(evidence, scene, word->key, word->text, err)
+                                       : cr_fit_add(evidence, scene, word->text, NULL, err);
+}

@@ -1,8 +1,9 @@
-/* Inputs by name that a sweep, draws and a search can vary. */
+/* Inputs by name that a sweep, draws and a search can vary, and evidence as it is typed. */
 #ifndef CR_CMD_VARY_H
 #define CR_CMD_VARY_H
 
 #include "cmd/cmd_priv.h"
+#include "study/fit.h"
 
 struct cr_vary {
     struct cr_sweep_key key; /* name NULL: none */
@@ -30,5 +31,9 @@ enum cr_err cr_vary_settle(struct cr_state *state, const struct cr_model_lib *mo
                            struct cr_error *err);
 /* The value it has in the scene of the session, SI; NaN where it is left to be assumed. */
 double cr_vary_now(struct cr_session *s, const struct cr_vary *var);
+
+/* What was measured, a word EVIDENCE=VALUE of fit and compare. Errors: those of cr_fit_add. */
+enum cr_err cr_cmd_evidence(const struct cr_token *word, const struct cr_scene *scene,
+                            struct cr_fit_evidence *evidence, struct cr_error *err);
 
 #endif

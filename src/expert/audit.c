@@ -48,9 +48,7 @@ static enum cr_err audit(char **argv, int n, const struct options *opt, bool *sa
         code = cr_cli_open(&shared, CR_CLI_NEEDED, err);
     }
     if (code == CR_ERR_OK) {
-        struct cr_cli_work work;
-        const struct cr_context ctx = cr_cli_context(&shared, &opt->budget, &work);
-        code = cr_result_run(&scene, &ctx, &result, err);
+        code = cr_cli_solve(&shared, &opt->budget, &scene, &result, err);
     }
     if (code == CR_ERR_OK) {
         code =

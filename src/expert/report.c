@@ -72,7 +72,7 @@ static enum cr_err check_out(const struct options *opt, struct cr_error *err) {
         cr_err_hint(err, "for example: crumple report SCENE.json -o report.html");
         return CR_ERR_USAGE;
     }
-    return pdf && !cr_canvas_has_cairo() ? cr_canvas_pdf(NULL, 0, NULL, NULL, err) : CR_ERR_OK;
+    return pdf ? cr_canvas_need_cairo(err) : CR_ERR_OK;
 }
 
 static enum cr_err read_input(struct work *w, const char *path, const char *name,

@@ -11,8 +11,9 @@
 #include <cairo-pdf.h>
 #include <cairo.h>
 
-bool cr_canvas_has_cairo(void) {
-    return true;
+enum cr_err cr_canvas_need_cairo(struct cr_error *err) {
+    (void)err;
+    return CR_ERR_OK;
 }
 
 static cairo_status_t append(void *out, const unsigned char *data, unsigned n) {
@@ -196,12 +197,9 @@ enum cr_err cr_canvas_png(const struct cr_canvas *c, double dpi, struct cr_str *
 
 #else
 
-bool cr_canvas_has_cairo(void) {
-    return false;
-}
-
-static enum cr_err missing(const char *what, struct cr_error *err) {
-    cr_err_set(err, CR_ERR_USAGE, "this build writes no %s: it was configured without cairo", what);
+enum cr_err cr_canvas_need_cairo(struct cr_error *err) {
+    cr_err_set(err, CR_ERR_USAGE,
+               "this build writes neither PDF nor PNG: it was configured without cairo");
     cr_err_hint(err, "install libcairo2-dev and build again, or give the file the suffix .svg "
                      "(a report: .html)");
     return CR_ERR_USAGE;
@@ -211,12 +209,12 @@ enum cr_err cr_canvas_pdf(struct cr_canvas *const *page, int pages,
                           const struct cr_pdf_about *about, struct cr_str *out,
                           struct cr_error *err) {
     (void)page, (void)pages, (void)about, (void)out;
-    return missing("PDF", err);
+    return cr_canvas_need_cairo(err);
 }
 
 enum cr_err cr_canvas_png(const struct cr_canvas *c, double dpi, struct cr_str *out,
                           struct cr_error *err) {
     (void)c, (void)dpi, (void)out;
-    return missing("PNG", err);
+    return cr_canvas_need_cairo(err);
 }
 #endif

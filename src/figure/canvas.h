@@ -90,6 +90,7 @@ CR_MUST_CHECK enum cr_err cr_canvas_pdf(struct cr_canvas *const *page, int pages
                                         struct cr_error *err);
 CR_MUST_CHECK enum cr_err cr_canvas_png(const struct cr_canvas *canvas, double dpi,
                                         struct cr_str *out, struct cr_error *err);
-bool cr_canvas_has_cairo(void);
+/* Whether they can be written here, before any work is done for them. The same errors. */
+CR_MUST_CHECK enum cr_err cr_canvas_need_cairo(struct cr_error *err);
 
 #endif

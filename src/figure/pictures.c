@@ -423,10 +423,7 @@ enum cr_err cr_picture_may_write(const char *path, struct cr_error *err) {
         cr_err_hint(err, "for example crash.svg");
         return CR_ERR_USAGE;
     }
-    /* the format itself says which package is missing */
-    return cr_canvas_has_cairo() || format == CR_FORMAT_SVG
-               ? CR_ERR_OK
-               : cr_picture_text(NULL, (enum cr_picture_format)format, NULL, NULL, err);
+    return format == CR_FORMAT_SVG ? CR_ERR_OK : cr_canvas_need_cairo(err);
 }
 
 enum cr_err cr_picture_write(struct cr_canvas *canvas, const char *path, const char *title,

@@ -4,13 +4,13 @@
  * Meanings of fields by their place, matched by their count and by the values of tests 10146 and
  * 7292. The impact angle is taken as the bearing, clockwise from ahead of the struck, of where the
  * blow comes from: so the classification of test 7292 has it, and the side pole tests. */
-#include "import/ev5_priv.h"
-
 #include "base/file.h"
 #include "base/number.h"
 #include "base/tree.h"
 #include "base/units.h"
-#include "import/channel.h"
+#include "import/reader.h"
+#include "result/channel.h"
+#include "result/ev5.h"
 
 #include <cjson/cJSON.h>
 #include <math.h>
@@ -32,16 +32,6 @@ enum { /* VEHICLE */
        V_DPD = 48,
        V_CRUSH = 57
 };
-enum { /* INSTRUMENTATION */
-       I_VEHICLE = 1,
-       I_CURVE = 2,
-       I_TYPE = 3,
-       I_OCCUPANT = 4,
-       I_ATTACHMENT = 5,
-       I_AXIS = 6,
-       I_UNIT = 8,
-       I_STATUS = 18
-};
 /* diameter of the rigid pole of side tests, m */
 static const double pole = 0.254;
 /* s before the outlines meet, about */
@@ -49,12 +39,13 @@ static const double before = 0.2;
 /* s that a channel must reach beyond 0 to hold the crash */
 static const double whole_crash = 0.05;
 
+enum { VEHICLES = 2 };
+
 struct test {
     struct cr_import *im;
     struct cr_ev5 ev5;
-    const struct cr_ev5_record *test, *vehicle[CR_EV5_VEHICLES];
-    struct cr_participant *car[CR_EV5_VEHICLES];
-    char part[CR_EV5_VEHICLES][16];
+    const struct cr_ev5_record *test, *vehicle[VEHICLES];
+    struct cr_participant *car[VEHICLES];
     int n;
     double angle, offset; /* rad clockwise, m */
     cJSON *expect, *channels;
@@ -86,8 +77,9 @@ static enum cr_err add_vehicle(struct test *t, const struct cr_ev5_record *r,
     };
     struct cr_participant *p;
     int i = t->n;
-    snprintf(t->part[i], sizeof t->part[i], "V%.10s", cr_ev5_text(r, V_NUMBER));
-    enum cr_err code = cr_import_add(t->im, t->part[i], CR_KIND_VEHICLE, &p, err);
+    char id[16];
+    snprintf(id, sizeof id, "V%.10s", cr_ev5_text(r, V_NUMBER));
+    enum cr_err code = cr_import_add(t->im, id, CR_KIND_VEHICLE, &p, err);
     for (size_t k = 0; k < sizeof values / sizeof values[0] && code == CR_ERR_OK; k++) {
         double x;
         code = cr_ev5_number(&t->ev5, r, values[k].field, false, &x, err);
@@ -216,52 +208,27 @@ static enum cr_err expect_crush(struct test *t, int i, cJSON *to, struct cr_erro
     return code;
 }
 
-/* The channel of a vehicle's acceleration along an axis ('X', 'Y'), at the CG before elsewhere. */
-static const struct cr_ev5_record *find_channel(const struct test *t, int i, char axis) {
-    static const char *const best[] = {"VECG", "SEAT", "FLOR", ""};
-    const char *number = cr_ev5_text(t->vehicle[i], V_NUMBER);
-    for (int k = 0; k < 4; k++) {
-        const struct cr_ev5_record *r;
-        for (int j = 0; (r = cr_ev5_find(&t->ev5, "INSTRUMENTATION", j)) != NULL; j++) {
-            const char *occupant = cr_ev5_text(r, I_OCCUPANT), *at = cr_ev5_text(r, I_ATTACHMENT);
-            bool of_car = strcmp(occupant, "NA") == 0 || strcmp(occupant, "00") == 0;
-            if (of_car && strcmp(cr_ev5_text(r, I_VEHICLE), number) == 0 &&
-                strcmp(cr_ev5_text(r, I_TYPE), "AC") == 0 && cr_ev5_text(r, I_AXIS)[0] == axis &&
-                strcmp(cr_ev5_text(r, I_STATUS), "AM") == 0 && strcmp(at, best[k]) == 0) {
-                return r;
-            }
-        }
-    }
-    return NULL;
-}
-
 static void list_channel(struct test *t, int i, const struct cr_ev5_record *r, const char *file) {
     cJSON *c = cJSON_CreateObject();
     const char *slash = strrchr(file, '/');
-    cr_tree_text(c, "participant", t->part[i]);
+    cr_tree_text(c, "participant", t->car[i]->id);
     cr_tree_text(c, "file", slash != NULL ? slash + 1 : file);
-    cr_tree_text(c, "attachment", cr_ev5_text(r, I_ATTACHMENT));
-    cr_tree_text(c, "axis", cr_ev5_text(r, I_AXIS));
-    cr_tree_text(c, "unit", cr_ev5_text(r, I_UNIT));
+    cr_tree_text(c, "attachment", cr_ev5_text(r, CR_EV5_ATTACHMENT));
+    cr_tree_text(c, "axis", cr_ev5_text(r, CR_EV5_AXIS));
+    cr_tree_text(c, "unit", cr_ev5_text(r, CR_EV5_UNIT));
     cr_tree_push(t->channels, c);
 }
 
-/* NHTSA's x is forward, y to the right. Errors: those of the file, if it is there. */
+/* NHTSA's x is forward, y to the right. Errors: those of the file, if it is there; often only the
+ * file of the test is at hand. */
 static enum cr_err load_channel(struct test *t, int i, const struct cr_ev5_record *r,
                                 struct cr_channel *ch, struct cr_error *err) {
     char file[CR_PATH_MAX + 16], *text = NULL;
-    size_t len, stem = strlen(t->im->path);
-    const char *dot = strrchr(t->im->path, '.'), *slash = strrchr(t->im->path, '/');
-    const struct cr_unit *unit = cr_unit_spelled(cr_ev5_text(r, I_UNIT), CR_DIM_ACCELERATION);
+    size_t len;
+    const struct cr_unit *unit = cr_unit_spelled(cr_ev5_text(r, CR_EV5_UNIT), CR_DIM_ACCELERATION);
     *ch = (struct cr_channel){.n = 0};
-    stem = dot != NULL && (slash == NULL || dot > slash) ? (size_t)(dot - t->im->path) : stem;
-    long number = strtol(cr_ev5_text(r, I_CURVE), NULL, 10);
-    if (unit == NULL || stem > CR_PATH_MAX || number < 1 || number > 9999) {
+    if (unit == NULL || !cr_ev5_file(t->im->path, r, file, sizeof file)) {
         return CR_ERR_OK;
-    }
-    snprintf(file, sizeof file, "%.*s.%03ld", (int)stem, t->im->path, number);
-    if (cr_file_check_regular(file, NULL) != CR_ERR_OK) {
-        return CR_ERR_OK; /* often only the file of the test is at hand */
     }
     enum cr_err code = cr_file_read_regular(file, &text, &len, err);
     code = code == CR_ERR_OK ? cr_channel_pairs(text, file, ch, err) : code;
@@ -274,7 +241,9 @@ static enum cr_err load_channel(struct test *t, int i, const struct cr_ev5_recor
 }
 
 static enum cr_err expect_delta_v(struct test *t, int i, cJSON *to, struct cr_error *err) {
-    const struct cr_ev5_record *x = find_channel(t, i, 'X'), *y = find_channel(t, i, 'Y');
+    const char *number = cr_ev5_text(t->vehicle[i], V_NUMBER);
+    const struct cr_ev5_record *x = cr_ev5_accel(&t->ev5, number, 'X');
+    const struct cr_ev5_record *y = cr_ev5_accel(&t->ev5, number, 'Y');
     struct cr_channel cx = {.n = 0}, cy = {.n = 0};
     enum cr_err code = x != NULL ? load_channel(t, i, x, &cx, err) : CR_ERR_OK;
     code = code == CR_ERR_OK && y != NULL ? load_channel(t, i, y, &cy, err) : code;
@@ -284,8 +253,8 @@ static enum cr_err expect_delta_v(struct test *t, int i, cJSON *to, struct cr_er
         double dv = cr_kmh(cr_channel_integral(&cx, at));
         cr_tree_number(to, "delta_v_forward_kmh", cr_round_decimals(dv, 2));
     } else if (code == CR_ERR_OK && cx.n > 0) {
-        cr_import_note(t->im, "%s: channel %s is too short for a delta-v", t->part[i],
-                       cr_ev5_text(x, I_CURVE));
+        cr_import_note(t->im, "%s: channel %s is too short for a delta-v", t->car[i]->id,
+                       cr_ev5_text(x, CR_EV5_CURVE));
     }
     if (code == CR_ERR_OK && crash && cy.n > 0 && cy.t[cy.n - 1] >= at) {
         double dv = -cr_kmh(cr_channel_integral(&cy, at));
@@ -301,7 +270,7 @@ static enum cr_err measured(struct test *t, cJSON *extra, struct cr_error *err) 
     t->expect = cr_tree_object(extra, "x_expect");
     t->channels = cr_tree_array(extra, "x_channels");
     for (int i = 0; i < t->n && code == CR_ERR_OK; i++) {
-        cJSON *to = cr_tree_object(t->expect, t->part[i]);
+        cJSON *to = cr_tree_object(t->expect, t->car[i]->id);
         code = expect_crush(t, i, to, err);
         code = code == CR_ERR_OK ? expect_delta_v(t, i, to, err) : code;
     }
@@ -312,7 +281,7 @@ static enum cr_err measured(struct test *t, cJSON *extra, struct cr_error *err) 
 
 static enum cr_err read_case(struct test *t, struct cr_error *err) {
     enum cr_err code = CR_ERR_OK;
-    for (int k = 0; k < CR_EV5_VEHICLES && code == CR_ERR_OK; k++) {
+    for (int k = 0; k < VEHICLES && code == CR_ERR_OK; k++) {
         const struct cr_ev5_record *r = cr_ev5_find(&t->ev5, "VEHICLE", k);
         code = r != NULL ? add_vehicle(t, r, err) : CR_ERR_OK;
     }
@@ -346,7 +315,10 @@ enum cr_err cr_import_ev5_read(struct cr_import *im, struct cr_error *err) {
     char *text, name[64];
     size_t len;
     enum cr_err code = cr_file_read(im->path, &text, &len, err);
-    code = code == CR_ERR_OK ? cr_ev5_parse(text, im->shown, &t.ev5, err) : code;
+    if (code == CR_ERR_OK) {
+        code = cr_ev5_parse(text, im->shown, &t.ev5, err);
+        free(text);
+    }
     if (code != CR_ERR_OK) {
         goto out;
     }

@@ -1,18 +1,17 @@
 noinst_LIBRARIES += libimport.a
 libimport_a_SOURCES = \
 	src/import/case.c \
-	src/import/channel.c src/import/channel.h \
 	src/import/commonroad.c \
 	src/import/contact.c \
 	src/import/csv.c \
 	src/import/edr.c \
 	src/import/erg.c src/import/erg_info.c src/import/erg_priv.h \
 	src/import/esmini.c \
-	src/import/ev5.c src/import/ev5_priv.h src/import/ev5_record.c \
+	src/import/ev5.c \
 	src/import/folder.c \
 	src/import/formula.c src/import/formula.h \
 	src/import/import.c src/import/import.h src/import/import_priv.h \
-	src/import/mme.c src/import/mme_priv.h src/import/mme_text.c \
+	src/import/mme.c \
 	src/import/options.c \
 	src/import/output.c \
 	src/import/part.c \

@@ -1,8 +1,8 @@
 /* Crash tests in ISO-MME (ISO/TS 13499): a folder with TEST.mme, which says what met what, and the
  * channels in Channel/. A test of one vehicle before a fixed barrier or pole, or of two vehicles
  * front to front, becomes a scene; what was measured goes with it as x_expect. */
-#include "import/mme_priv.h"
 #include "import/reader.h"
+#include "result/mme.h"
 
 #include "base/csv.h"
 #include "base/file.h"
@@ -19,7 +19,7 @@
 #include <string.h>
 #include <strings.h>
 
-enum { OBJECTS = 9, CHANNELS_MAX = 5000 };
+enum { OBJECTS = 9 };
 static const double before = 0.2;       /* s before the outlines meet, about */
 static const double pole = 0.254;       /* m, of the usual rigid pole */
 static const double whole_crash = 0.05; /* s that a channel must reach beyond 0 */
@@ -50,17 +50,6 @@ static int ends(const char *name, const char *with) {
 
 static int is_mme(const struct dirent *entry) {
     return ends(entry->d_name, ".mme");
-}
-
-static int is_channel(const struct dirent *entry) {
-    size_t n = strlen(entry->d_name);
-    const char *dot = strrchr(entry->d_name, '.');
-    return dot != NULL && n > 4 && strspn(dot + 1, "0123456789") == strlen(dot + 1) &&
-           strlen(dot + 1) >= 3;
-}
-
-static int is_channel_folder(const struct dirent *entry) {
-    return strcasecmp(entry->d_name, "Channel") == 0;
 }
 
 static void forget(struct dirent **entry, int n) {
@@ -331,15 +320,14 @@ static enum cr_err arrange(struct test *t, struct cr_error *err) {
 
 /* ---- channels ---- */
 
-/* the acceleration of a vehicle at its CG ahead or to the side: "10VEHCCG0000ACXC" */
-static bool of_cg(const char *code, char direction) {
-    return code[0] >= '1' && code[0] <= '9' && strlen(code) >= 15 &&
-           strncmp(code + 2, "VEHC", 4) == 0 && strncmp(code + 12, "AC", 2) == 0 &&
-           code[14] == direction;
-}
+struct measured {
+    struct test *t;
+    cJSON *expect, *list;
+};
 
-static enum cr_err use_channel(struct test *t, const char *path, const char *name, cJSON *expect,
-                               cJSON *list, struct cr_error *err) {
+static enum cr_err use_channel(void *user, const char *path, const char *name,
+                               struct cr_error *err) {
+    const struct measured *m = user;
     struct cr_mme_channel ch;
     char *text;
     size_t len;
@@ -351,22 +339,24 @@ static enum cr_err use_channel(struct test *t, const char *path, const char *nam
     free(text);
     const struct cr_unit *unit =
         code == CR_ERR_OK ? cr_unit_spelled(ch.unit, CR_DIM_ACCELERATION) : NULL;
-    bool x = of_cg(ch.code, 'X');
-    for (int i = 0; i < t->n && code == CR_ERR_OK && unit != NULL; i++) {
-        const struct object *o = &t->object[i];
-        if (o->p == NULL || ch.code[0] - '0' != o->number || !(x || of_cg(ch.code, 'Y'))) {
+    bool x = cr_mme_is_accel(ch.code, 'X');
+    for (int i = 0; i < m->t->n && code == CR_ERR_OK && unit != NULL; i++) {
+        const struct object *o = &m->t->object[i];
+        if (o->p == NULL || ch.code[0] - '0' != o->number ||
+            !(x || cr_mme_is_accel(ch.code, 'Y'))) {
             continue;
         }
-        cJSON *item = cJSON_CreateObject(), *own = cJSON_GetObjectItemCaseSensitive(expect, o->id);
+        cJSON *item = cJSON_CreateObject();
+        cJSON *own = cJSON_GetObjectItemCaseSensitive(m->expect, o->id);
         cr_tree_text(item, "participant", o->id);
         cr_tree_text(item, "file", name);
         cr_tree_text(item, "code", ch.code);
         cr_tree_text(item, "unit", ch.unit);
-        cr_tree_push(list, item);
+        cr_tree_push(m->list, item);
         double at = cr_channel_furthest(&ch.samples);
         if (x && own == NULL && ch.samples.t[ch.samples.n - 1] >= whole_crash) {
             double dv = cr_kmh(cr_unit_to_si(unit, cr_channel_integral(&ch.samples, at)));
-            own = cr_tree_object(expect, o->id);
+            own = cr_tree_object(m->expect, o->id);
             cr_tree_number(own, "delta_v_forward_kmh", cr_round_decimals(dv, 2));
         }
     }
@@ -375,22 +365,8 @@ static enum cr_err use_channel(struct test *t, const char *path, const char *nam
 }
 
 static enum cr_err measured(struct test *t, cJSON *extra, struct cr_error *err) {
-    struct dirent **entry;
-    char dir[2 * CR_PATH_MAX] = "", path[4 * CR_PATH_MAX];
-    cJSON *expect = cr_tree_object(extra, "x_expect"), *list = cr_tree_array(extra, "x_channels");
-    enum cr_err code = CR_ERR_OK;
-    int n = scandir(t->dir, &entry, is_channel_folder, cr_file_by_bytes);
-    if (n > 0) {
-        snprintf(dir, sizeof dir, "%.511s/%.255s", t->dir, entry[0]->d_name);
-    }
-    forget(entry, n);
-    n = dir[0] != '\0' ? scandir(dir, &entry, is_channel, cr_file_by_bytes) : -1;
-    for (int i = 0; i < n && i < CHANNELS_MAX && code == CR_ERR_OK; i++) {
-        snprintf(path, sizeof path, "%.1000s/%.255s", dir, entry[i]->d_name);
-        code = use_channel(t, path, entry[i]->d_name, expect, list, err);
-    }
-    forget(entry, n);
-    return code;
+    struct measured m = {t, cr_tree_object(extra, "x_expect"), cr_tree_array(extra, "x_channels")};
+    return cr_mme_channels(t->dir, use_channel, &m, err);
 }
 
 /* ---- the test ---- */

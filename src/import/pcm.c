@@ -69,32 +69,48 @@ struct pcm {
 
 /* ---- what the database has ---- */
 
+static enum cr_err missing(struct pcm *m, int i, struct cr_error *err) {
+    bool table;
+    enum cr_err code = cr_sql_has(m->im, m->db, columns[i].table, NULL, &table, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    cr_err_set(err, CR_ERR_MISSING, "table %s %s%s", columns[i].table,
+               table ? "has no column " : "is not there", table ? columns[i].name[m->old] : "");
+    cr_err_place(err, m->im->shown, 0, 0);
+    cr_err_hint(err, "a PCM has participant_data and dynamics, see crumple-import(1)");
+    return CR_ERR_MISSING;
+}
+
 static enum cr_err find_columns(struct pcm *m, struct cr_error *err) {
-    bool v5 = cr_sql_has(m->db, "participant_data", "CASEID");
-    bool old = cr_sql_has(m->db, "participant_data", "FALL");
-    m->old = !v5 && old;
+    bool v5, old = false, there;
+    enum cr_err code = cr_sql_has(m->im, m->db, "participant_data", "CASEID", &v5, err);
+    if (code == CR_ERR_OK && !v5) {
+        code = cr_sql_has(m->im, m->db, "participant_data", "FALL", &old, err);
+    }
+    m->old = old;
     cr_import_format(m->im, m->old ? "PCM v4" : "PCM v5");
-    for (int i = 0; i < COLUMNS; i++) {
+    for (int i = 0; i < COLUMNS && code == CR_ERR_OK; i++) {
         const char *name = columns[i].name[m->old];
-        bool there = name != NULL && cr_sql_has(m->db, columns[i].table, name);
+        there = false;
+        if (name != NULL) {
+            code = cr_sql_has(m->im, m->db, columns[i].table, name, &there, err);
+        }
         m->of[i] = there ? name : "NULL";
-        if (columns[i].needed && !there) {
-            bool table = cr_sql_has(m->db, columns[i].table, NULL);
-            cr_err_set(err, CR_ERR_MISSING, "table %s %s%s", columns[i].table,
-                       table ? "has no column " : "is not there", table ? name : "");
-            cr_err_place(err, m->im->shown, 0, 0);
-            cr_err_hint(err, "a PCM has participant_data and dynamics, see crumple-import(1)");
-            return CR_ERR_MISSING;
+        if (code == CR_ERR_OK && columns[i].needed && !there) {
+            code = missing(m, i, err);
         }
     }
-    return CR_ERR_OK;
+    return code;
 }
 
 /* Both streams go through the cases in one order, numbered, so that each table is sorted once. */
 static enum cr_err open_streams(struct pcm *m, struct cr_error *err) {
     struct cr_str parts = {0}, rows = {0};
     const char *id = m->of[CASE];
-    bool shape = !m->old && cr_sql_has(m->db, "participant_shape", "X");
+    bool shape = false;
+    enum cr_err code =
+        m->old ? CR_ERR_OK : cr_sql_has(m->im, m->db, "participant_shape", "X", &shape, err);
     static const char numbers[] =
         "(SELECT %s AS k, row_number() OVER (ORDER BY %s) AS n FROM (SELECT DISTINCT %s FROM "
         "participant_data)) AS c";
@@ -118,7 +134,7 @@ static enum cr_err open_streams(struct pcm *m, struct cr_error *err) {
     cr_str_addf(&rows, numbers, id, id, id);
     cr_str_addf(&rows, " JOIN dynamics AS d ON d.%s = c.k ORDER BY c.n, d.%s, d.%s", m->of[D_CASE],
                 m->of[T], m->of[D_PART]);
-    enum cr_err code = cr_sql_prepare(m->im, m->db, &parts, &m->parts, err);
+    code = code == CR_ERR_OK ? cr_sql_prepare(m->im, m->db, &parts, &m->parts, err) : code;
     code = code == CR_ERR_OK ? cr_sql_prepare(m->im, m->db, &rows, &m->rows, err) : code;
     cr_str_fini(&parts);
     cr_str_fini(&rows);

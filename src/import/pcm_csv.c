@@ -58,19 +58,20 @@ static enum cr_err make_table(struct cr_import *im, sqlite3 *db, const char *nam
 }
 
 /* numbers as such, so that times are sorted as numbers; empty fields as none */
-static void bind(sqlite3_stmt *stmt, int i, const char *cell, bool comma) {
+static bool bind(sqlite3_stmt *stmt, int i, const char *cell, bool comma) {
     double x;
     if (cell[0] == '\0') {
-        sqlite3_bind_null(stmt, i);
-    } else if (strlen(cell) < 16 && strspn(cell, "0123456789") == strlen(cell)) {
+        return sqlite3_bind_null(stmt, i) == SQLITE_OK;
+    }
+    if (strlen(cell) < 16 && strspn(cell, "0123456789") == strlen(cell)) {
         long long whole = 0;
         sscanf(cell, "%lld", &whole);
-        sqlite3_bind_int64(stmt, i, whole);
-    } else if (cr_csv_scan(cell, comma, &x)) {
-        sqlite3_bind_double(stmt, i, x);
-    } else {
-        sqlite3_bind_text(stmt, i, cell, -1, SQLITE_TRANSIENT);
+        return sqlite3_bind_int64(stmt, i, whole) == SQLITE_OK;
     }
+    if (cr_csv_scan(cell, comma, &x)) {
+        return sqlite3_bind_double(stmt, i, x) == SQLITE_OK;
+    }
+    return sqlite3_bind_text(stmt, i, cell, -1, SQLITE_TRANSIENT) == SQLITE_OK;
 }
 
 static enum cr_err fill(struct cr_import *im, sqlite3 *db, sqlite3_stmt *stmt, struct cr_csv *csv,
@@ -79,7 +80,9 @@ static enum cr_err fill(struct cr_import *im, sqlite3 *db, sqlite3_stmt *stmt, s
     bool row, none;
     while ((code = cr_csv_next(csv, &row, err)) == CR_ERR_OK && row) {
         for (int i = 0; i < cr_csv_columns(csv); i++) {
-            bind(stmt, i + 1, cr_csv_cell(csv, i), cr_csv_comma(csv));
+            if (!bind(stmt, i + 1, cr_csv_cell(csv, i), cr_csv_comma(csv))) {
+                return cr_err_set(err, CR_ERR_MEMORY, "no memory for the database");
+            }
         }
         code = cr_sql_step(im, db, stmt, &none, err);
         sqlite3_reset(stmt);

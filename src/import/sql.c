@@ -76,21 +76,6 @@ enum cr_err cr_sql_open(struct cr_import *im, const char *path, sqlite3 **out,
     return CR_ERR_OK;
 }
 
-bool cr_sql_has(sqlite3 *db, const char *table, const char *column) {
-    sqlite3_stmt *stmt = NULL;
-    bool found = false;
-    if (sqlite3_prepare_v2(db, "SELECT name FROM pragma_table_info(?1)", -1, &stmt, NULL) ==
-            SQLITE_OK &&
-        sqlite3_bind_text(stmt, 1, table, -1, SQLITE_STATIC) == SQLITE_OK) {
-        while (!found && sqlite3_step(stmt) == SQLITE_ROW) {
-            const char *name = (const char *)sqlite3_column_text(stmt, 0);
-            found = column == NULL || (name != NULL && sqlite3_stricmp(name, column) == 0);
-        }
-    }
-    sqlite3_finalize(stmt);
-    return found;
-}
-
 enum cr_err cr_sql_prepare(struct cr_import *im, sqlite3 *db, const struct cr_str *text,
                            sqlite3_stmt **out, struct cr_error *err) {
     if (text->failed) {
@@ -103,9 +88,31 @@ enum cr_err cr_sql_prepare(struct cr_import *im, sqlite3 *db, const struct cr_st
 
 enum cr_err cr_sql_step(struct cr_import *im, sqlite3 *db, sqlite3_stmt *stmt, bool *row,
                         struct cr_error *err) {
-    int status = sqlite3_step(stmt);
+    /* what a text of the row before had no memory for is told here: it read as an empty one */
+    bool short_of_memory = sqlite3_errcode(db) == SQLITE_NOMEM;
+    int status = short_of_memory ? SQLITE_NOMEM : sqlite3_step(stmt);
     *row = status == SQLITE_ROW;
     return status == SQLITE_ROW || status == SQLITE_DONE ? CR_ERR_OK : fault(im, db, err);
+}
+
+enum cr_err cr_sql_has(struct cr_import *im, sqlite3 *db, const char *table, const char *column,
+                       bool *there, struct cr_error *err) {
+    sqlite3_stmt *stmt = NULL;
+    bool row = true;
+    enum cr_err code = CR_ERR_OK;
+    *there = false;
+    if (sqlite3_prepare_v2(db, "SELECT name FROM pragma_table_info(?1)", -1, &stmt, NULL) !=
+            SQLITE_OK ||
+        sqlite3_bind_text(stmt, 1, table, -1, SQLITE_STATIC) != SQLITE_OK) {
+        code = fault(im, db, err);
+    }
+    while (code == CR_ERR_OK && row && !*there) {
+        code = cr_sql_step(im, db, stmt, &row, err);
+        const char *name = row ? (const char *)sqlite3_column_text(stmt, 0) : NULL;
+        *there = row && (column == NULL || (name != NULL && sqlite3_stricmp(name, column) == 0));
+    }
+    sqlite3_finalize(stmt);
+    return code;
 }
 
 #endif

@@ -12,8 +12,6 @@ struct sqlite3_stmt;
  * sqlite3_close also after an error. Errors: IO, SYNTAX, MEMORY. */
 CR_MUST_CHECK enum cr_err cr_sql_open(struct cr_import *im, const char *path, struct sqlite3 **out,
                                       struct cr_error *err);
-/* Whether there is the table and in it the column (NULL: any). */
-bool cr_sql_has(struct sqlite3 *db, const char *table, const char *column);
 CR_MUST_CHECK enum cr_err cr_sql_prepare(struct cr_import *im, struct sqlite3 *db,
                                          const struct cr_str *text, struct sqlite3_stmt **out,
                                          struct cr_error *err);
@@ -21,5 +19,8 @@ CR_MUST_CHECK enum cr_err cr_sql_prepare(struct cr_import *im, struct sqlite3 *d
  * EXPENSIVE, INTERRUPTED. */
 CR_MUST_CHECK enum cr_err cr_sql_step(struct cr_import *im, struct sqlite3 *db,
                                       struct sqlite3_stmt *stmt, bool *row, struct cr_error *err);
+/* Whether there is the table and in it the column (NULL: any). Errors: as cr_sql_step. */
+CR_MUST_CHECK enum cr_err cr_sql_has(struct cr_import *im, struct sqlite3 *db, const char *table,
+                                     const char *column, bool *there, struct cr_error *err);
 
 #endif

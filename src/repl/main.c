@@ -126,16 +126,10 @@ static enum cr_err run_sources(struct cr_session *s, int argc, char **argv, cons
     return code;
 }
 
-static void greet(struct cr_session *s, const char *state_dir) {
-    puts("Crumple: crash simulation by voxels. help lists the commands, Tab completes, ^D ends.");
-    if (cr_session_left_behind(state_dir)) {
-        puts("  An earlier session ended without being quit. Its scene: load --recover");
-    }
-    (void)s;
-}
-
 int cr_repl_main(int argc, char **argv, const char *data_dir, const char *cars_dir,
-                 enum cr_err (*report)(const struct cr_report_order *order, struct cr_error *err)) {
+                 enum cr_err (*report)(const struct cr_report_order *order, struct cr_error *err),
+                 enum cr_err (*ask)(struct cr_session *s, struct cr_terminal *t,
+                                    const char *state_dir)) {
     struct cr_repl_options o;
     struct cr_error err;
     char state_dir[1024] = "";
@@ -144,7 +138,7 @@ int cr_repl_main(int argc, char **argv, const char *data_dir, const char *cars_d
     if (status != 0) {
         return status;
     }
-    bool prompt = isatty(STDIN_FILENO) && isatty(STDOUT_FILENO) && (o.prompt || o.sources == 0);
+    bool prompt = ask != NULL && (o.prompt || o.sources == 0);
     struct cr_terminal t = {.progress = isatty(STDERR_FILENO) != 0};
     int max_seconds = o.max_seconds > 0 || prompt ? o.max_seconds : CR_MAX_SECONDS;
     if (prompt) {
@@ -167,10 +161,7 @@ int cr_repl_main(int argc, char **argv, const char *data_dir, const char *cars_d
     enum cr_err code = o.sources > 0 ? run_sources(s, argc, argv, data_dir) : CR_ERR_OK;
     /* -i stays also after ^C, to look at what a solve has left */
     if (prompt && (code == CR_ERR_OK || code == CR_ERR_INTERRUPTED) && !cr_session_over(s)) {
-        t.prompt = true;
-        cr_repl_interrupted = 0;
-        greet(s, state_dir);
-        code = cr_repl_prompt(s, &t, state_dir);
+        code = ask(s, &t, state_dir);
     } else if (!prompt && code == CR_ERR_OK && (o.sources == 0 || o.prompt)) {
         code = run_stream(s);
     }

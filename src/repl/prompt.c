@@ -155,6 +155,12 @@ static void joined(char *line) {
 
 enum cr_err cr_repl_prompt(struct cr_session *s, struct cr_terminal *t, const char *state_dir) {
     char file[1200] = "";
+    t->prompt = true;
+    cr_repl_interrupted = 0;
+    puts("Crumple: crash simulation by voxels. help lists the commands, Tab completes, ^D ends.");
+    if (cr_session_left_behind(state_dir)) {
+        puts("  An earlier session ended without being quit. Its scene: load --recover");
+    }
     struct cr_out out = cr_terminal_out(t);
     out.ask = ask;
     cr_session_set_out(s, &out);

@@ -42,8 +42,6 @@ struct cr_out cr_terminal_out(struct cr_terminal *t);
 struct cr_look cr_terminal_look(const char *color, bool ascii);
 void cr_terminal_size(int *width, int *height);
 
-/* The prompt, until quit or the end of input. */
-enum cr_err cr_repl_prompt(struct cr_session *s, struct cr_terminal *t, const char *state_dir);
 /* Installs completion by the session; NULL removes it. */
 void cr_repl_complete(struct cr_session *s);
 

@@ -2,6 +2,7 @@ noinst_LIBRARIES += libresult.a
 libresult_a_SOURCES = \
 	src/result/body.c \
 	src/result/budget.c \
+	src/result/channel.c src/result/channel.h \
 	src/result/cdc.c src/result/cdc.h \
 	src/result/corridor.c src/result/compare.c src/result/compare.h \
 	src/result/csv.c \
@@ -10,12 +11,15 @@ libresult_a_SOURCES = \
 	src/result/deform.c src/result/deform.h \
 	src/result/diff.c src/result/diff.h \
 	src/result/event.c src/result/event.h \
+	src/result/ev5.c src/result/ev5.h \
 	src/result/ees.c \
 	src/result/filter.c \
 	src/result/irf.c \
 	src/result/json.c src/result/json_priv.h src/result/json_severity.c \
 	src/result/measure.c \
+	src/result/measured.c \
 	src/result/measures.c src/result/measures.h \
+	src/result/mme.c src/result/mme.h \
 	src/result/names.c src/result/names.h \
 	src/result/outline.c \
 	src/result/planar.c src/result/planar.h \

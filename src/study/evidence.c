@@ -146,6 +146,11 @@ static enum cr_err add_measure(struct cr_fit_evidence *e, const struct cr_measur
 enum cr_err cr_fit_add(struct cr_fit_evidence *evidence, const struct cr_scene *scene,
                        const char *name, const char *value, struct cr_error *err) {
     char word[64];
+    if (value == NULL) {
+        cr_err_set(err, CR_ERR_SYNTAX, "'%.60s' is no EVIDENCE=VALUE", name);
+        cr_err_hint(err, CR_FIT_EVIDENCE_HINT);
+        return CR_ERR_SYNTAX;
+    }
     int part = split(scene, name, word, sizeof word);
     if (part < 0) {
         return unknown(scene, name, err);
@@ -172,8 +177,11 @@ double cr_fit_found(const struct cr_result *r, const struct cr_fit_target *t) {
     if (t->kind == CR_FIT_STATION) {
         return s->profile[t->index];
     }
-    const struct cr_sample *end = &r->solution->body[t->participant].rest;
-    return t->kind == CR_FIT_REST_X ? end->pos.x : end->pos.y;
+    const struct cr_outcome *o = &r->solution->body[t->participant];
+    if (!isfinite(o->t_rest)) { /* where the solve ended is no place of rest of one that moves */
+        return (double)NAN;
+    }
+    return t->kind == CR_FIT_REST_X ? o->rest.pos.x : o->rest.pos.y;
 }
 
 void cr_fit_bounds(const char *key, double now, double *lo, double *hi) {

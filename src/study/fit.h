@@ -21,7 +21,9 @@ struct cr_fit_target {
 /* Evidence as it is typed: "dv.A" and "43km/h" (or "43+-4km/h"), "ees.B", "depth.A", "crush.A" and
  * "12,14,20,22,18,10cm", "rest.A" and "12,3m", any other result of the table. Without a tolerance
  * that of the usual source is taken: 10 % of a recorder or a speed, 3 cm of a tape, 0.5 m of a
- * place of rest. Errors: NAME, TYPE, RANGE with a hint. */
+ * place of rest. A value of NULL is the word of somebody who left out the '='. Errors: SYNTAX,
+ * NAME, TYPE, RANGE with a hint. */
+#define CR_FIT_EVIDENCE_HINT "for example dv.A=43km/h or rest.A=12,3m"
 struct cr_fit_evidence {
     int n;
     struct cr_fit_target target[CR_FIT_TARGETS];
@@ -32,7 +34,8 @@ CR_MUST_CHECK enum cr_err cr_fit_add(struct cr_fit_evidence *evidence, const str
 
 /* What a result has of a measured number, SI; NaN where it has none. */
 double cr_fit_found(const struct cr_result *r, const struct cr_fit_target *target);
-/* Table of measured, tolerance and found; found[k] belongs to target[k]. */
+/* Table of measured, tolerance and found; found[k] belongs to target[k] and is told as "none" where
+ * it is NaN. */
 void cr_fit_evidence_text(const struct cr_fit_evidence *evidence, const double *found,
                           struct cr_str *out);
 

@@ -78,9 +78,14 @@ void cr_fit_evidence_text(const struct cr_fit_evidence *evidence, const double *
     cr_str_addf(out, "%-26s %9s %9s %9s  in tolerances\n", "evidence", "measured", "+-", "found");
     for (int k = 0; k < evidence->n; k++) {
         const struct cr_fit_target *t = &evidence->target[k];
-        cr_str_addf(out, "  %-24s %9.*f %9.*f %9.*f  %+5.1f  %s\n", t->name, t->decimals,
-                    in_unit(t->unit, t->value), t->decimals, in_unit(t->unit, t->half), t->decimals,
-                    in_unit(t->unit, found[k]), (found[k] - t->value) / t->half, t->unit->name);
+        cr_str_addf(out, "  %-24s %9.*f %9.*f ", t->name, t->decimals, in_unit(t->unit, t->value),
+                    t->decimals, in_unit(t->unit, t->half));
+        if (isfinite(found[k])) {
+            cr_str_addf(out, "%9.*f  %+5.1f  %s\n", t->decimals, in_unit(t->unit, found[k]),
+                        (found[k] - t->value) / t->half, t->unit->name);
+        } else {
+            cr_str_addf(out, "%9s  %5s  %s\n", "none", "-", t->unit->name);
+        }
     }
 }
 

@@ -144,7 +144,8 @@ static void catch_signals(void) {
 
 /* ---- curses ---- */
 
-static const char *no_screen(const char *name) {
+const char *cr_tui_refusal(void) {
+    const char *name = getenv("TERM");
     int status;
     if (name == NULL || name[0] == '\0' || strcmp(name, "dumb") == 0) {
         return "TERM is not set, or dumb";
@@ -156,13 +157,6 @@ static const char *no_screen(const char *name) {
     bool able = cup != NULL && cup != (char *)-1;
     del_curterm(cur_term);
     return able ? NULL : "this terminal cannot place the cursor";
-}
-
-const char *cr_tui_refusal(void) {
-    if (!isatty(STDIN_FILENO) || !isatty(STDOUT_FILENO)) {
-        return "";
-    }
-    return no_screen(getenv("TERM"));
 }
 
 /* a string of terminfo without its padding marks */

@@ -8,8 +8,7 @@
 
 struct cr_report_order;
 
-/* Why the full screen cannot be used here: one clause for a message, "" when standard input or
- * output is no terminal at all, so that nothing need be said; NULL when it can. */
+/* Why there is no full screen on this terminal: one clause for a message; NULL when there is. */
 const char *cr_tui_refusal(void);
 
 /* How it begins. */

@@ -26,6 +26,11 @@ for name in other third; do
     sed "s/\"name\": \"pole\"/\"name\": \"$name\", \"pair\": \"p\"/" pole.json | tr -d '\n'
     echo
 done >two.jsonl
+cat >pair.csv <<'END'
+id,type,mass_kg,face,field_length_m,pdof_deg,c1_m,c2_m,c3_m
+A,sedan,1600,front,1.4,0,0.3,0.33,0.3
+B,compact,1300,rear,1.2,,0.1,0.2,0.1
+END
 cat >all.crumple <<'END'
 load pole.json
 solve
@@ -69,16 +74,33 @@ faults() {
     empty "$f_name: $f_kind refused, $f_n of $f_calls" "$f_bad"
 }
 
-faults run memory "$step" - run pole.json
-faults "run with trace" memory "$((step * 13))" - run pole.json --trace
-faults "run as text" memory "$((step * 3))" - run pole.json --format text
-faults "run as CSV" memory "$((step * 3))" - run pole.json --format csv
-faults stack memory "$((step * 5))" - stack -j1 two.jsonl
-faults commands memory "$((step * 7))" - all.crumple
+# some_memory N NAME OUT ARG ...: of a call that costs more every N times as many are tried, all of
+# them with FAULTS_STEP=1
+some_memory() {
+    s_step=$((step == 1 ? 1 : step * $1)) s_name=$2 s_out=$3
+    shift 3
+    faults "$s_name" memory "$s_step" "$s_out" "$@"
+}
+import=$SRC/tests/data/import
+some_memory 1 run - run pole.json
+some_memory 13 "run with trace" - run pole.json --trace
+some_memory 3 "run as text" - run pole.json --format text
+some_memory 3 "run as CSV" - run pole.json --format csv
+some_memory 5 stack - stack -j1 two.jsonl
+some_memory 7 commands - all.crumple
+some_memory 7 damage - damage -f json pair.csv
+some_memory 31 "import of a table" - import "$import/long.csv"
+some_memory 31 "import of XML" - import "$import/minimal.xosc"
+some_memory 31 "import of a database" - import "$import/pcm5.db"
+some_memory 31 "import of a ZIP file" - import "$import/wall.zip"
+some_memory 31 "import of a folder" - import "$import/pcm5"
+some_memory 31 "import of records" - import "$import/two.erg"
 for kind in open read write; do
     faults run $kind 1 - run pole.json
     faults stack $kind 1 - stack -j1 two.jsonl
     faults commands $kind 1 out.json all.crumple
+    faults damage $kind 1 - damage -f json pair.csv
+    faults "import of a ZIP file" $kind 1 - import "$import/wall.zip"
 done
 for kind in open write sync link rename; do
     : >o.json

@@ -17,6 +17,23 @@ same "the .mme in the folder gives the same scene" \
 has "delta-v is the integral of the channels" "$(cat "$data/vtv.jsonl")" \
     '"delta_v_forward_kmh":-74.14,"delta_v_left_kmh":-18.53'
 
+# the same channels beside the solved test, as they lie and by the test
+head -n 1 "$data/vtv.jsonl" >"$tmp/vtv.json"
+for f in vtv.EV5 vtv.008; do
+    out=$(printf 'load %s\nsolve\ncompare %s of=V1\n' "$tmp/vtv.json" "$data/$f" |
+        "$CRUMPLE" 2>"$tmp/err")
+    same "compare $f: status 0" $? 0
+    has "channel and sign of $f are told" "$out" 'AC VECG XG of vehicle 1, .*forward positive'
+    has "and its peak, -20 g" "$out" 'largest: test -20[. ]'
+done
+LC_ALL=C sed "s/MADE UP WALL/M$(printf '\374')nchen/; s/^1|/$(printf '\377')1|/" "$data/mini.EV5" \
+    >"$tmp/latin.EV5"
+run import "$tmp/latin.EV5"
+same "Latin-1 in a title and in the number of a vehicle" "$status" 0
+printf '%s\n' "$out" | "$CRUMPLE" stack - >"$tmp/results" 2>&1
+same "gives a scene that reads" $? 0
+has "in UTF-8" "$(printf '%s\n' "$out")" '"x_title":"München TEST"'
+
 # field NAME N VALUE PATTERN: field N of the VEHICLE line of mini.EV5 is replaced
 field() {
     awk -F'|' -v OFS='|' -v n="$2" -v to="$3" '/^1.16.03/ { $n = to } 1' "$data/mini.EV5" \
@@ -60,6 +77,9 @@ for key in 'Channel code' Unit 'Sampling interval' 'Number of samples' 'Time of 
     sed "/^$key /d" "$data/wall.mme/Channel/wall.001" >"$tmp/t/Channel/wall.001"
     refused "a channel without $key" 1 "wall.001: error: no \"$key\"" "$tmp/t"
 done
+sed 's/^\(Number of samples *:\).*/\10/; /^[-0-9]/d' "$data/wall.mme/Channel/wall.001" \
+    >"$tmp/t/Channel/wall.001"
+refused "a channel of no samples" 1 'wall.001: error: a channel without samples' "$tmp/t"
 sed '$d' "$data/wall.mme/Channel/wall.001" >"$tmp/t/Channel/wall.001"
 refused "a channel that was cut" 1 'wall.001:[0-9]+: error: 120 samples' "$tmp/t"
 rm "$tmp/t/wall.mme"

@@ -37,8 +37,15 @@ if [ -f "$BUILD/libcrumple.so" ]; then
 else
     skip "make installcheck" "no shared library was built"
 fi
+if [ -e "$BUILD/crumple-import.so" ]; then
+    same "the installed program finds its modules" \
+        "$("$prefix/bin/crumple" import --help | head -n 1 | cut -c 1-21)" 'usage: crumple import'
+fi
 if strip -o "$tmp/stripped" "$prefix/bin/crumple" 2>/dev/null; then
-    empty "no path of the build is in the program" "$(strings "$tmp/stripped" | grep -F "$SRC")"
+    for file in "$prefix/bin/crumple" "$prefix"/libexec/crumple/*.so; do
+        [ ! -e "$file" ] || strip -o "$tmp/stripped" "$file"
+        empty "no path of the build is in ${file##*/}" "$(strings "$tmp/stripped" | grep -F "$SRC")"
+    done
 else
     skip "no path of the build is in the program" "no strip here"
 fi

@@ -37,7 +37,7 @@ static void complete(struct cr_session *s, const char *text) {
     struct cr_error err;
     struct cr_str hint = {0};
     int len = (int)strlen(text);
-    for (int at = 0; at <= len; at += 1 + len / 16) {
+    for (int at = 0; at <= len; at += 1 + len / 4) {
         if (cr_session_complete(s, text, at, &list, &err) == CR_ERR_OK) {
             if (list.start < 0 || list.start > at || list.end != at) {
                 abort();

@@ -1,13 +1,10 @@
 /* Any bytes as a user's own voxel model, JSON or CSV: refused with an error, or a grid of finite,
  * non-negative energies. */
-#include "fuzz.h"
+#include "scratch.h"
 
 #include "model/model.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <unistd.h>
 
 static void check(const struct cr_grid *grid) {
     for (int i = 0; i < grid->nx * grid->ny; i++) {
@@ -47,18 +44,10 @@ static void try_model(const char *path) {
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-    static const char *const suffixes[] = {"json", "csv"};
+    static const char *const names[] = {"own.json", "own.csv"};
     for (int i = 0; i < 2; i++) {
-        char path[64];
-        snprintf(path, sizeof path, "/tmp/crumple-fuzz-%ld.%s", (long)getpid(), suffixes[i]);
-        FILE *f = fopen(path, "wb");
-        if (f == NULL) {
-            return 0;
-        }
-        fwrite(data, 1, size, f);
-        fclose(f);
-        try_model(path);
-        unlink(path);
+        try_model(scratch_put(names[i], data, size));
+        scratch_remove(names[i]);
     }
     return 0;
 }

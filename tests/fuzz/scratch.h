@@ -4,35 +4,41 @@
 
 #include "fuzz.h"
 
+#include <errno.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* A folder of this process's own, made at the first call and left there. */
+static inline char *scratch_path(const char *name) {
+    static char path[128];
+    snprintf(path, sizeof path, "fuzz-%ld.tmp/%s", (long)getpid(), name);
+    return path;
+}
+
+/* A folder of this process's own. */
 static inline const char *scratch_dir(void) {
     static char dir[64];
     if (dir[0] == '\0') {
         snprintf(dir, sizeof dir, "fuzz-%ld.tmp", (long)getpid());
-        mkdir(dir, 0700);
     }
     return dir;
 }
 
 static inline void scratch_remove(const char *name) {
-    char path[128];
-    snprintf(path, sizeof path, "%s/%s", scratch_dir(), name);
-    unlink(path);
+    unlink(scratch_path(name));
     rmdir(scratch_dir());
 }
 
 /* Path of the file, valid until the next call. */
 static inline char *scratch_put(const char *name, const uint8_t *data, size_t size) {
-    static char path[128];
-    mkdir(scratch_dir(), 0700);
-    snprintf(path, sizeof path, "%s/%s", scratch_dir(), name);
-    FILE *file = fopen(path, "wb");
-    if (file == NULL || fwrite(data, 1, size, file) != size || fclose(file) != 0) {
+    char *path = scratch_path(name);
+    int fd = -1;
+    if (mkdir(scratch_dir(), 0700) == 0 || errno == EEXIST) {
+        fd = open(path, O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    }
+    if (fd < 0 || write(fd, data, size) != (ssize_t)size || close(fd) != 0) {
         exit(3);
     }
     return path;

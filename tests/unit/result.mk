@@ -1,7 +1,7 @@
 # unit tests of src/result
 result_tests = test_result_pulse test_result_deform test_result_irf test_result_measure \
 	test_result_rating test_result_run test_result_signal test_result_heights test_result_motion \
-	test_result_planar test_result_impact test_barrier test_trends test_result_robust
+	test_result_planar test_result_impact test_result_measured test_barrier test_trends test_result_robust
 result_test_libs = libresult.a libscene.a libsolver.a libmodel.a libbase.a \
 	$(CMOCKA_LIBS) $(CJSON_LIBS) $(NETTLE_LIBS)
 check_PROGRAMS += $(result_tests)
@@ -32,6 +32,9 @@ EXTRA_DIST += tests/schema_result.sh
 test_result_rating_SOURCES = tests/unit/test_result_rating.c
 test_result_rating_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 test_result_rating_LDADD = $(result_test_libs)
+test_result_measured_SOURCES = tests/unit/test_result_measured.c
+test_result_measured_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
+test_result_measured_LDADD = $(result_test_libs)
 test_result_signal_SOURCES = tests/unit/test_result_signal.c
 test_result_signal_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 test_result_signal_LDADD = $(result_test_libs)

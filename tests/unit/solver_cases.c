@@ -8,11 +8,12 @@ static double overlap(double lo, double hi, double a, double b) {
 
 struct cr_grid block_grid(struct cr_arena *arena, double length, double width, double h,
                           strength_fn strength, const void *arg) {
-    return block_grid_at(arena, length, width, h, strength, arg, cr_vec2(0, 0));
+    return block_grid_of(arena, &(struct block){length, width, h, strength, arg, {0, 0}});
 }
 
-struct cr_grid block_grid_at(struct cr_arena *arena, double length, double width, double h,
-                             strength_fn strength, const void *arg, struct cr_vec2 phase) {
+struct cr_grid block_grid_of(struct cr_arena *arena, const struct block *b) {
+    const double length = b->length, width = b->width, h = b->h;
+    const struct cr_vec2 phase = b->phase;
     int nx = (int)ceil(length / h - 1e-9), ny = (int)ceil(width / h - 1e-9);
     ny += ny % 2; /* the centre line is a voxel boundary */
     double x0 = length / 2 - nx * h + phase.x * h, y0 = -0.5 * ny * h - phase.y * h;
@@ -30,7 +31,7 @@ struct cr_grid block_grid_at(struct cr_arena *arena, double length, double width
             double x = 0.5 * (fmax(xl, -length / 2) + fmin(xl + h, length / 2));
             double y = 0.5 * (fmax(yl, -width / 2) + fmin(yl + h, width / 2));
             int k = iy * nx + ix;
-            double q = strength(length / 2 - x, width / 2 - fabs(y), arg);
+            double q = b->strength(length / 2 - x, width / 2 - fabs(y), b->arg);
             fill[k] = q < 0 ? 0 : in_x * in_y / (h * h);
             energy[k] = q < 0 ? 0 : in_x * in_y * q;
         }
@@ -39,13 +40,17 @@ struct cr_grid block_grid_at(struct cr_arena *arena, double length, double width
         .nx = nx, .ny = ny, .h = h, .x0 = x0, .y0 = y0, .fill = fill, .energy = energy};
 }
 
-struct cr_body block_body(struct cr_grid grid, double mass, double length, double width, double x,
-                          double y, double heading, double speed) {
+struct pose at(double x, double y, double heading, double speed) {
+    return (struct pose){x, y, heading, speed};
+}
+
+struct cr_body block_body(struct cr_grid grid, double mass, double length, double width,
+                          struct pose p) {
     return (struct cr_body){.mass = mass,
                             .inertia = mass * (length * length + width * width) / 12,
-                            .pos = {x, y},
-                            .heading = heading,
-                            .vel = {speed * cos(heading), speed * sin(heading)},
+                            .pos = {p.x, p.y},
+                            .heading = p.heading,
+                            .vel = {p.speed * cos(p.heading), p.speed * sin(p.heading)},
                             .grid = grid,
                             .friction = -1};
 }
@@ -88,13 +93,15 @@ void set_wheels(struct cr_body *body, double wheelbase, double track, double bra
 }
 
 struct cr_grid car_grid(struct cr_arena *arena, double h, struct cr_vec2 phase) {
-    return block_grid_at(arena, car_length, car_width, h, car_strength, NULL, phase);
+    return block_grid_of(arena,
+                         &(struct block){car_length, car_width, h, car_strength, NULL, phase});
 }
 
 struct cr_body car_body(struct cr_arena *arena, double h, double x, double y, double heading,
                         double speed) {
     struct cr_grid grid = car_grid(arena, h, cr_vec2(0, 0));
-    struct cr_body car = block_body(grid, car_mass, car_length, car_width, x, y, heading, speed);
+    struct cr_body car =
+        block_body(grid, car_mass, car_length, car_width, at(x, y, heading, speed));
     set_wheels(&car, 2.6, 1.5, 0, false);
     return car;
 }

@@ -17,11 +17,22 @@ struct cr_grid block_grid(struct cr_arena *arena, double length, double width, d
                           strength_fn strength, const void *arg);
 /* The same block with the grid lying elsewhere in it by fractions of a voxel, 0..1: the voxels at
  * its edges are filled in part. */
-struct cr_grid block_grid_at(struct cr_arena *arena, double length, double width, double h,
-                             strength_fn strength, const void *arg, struct cr_vec2 phase);
+struct block {
+    double length, width, h;
+    strength_fn strength;
+    const void *arg;
+    struct cr_vec2 phase;
+};
+struct cr_grid block_grid_of(struct cr_arena *arena, const struct block *block);
+
+/* Where a body stands and how fast it goes along its heading: m, rad, m/s. */
+struct pose {
+    double x, y, heading, speed;
+};
+struct pose at(double x, double y, double heading, double speed);
 /* Vehicle body with that grid at a pose: yaw inertia of the box, no wheels. */
-struct cr_body block_body(struct cr_grid grid, double mass, double length, double width, double x,
-                          double y, double heading, double speed);
+struct cr_body block_body(struct cr_grid grid, double mass, double length, double width,
+                          struct pose pose);
 struct cr_body wall_body(double x, double y, double heading);
 struct cr_body pole_body(double x, double y, double radius);
 /* Rigid convex outline of n vertices (borrowed), counter-clockwise about its origin. */
@@ -65,7 +76,7 @@ enum typical {
     TYPICAL_COUNT
 };
 extern const char *const typical_name[TYPICAL_COUNT];
-/* phase: of the grids, see block_grid_at */
+/* phase: of the grids, see block_grid_of */
 struct cr_case typical_case(struct cr_arena *arena, enum typical which, double h,
                             struct cr_vec2 phase);
 

@@ -1,6 +1,6 @@
 /* The parts of import that need no file: expressions, records of CarMaker, channels, what XML a
  * file begins with, options by their words. */
-#include "import/channel.h"
+#include "result/channel.h"
 #include "import/erg_priv.h"
 #include "import/formula.h"
 #include "import/xml.h"

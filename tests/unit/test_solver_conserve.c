@@ -270,8 +270,9 @@ static double greatest_force(double q, double h, double b, double slope, double 
     struct cr_arena arena = {0};
     struct cr_grid grid = block_grid(&arena, length, width, h, constant_strength, &q);
     grid.drag_slope[CR_FACE_FRONT] = slope;
-    struct cr_case cs = case_of(block_body(grid, 1500, length, width, -2.2, 0, 0, v),
-                                block_body(grid, 1500, length, width, 2.2, width - b, CR_PI, v));
+    struct cr_case cs =
+        case_of(block_body(grid, 1500, length, width, at(-2.2, 0, 0, v)),
+                block_body(grid, 1500, length, width, at(2.2, width - b, CR_PI, v)));
     cs.body[0].inertia = cs.body[1].inertia = 0;
     cs.opts.induced = slope > 0;
     cs.opts.dt = dt;

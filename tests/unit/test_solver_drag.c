@@ -30,7 +30,7 @@ static void make_dent_at(struct dent *d, double h, double k, bool induced, doubl
     memset(d, 0, sizeof *d);
     struct cr_grid grid = block_grid(&d->arena, length, width, h, constant_strength, &q);
     grid.drag_slope[CR_FACE_LEFT] = k;
-    struct cr_body car = block_body(grid, mass, length, width, 0, 0, 0, 0);
+    struct cr_body car = block_body(grid, mass, length, width, at(0, 0, 0, 0));
     car.inertia = 0;
     car.vel = cr_vec2(0, sqrt(2 * energy / mass));
     double off = (fmod(0.5 * b / h, 1) > 0.1 ? 0.5 * h : 0) + phase * h;
@@ -125,7 +125,7 @@ static void two_boxes_at_once(void **state) {
         struct cr_grid grid = block_grid(&arena, length, width, h, constant_strength, &q);
         grid.drag_slope[CR_FACE_LEFT] = k1;
         double m = (k + 1) * mass, y = width / 2 + 0.5 + gap;
-        struct cr_body car = block_body(grid, m, length, width, 0, 0, 0, 0);
+        struct cr_body car = block_body(grid, m, length, width, at(0, 0, 0, 0));
         car.inertia = 0;
         car.vel = cr_vec2(0, 4);
         struct cr_case cs = case_of(car, polygon_body(k == 0 ? 0.025 : -1.475, y, 0, nose, 4));
@@ -209,7 +209,7 @@ static void a_wall_pulls_nothing(void **state) {
     struct cr_grid grid = block_grid(&arena, 4.2, 1.8, 0.025, constant_strength, &q);
     grid.drag_slope[CR_FACE_FRONT] = slope;
     struct cr_case cs =
-        case_of(block_body(grid, mass, 4.2, 1.8, -2.2, 0, 0, 15), wall_body(0, 0, CR_PI));
+        case_of(block_body(grid, mass, 4.2, 1.8, at(-2.2, 0, 0, 15)), wall_body(0, 0, CR_PI));
     cs.opts.induced = true;
     struct cr_solver *s = solved(&cs);
     check_near(cr_solver_solution(s)->body[0].induced, 0, 1);

@@ -27,8 +27,8 @@ static void check_series(const struct pair *p, double h, double shift) {
     struct cr_grid g1 = block_grid(&arena, length, width, h, linear_front, &f1);
     struct cr_grid g2 = block_grid(&arena, length, width, h, linear_front, &f2);
     struct cr_case cs =
-        case_of(block_body(g1, p->m1, length, width, -2.2, 0, 0, p->v1),
-                block_body(g2, p->m2, length, width, 2.2 + shift * h, 0, CR_PI, p->v2));
+        case_of(block_body(g1, p->m1, length, width, at(-2.2, 0, 0, p->v1)),
+                block_body(g2, p->m2, length, width, at(2.2 + shift * h, 0, CR_PI, p->v2)));
     cs.opts.restitution = p->e;
     struct cr_solver *s = solved(&cs);
     const struct cr_solution *o = cr_solver_solution(s);
@@ -82,8 +82,8 @@ static void any_ratio_at_every_voxel(void **state) {
         struct linear_front f1 = {1500, 23.7, width}, f2 = {1500 * k, 23.7, width};
         struct cr_grid g1 = block_grid(&arena, length, width, h, linear_front, &f1);
         struct cr_grid g2 = block_grid(&arena, length, width, h, linear_front, &f2);
-        struct cr_case cs = case_of(block_body(g1, 1500, length, width, -2.2, 0, 0, 15),
-                                    block_body(g2, 1500, length, width, 2.2, 0, CR_PI, 15));
+        struct cr_case cs = case_of(block_body(g1, 1500, length, width, at(-2.2, 0, 0, 15)),
+                                    block_body(g2, 1500, length, width, at(2.2, 0, CR_PI, 15)));
         cs.opts.restitution = 0.1;
         struct cr_solver *s = solved(&cs);
         const struct cr_outcome *o = cr_solver_solution(s)->body;
@@ -99,8 +99,8 @@ static void equal_fronts_deform_equally(void **state) {
     struct cr_arena arena = {0};
     struct linear_front front = {1500, 23.7, width};
     struct cr_grid g = block_grid(&arena, length, width, 0.025, linear_front, &front);
-    struct cr_case cs = case_of(block_body(g, 1500, length, width, -2.2, 0, 0, 12),
-                                block_body(g, 1500, length, width, 2.2, 0, CR_PI, 12));
+    struct cr_case cs = case_of(block_body(g, 1500, length, width, at(-2.2, 0, 0, 12)),
+                                block_body(g, 1500, length, width, at(2.2, 0, CR_PI, 12)));
     struct cr_solver *s = solved(&cs);
     const struct cr_solution *o = cr_solver_solution(s);
     check_near(ees_of(o, &cs, 0), ees_of(o, &cs, 1), 1e-9);
@@ -249,8 +249,8 @@ static void part_of_the_width_in_series(void **state) {
         struct cr_grid g1 = block_grid(&arena, length, w1, h, linear_front, &f1);
         struct cr_grid g2 = block_grid(&arena, length, w2, h, linear_front, &f2);
         double y = 0.5 * (w1 + w2) - overlap + aside;
-        struct cr_case cs = case_of(block_body(g1, 2500, length, w1, -2.2, 0, 0, 15),
-                                    block_body(g2, 1100, length, w2, 2.2, y, CR_PI, 15));
+        struct cr_case cs = case_of(block_body(g1, 2500, length, w1, at(-2.2, 0, 0, 15)),
+                                    block_body(g2, 1100, length, w2, at(2.2, y, CR_PI, 15)));
         cs.body[0].inertia = cs.body[1].inertia = 0; /* neither turns */
         cs.opts.restitution = 0.1;
         struct cr_solver *s = solved(&cs);

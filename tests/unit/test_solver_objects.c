@@ -4,10 +4,10 @@
 
 static const double length = 4.2, width = 1.8;
 
-static struct cr_body block(struct cr_arena *arena, const double *strength, double mass, double x,
-                            double y, double heading, double speed) {
+static struct cr_body block(struct cr_arena *arena, const double *strength, double mass,
+                            struct pose pose) {
     struct cr_grid grid = block_grid(arena, length, width, 0.025, constant_strength, strength);
-    return block_body(grid, mass, length, width, x, y, heading, speed);
+    return block_body(grid, mass, length, width, pose);
 }
 
 static const struct cr_vec2 box[] = {{-0.5, -1}, {0.5, -1}, {0.5, 1}, {-0.5, 1}};
@@ -22,7 +22,7 @@ static void round_edge_pushes_aside(void **state) {
     struct cr_arena arena = {0};
     struct cr_body ram = polygon_body(length / 2 + 1.05, width / 2 - b + 3, 0, drawn_in, 4);
     ram.shape.edge_radius = r;
-    struct cr_case cs = case_of(block(&arena, &strength, 1e5, 0, 0, 0, v), ram);
+    struct cr_case cs = case_of(block(&arena, &strength, 1e5, at(0, 0, 0, v)), ram);
     cs.body[0].inertia = 0; /* it does not turn, and hardly slows down */
     cs.opts.friction = 0;
     struct cr_solver *s = NULL;
@@ -57,7 +57,7 @@ static void movable_box_against_a_standing_car(void **state) {
     barrow.mass = m2;
     barrow.inertia = 300;
     barrow.vel.x = -v;
-    struct cr_case cs = case_of(block(&arena, &strength, m1, 0, 0, 0, 0), barrow);
+    struct cr_case cs = case_of(block(&arena, &strength, m1, at(0, 0, 0, 0)), barrow);
     cs.opts.restitution = e;
     struct cr_solver *s = solved(&cs);
     const struct cr_solution *o = cr_solver_solution(s);
@@ -78,7 +78,7 @@ static void deformable_barrier_on_the_ground(void **state) {
     static const double strength = 300e3;
     struct cr_arena arena = {0};
     struct cr_grid grid = block_grid(&arena, 1, 3, 0.025, constant_strength, &strength);
-    struct cr_body barrier = block_body(grid, 0, 1, 3, 0, 0, 0, 0);
+    struct cr_body barrier = block_body(grid, 0, 1, 3, at(0, 0, 0, 0));
     struct cr_body ram = polygon_body(2, 0, 0, box, 4);
     ram.mass = 2000;
     ram.vel.x = -12;
@@ -102,8 +102,8 @@ static void the_weaker_of_car_and_barrier_gives_way(void **state) {
     static const double soft = 100e3, hard = 150e3;
     struct cr_arena arena = {0};
     struct cr_grid grid = block_grid(&arena, 1, 3, 0.025, constant_strength, &soft);
-    struct cr_case cs = case_of(block(&arena, &hard, 1400, -2.7, 0, 0, 8.07),
-                                block_body(grid, 0, 1, 3, 0, 0, CR_PI, 0));
+    struct cr_case cs = case_of(block(&arena, &hard, 1400, at(-2.7, 0, 0, 8.07)),
+                                block_body(grid, 0, 1, 3, at(0, 0, CR_PI, 0)));
     cs.opts.restitution = 0;
     struct cr_solver *s = solved(&cs);
     const struct cr_solution *o = cr_solver_solution(s);
@@ -122,7 +122,7 @@ static void a_pole_with_mass_flies_off(void **state) {
     struct cr_body post = pole_body(2.6, 0.4, 0.2);
     post.mass = 80;
     post.inertia = 2;
-    struct cr_case cs = case_of(block(&arena, &strength, 1500, 0, 0, 0, 14), post);
+    struct cr_case cs = case_of(block(&arena, &strength, 1500, at(0, 0, 0, 14)), post);
     cs.opts.restitution = 0.3;
     struct cr_solver *s = solved(&cs);
     const struct cr_solution *o = cr_solver_solution(s);
@@ -142,7 +142,7 @@ static void layers_that_meet_in_height(void **state) {
     struct cr_arena arena = {0};
     double depth[2], energy[2];
     for (int k = 0; k < 2; k++) {
-        struct cr_body car = block(&arena, &strength, 1500, -2.2, 0, 0, 10);
+        struct cr_body car = block(&arena, &strength, 1500, at(-2.2, 0, 0, 10));
         size_t n = (size_t)(car.grid.nx * car.grid.ny);
         double *low = cr_arena_take(&arena, n, sizeof *low);
         for (size_t i = 0; i < n; i++) {
@@ -165,7 +165,7 @@ static void under_the_tail_to_the_wall_behind(void **state) {
     (void)state;
     static const double strength = 200e3;
     struct cr_arena arena = {0};
-    struct cr_body car = block(&arena, &strength, 1500, -6, 0, 0, 10);
+    struct cr_body car = block(&arena, &strength, 1500, at(-6, 0, 0, 10));
     double *none = cr_arena_take(&arena, (size_t)(car.grid.nx * car.grid.ny), sizeof *none);
     car.against[1] = (struct cr_strength){{none, none, none}};
     struct cr_case cs = {.n = 3, .opts = cr_opts_default()};
@@ -194,8 +194,8 @@ static void two_cars_at_different_heights(void **state) {
     (void)state;
     static const double strength = 200e3;
     struct cr_arena arena = {0};
-    struct cr_body a = block(&arena, &strength, 1500, -5, 0, 0, 10);
-    struct cr_body b = block(&arena, &strength, 1500, 0, 0, CR_PI, 0);
+    struct cr_body a = block(&arena, &strength, 1500, at(-5, 0, 0, 10));
+    struct cr_body b = block(&arena, &strength, 1500, at(0, 0, CR_PI, 0));
     double *none = cr_arena_take(&arena, (size_t)(a.grid.nx * a.grid.ny), sizeof *none);
     a.against[1] = b.against[0] = (struct cr_strength){{none, none, none}};
     struct cr_case cs = case_of(a, b);
@@ -218,9 +218,9 @@ static void chain_of_three(void **state) {
     struct cr_case cs = {.n = 3, .opts = cr_opts_default()};
     cs.opts.restitution = 0;
     cs.opts.induced = false;
-    cs.body[0] = block(&arena, &strength, m, -4.5, 0, 0, v);
-    cs.body[1] = block(&arena, &strength, m, 0, 0, 0, 0);
-    cs.body[2] = block(&arena, &strength, m, 5.2, 0, 0, 0);
+    cs.body[0] = block(&arena, &strength, m, at(-4.5, 0, 0, v));
+    cs.body[1] = block(&arena, &strength, m, at(0, 0, 0, 0));
+    cs.body[2] = block(&arena, &strength, m, at(5.2, 0, 0, 0));
     struct cr_solver *s = solved(&cs);
     const struct cr_solution *o = cr_solver_solution(s);
     assert_true(o->contacts >= 2);
@@ -247,9 +247,9 @@ static void order_of_three(void **state) {
                                     {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
     static const double strength = 150e3, m = 1500, v = 15;
     struct cr_arena arena = {0};
-    const struct cr_body car[3] = {block(&arena, &strength, m, -4.5, 0.013, 0, v),
-                                   block(&arena, &strength, m, 0, 0, 0, 0),
-                                   block(&arena, &strength, 1.3 * m, 1.2, 4, -CR_PI / 2, v)};
+    const struct cr_body car[3] = {block(&arena, &strength, m, at(-4.5, 0.013, 0, v)),
+                                   block(&arena, &strength, m, at(0, 0, 0, 0)),
+                                   block(&arena, &strength, 1.3 * m, at(1.2, 4, -CR_PI / 2, v))};
     double vel[3], yaw[3];
     for (int k = 0; k < 6; k++) {
         struct cr_case cs = {.n = 3, .opts = cr_opts_default()};
@@ -282,9 +282,9 @@ static void squeezed_between_two(void **state) {
         struct cr_case cs = {.n = 3, .opts = cr_opts_default()};
         cs.opts.induced = false;
         cs.opts.restitution = 0.1 * k;
-        cs.body[0] = block(&arena, &strength, m, -4.5, 0, 0, v);
-        cs.body[1] = block(&arena, &strength, m, 0, 0, 0, 0);
-        cs.body[2] = block(&arena, &strength, m, 4.5, 0, CR_PI, v);
+        cs.body[0] = block(&arena, &strength, m, at(-4.5, 0, 0, v));
+        cs.body[1] = block(&arena, &strength, m, at(0, 0, 0, 0));
+        cs.body[2] = block(&arena, &strength, m, at(4.5, 0, CR_PI, v));
         struct cr_solver *s = solved(&cs);
         const struct cr_outcome *o = cr_solver_solution(s)->body;
         check_near(o[1].rest.vel.x, 0, (k == 0 ? 0.005 : 0.03) * v);

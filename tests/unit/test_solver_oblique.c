@@ -22,7 +22,7 @@ static struct hit hit_surface(double deg, double mu, double own, double e, doubl
     double strength = 150e3, heading = cr_rad(180 - deg);
     struct cr_vec2 n = {cos(heading), sin(heading)};
     struct cr_grid grid = block_grid(&arena, length, width, 0.025, constant_strength, &strength);
-    struct cr_body body = block_body(grid, mass, length, width, 0, 0, 0, speed);
+    struct cr_body body = block_body(grid, mass, length, width, at(0, 0, 0, speed));
     body.inertia = 0;
     double corner = 0.5 * (length * fabs(n.x) + width * fabs(n.y)) + 0.05;
     struct cr_case cs = case_of(body, wall_body(-corner * n.x, -corner * n.y, heading));
@@ -79,7 +79,7 @@ static void the_plane_of_the_deformed_is_the_wall(void **state) {
         struct cr_grid grid =
             block_grid(&arena, length, width, 0.025, constant_strength, &strength);
         double corner = 0.5 * (length * fabs(n.x) + width * fabs(n.y)) + 0.05;
-        struct cr_case cs = case_of(block_body(grid, mass, length, width, 0, 0, 0, speed),
+        struct cr_case cs = case_of(block_body(grid, mass, length, width, at(0, 0, 0, speed)),
                                     wall_body(-corner * n.x, -corner * n.y, heading));
         cs.body[0].inertia = 0;
         cs.opts.friction = 0;
@@ -107,8 +107,8 @@ static void the_plane_between_two_fronts(void **state) {
     double strength = 150e3;
     struct cr_grid grid = block_grid(&arena, length, width, 0.025, constant_strength, &strength);
     struct cr_case cs =
-        case_of(block_body(grid, mass, length, width, 0, 0, 0, speed),
-                block_body(grid, mass, length, width, length + 0.02, width / 2, CR_PI, speed));
+        case_of(block_body(grid, mass, length, width, at(0, 0, 0, speed)),
+                block_body(grid, mass, length, width, at(length + 0.02, width / 2, CR_PI, speed)));
     cs.opts.friction = 0;
     cs.opts.plane = true;
     struct cr_solver *s = solved(&cs);

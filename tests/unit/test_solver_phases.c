@@ -13,8 +13,8 @@ static double with_gap(double depth, double side, const void *arg) {
 
 static struct cr_case gap_case(struct cr_arena *arena, const double *gap, double e) {
     struct cr_grid grid = block_grid(arena, length, width, 0.025, with_gap, gap);
-    struct cr_case cs =
-        case_of(block_body(grid, mass, length, width, -2.2, 0, 0, speed), wall_body(0, 0, CR_PI));
+    struct cr_case cs = case_of(block_body(grid, mass, length, width, at(-2.2, 0, 0, speed)),
+                                wall_body(0, 0, CR_PI));
     cs.opts.restitution = e;
     return cs;
 }
@@ -68,7 +68,7 @@ static void a_glancing_touch_ends_without_overlap(void **state) {
     struct cr_arena arena = {0};
     static const double soft = 20e3;
     struct cr_grid grid = block_grid(&arena, length, width, 0.025, constant_strength, &soft);
-    struct cr_body car = block_body(grid, mass, length, width, -2.5, 0, 0, speed);
+    struct cr_body car = block_body(grid, mass, length, width, at(-2.5, 0, 0, speed));
     car.inertia = 0;
     struct cr_case cs = case_of(car, pole_body(0, 0.9 + 0.1, 0.15));
     cs.opts.friction = 0;
@@ -130,7 +130,8 @@ static void restitution_by_width(void **state) {
         struct cr_arena arena = {0};
         struct cr_grid grid =
             block_grid(&arena, length, width, 0.025, constant_strength, &strength);
-        struct cr_body body = block_body(grid, mass, length, width, -0.1 - length / 2, 0, 0, 7.15);
+        struct cr_body body =
+            block_body(grid, mass, length, width, at(-0.1 - length / 2, 0, 0, 7.15));
         body.inertia = 0; /* it does not turn */
         struct cr_case cs = case_of(body, polygon_body(0, width * (0.5 - share[k]), 0, box, 4));
         cs.opts.restitution_auto = true;
@@ -152,8 +153,8 @@ static void elastic_phases_from_the_force(void **state) {
     struct cr_arena arena = {0};
     struct linear_front front = {mass, 23.7, width};
     struct cr_grid grid = block_grid(&arena, length, width, 0.0125, linear_front, &front);
-    struct cr_case cs =
-        case_of(block_body(grid, mass, length, width, -2.3, 0, 0, speed), wall_body(0, 0, CR_PI));
+    struct cr_case cs = case_of(block_body(grid, mass, length, width, at(-2.3, 0, 0, speed)),
+                                wall_body(0, 0, CR_PI));
     cs.opts.restitution = 0.2;
     cs.opts.elastic_s = 0;
     cs.opts.dt = 0.25e-3;

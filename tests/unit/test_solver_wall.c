@@ -14,7 +14,7 @@ static struct cr_case wall_case(struct cr_arena *arena, double h, double dt, dou
     struct linear_front front = {mass, omega, width};
     struct cr_grid grid = block_grid(arena, length, width, h, linear_front, &front);
     struct cr_case cs =
-        case_of(block_body(grid, mass, length, width, -0.2 - length / 2, 0, 0, speed),
+        case_of(block_body(grid, mass, length, width, at(-0.2 - length / 2, 0, 0, speed)),
                 wall_body(0, 0, CR_PI));
     cs.opts.restitution = e;
     cs.opts.dt = dt;
@@ -146,7 +146,7 @@ static void a_wall_of_half_the_width_meets_half_the_force(void **state) {
     struct cr_grid grid = block_grid(&arena, length, width, 0.025, linear_front, &front);
     static const struct cr_vec2 half[] = {{0, 0}, {3, 0}, {3, 3}, {0, 3}};
     struct cr_case cs =
-        case_of(block_body(grid, mass, length, width, -0.2 - length / 2, 0, 0, speed),
+        case_of(block_body(grid, mass, length, width, at(-0.2 - length / 2, 0, 0, speed)),
                 polygon_body(0, 0, 0, half, 4));
     cs.body[0].inertia = 0; /* it does not turn */
     cs.opts.restitution = 0;

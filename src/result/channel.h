@@ -1,6 +1,6 @@
 /* Measured channels of crash tests: NHTSA's ".001" beside an EV5 file, and those of ISO-MME. */
-#ifndef CR_IMPORT_CHANNEL_H
-#define CR_IMPORT_CHANNEL_H
+#ifndef CR_RESULT_CHANNEL_H
+#define CR_RESULT_CHANNEL_H
 
 #include "base/err.h"
 

@@ -1,5 +1,5 @@
 /* Channels as texts of numbers, and what is needed of them: the change of velocity. */
-#include "import/channel.h"
+#include "result/channel.h"
 
 #include "base/grow.h"
 #include "base/units.h"

@@ -1,41 +1,20 @@
-/* Descriptor and channel files of ISO-MME: lines of key and value, then numbers. */
-#include "import/mme_priv.h"
+/* Descriptor and channel files of ISO-MME: lines of key and value, then numbers; and where the
+ * channels of a test lie. */
+#include "result/mme.h"
 
 #include "base/csv.h"
+#include "base/file.h"
 #include "base/grow.h"
 #include "base/show.h"
 
+#include <dirent.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
-enum { ITEMS_MAX = 100000 };
-
-/* what is no UTF-8 is Latin-1 */
-static char *to_utf8(const char *text, struct cr_error *err) {
-    struct cr_str out = {0};
-    size_t left = strlen(text);
-    for (const char *p = text; left > 0;) {
-        size_t n = cr_utf8_length(p, left);
-        char latin[4];
-        if (n > 0) {
-            cr_str_addn(&out, p, n);
-        } else {
-            cr_str_addn(&out, latin, cr_utf8_put((unsigned char)*p, latin));
-            n = 1;
-        }
-        p += n;
-        left -= n;
-    }
-    char *copy = out.failed ? NULL : strdup(cr_str_get(&out));
-    cr_str_fini(&out);
-    if (copy == NULL) {
-        cr_err_set(err, CR_ERR_MEMORY, "no memory for a descriptor file");
-    }
-    return copy;
-}
+enum { ITEMS_MAX = 100000, FILES_MAX = 5000 };
 
 static char *trim(char *s) {
     s += strspn(s, " \t");
@@ -49,9 +28,9 @@ static char *trim(char *s) {
 enum cr_err cr_mme_parse(const char *text, const char *shown, struct cr_mme *out,
                          struct cr_error *err) {
     *out = (struct cr_mme){.text = NULL};
-    out->text = to_utf8(text, err);
+    out->text = cr_utf8_copy(text);
     if (out->text == NULL) {
-        return CR_ERR_MEMORY;
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for a descriptor file");
     }
     char *line = out->text;
     line += strncmp(line, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;
@@ -172,6 +151,11 @@ enum cr_err cr_mme_channel(const char *text, const char *shown, struct cr_mme_ch
         const struct cr_sampling at = {mme.lines + 1, when[0], when[1]};
         code = cr_channel_values(text, shown, &at, &out->samples, err);
     }
+    if (code == CR_ERR_OK && out->samples.n == 0) {
+        cr_err_set(err, CR_ERR_MISSING, "a channel without samples");
+        cr_err_place(err, shown, 0, 0);
+        code = CR_ERR_MISSING;
+    }
     if (code == CR_ERR_OK && out->samples.n != when[2]) {
         cr_err_set(err, CR_ERR_SYNTAX, "%d samples, but \"Number of samples\" says %.0f",
                    out->samples.n, when[2]);
@@ -179,5 +163,54 @@ enum cr_err cr_mme_channel(const char *text, const char *shown, struct cr_mme_ch
         code = CR_ERR_SYNTAX;
     }
     cr_mme_fini(&mme);
+    return code;
+}
+
+bool cr_mme_is_accel(const char *code, char axis) {
+    return code[0] >= '1' && code[0] <= '9' && strlen(code) >= 15 &&
+           strncmp(code + 2, "VEHC", 4) == 0 && strncmp(code + 12, "AC", 2) == 0 &&
+           code[14] == axis;
+}
+
+/* ---- the folder ---- */
+
+/* "demo.001" */
+static int is_channel(const struct dirent *entry) {
+    const char *dot = strrchr(entry->d_name, '.');
+    return dot != NULL && dot > entry->d_name && strlen(dot) >= 4 &&
+           dot[1 + strspn(dot + 1, "0123456789")] == '\0';
+}
+
+static int is_channel_folder(const struct dirent *entry) {
+    return strcasecmp(entry->d_name, "Channel") == 0;
+}
+
+static void forget(struct dirent **entry, int n) {
+    for (int i = 0; i < n; i++) {
+        free(entry[i]);
+    }
+    if (n >= 0) {
+        free(entry);
+    }
+}
+
+enum cr_err cr_mme_channels(const char *dir, cr_mme_take *take, void *user, struct cr_error *err) {
+    struct dirent **entry;
+    struct cr_str folder = {0}, path = {0};
+    enum cr_err code = CR_ERR_OK;
+    int n = scandir(dir, &entry, is_channel_folder, cr_file_by_bytes);
+    if (n > 0) {
+        cr_str_addf(&folder, "%s/%s", dir, entry[0]->d_name);
+    }
+    forget(entry, n);
+    n = folder.len > 0 ? scandir(cr_str_get(&folder), &entry, is_channel, cr_file_by_bytes) : -1;
+    for (int i = 0; i < n && i < FILES_MAX && code == CR_ERR_OK; i++) {
+        cr_str_clear(&path);
+        cr_str_addf(&path, "%s/%s", cr_str_get(&folder), entry[i]->d_name);
+        code = take(user, cr_str_get(&path), entry[i]->d_name, err);
+    }
+    forget(entry, n);
+    cr_str_fini(&folder);
+    cr_str_fini(&path);
     return code;
 }

@@ -1,9 +1,9 @@
-/* What the two files that read ISO-MME share: descriptor files. */
-#ifndef CR_IMPORT_MME_PRIV_H
-#define CR_IMPORT_MME_PRIV_H
+/* ISO-MME (ISO/TS 13499): descriptor files, channels, and where those of a test lie. */
+#ifndef CR_RESULT_MME_H
+#define CR_RESULT_MME_H
 
 #include "base/str.h"
-#include "import/channel.h"
+#include "result/channel.h"
 
 #include <stdbool.h>
 
@@ -40,5 +40,16 @@ struct cr_mme_channel {
 /* Errors: MISSING, TYPE, SYNTAX with the line; TYPE for a channel over another. */
 CR_MUST_CHECK enum cr_err cr_mme_channel(const char *text, const char *shown,
                                          struct cr_mme_channel *out, struct cr_error *err);
+
+/* Whether a code is that of a vehicle's acceleration along an axis ('X', 'Y'), as of
+ * "10VEHCCG0000ACXC"; its test object is the first character. */
+bool cr_mme_is_accel(const char *code, char axis);
+
+/* Tell take() each channel file of the test in folder `dir`, "dir/Channel/NAME.001", in the order
+ * of their names; the first error ends it. */
+typedef enum cr_err cr_mme_take(void *user, const char *path, const char *name,
+                                struct cr_error *err);
+CR_MUST_CHECK enum cr_err cr_mme_channels(const char *dir, cr_mme_take *take, void *user,
+                                          struct cr_error *err);
 
 #endif

@@ -1,10 +1,13 @@
 /* The text of NHTSA's EV5 files: sections in dashes, a record on each line, fields between bars. */
-#include "import/ev5_priv.h"
+#include "result/ev5.h"
 
 #include "base/csv.h"
+#include "base/file.h"
 #include "base/grow.h"
+#include "base/show.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -41,12 +44,16 @@ static const char *section_of(char *line) {
     return name;
 }
 
-enum cr_err cr_ev5_parse(char *text, const char *shown, struct cr_ev5 *out, struct cr_error *err) {
+enum cr_err cr_ev5_parse(const char *text, const char *shown, struct cr_ev5 *out,
+                         struct cr_error *err) {
     const char *section = "";
     enum cr_err code = CR_ERR_OK;
     int number = 0;
-    *out = (struct cr_ev5){.text = text, .shown = shown};
-    for (char *line = text; line != NULL && *line != '\0' && code == CR_ERR_OK;) {
+    *out = (struct cr_ev5){.text = cr_utf8_copy(text), .shown = shown};
+    if (out->text == NULL) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory for a test");
+    }
+    for (char *line = out->text; line != NULL && *line != '\0' && code == CR_ERR_OK;) {
         char *next = strchr(line, '\n');
         if (next != NULL) {
             *next++ = '\0';
@@ -105,4 +112,45 @@ enum cr_err cr_ev5_number(const struct cr_ev5 *ev5, const struct cr_ev5_record *
     }
     *out = *out == 0 && !zero ? (double)NAN : *out;
     return CR_ERR_OK;
+}
+
+/* ---- channels ---- */
+
+const struct cr_ev5_record *cr_ev5_accel(const struct cr_ev5 *ev5, const char *vehicle, char axis) {
+    static const char *const best[] = {"VECG", "SEAT", "FLOR", ""};
+    for (int k = 0; k < 4; k++) {
+        const struct cr_ev5_record *r;
+        for (int j = 0; (r = cr_ev5_find(ev5, "INSTRUMENTATION", j)) != NULL; j++) {
+            const char *occupant = cr_ev5_text(r, CR_EV5_OCCUPANT);
+            bool of_car = strcmp(occupant, "NA") == 0 || strcmp(occupant, "00") == 0;
+            if (of_car && strcmp(cr_ev5_text(r, CR_EV5_OF), vehicle) == 0 &&
+                strcmp(cr_ev5_text(r, CR_EV5_SENSOR), "AC") == 0 &&
+                cr_ev5_text(r, CR_EV5_AXIS)[0] == axis &&
+                strcmp(cr_ev5_text(r, CR_EV5_STATUS), "AM") == 0 &&
+                strcmp(cr_ev5_text(r, CR_EV5_ATTACHMENT), best[k]) == 0) {
+                return r;
+            }
+        }
+    }
+    return NULL;
+}
+
+const struct cr_ev5_record *cr_ev5_curve(const struct cr_ev5 *ev5, long number) {
+    const struct cr_ev5_record *r;
+    for (int j = 0; (r = cr_ev5_find(ev5, "INSTRUMENTATION", j)) != NULL; j++) {
+        if (strtol(cr_ev5_text(r, CR_EV5_CURVE), NULL, 10) == number) {
+            return r;
+        }
+    }
+    return NULL;
+}
+
+bool cr_ev5_file(const char *path, const struct cr_ev5_record *r, char *buf, size_t size) {
+    const char *dot = strrchr(path, '.'), *slash = strrchr(path, '/');
+    size_t stem =
+        dot != NULL && (slash == NULL || dot > slash) ? (size_t)(dot - path) : strlen(path);
+    long number = strtol(cr_ev5_text(r, CR_EV5_CURVE), NULL, 10);
+    return number >= 1 && number <= 9999 && stem < size &&
+           snprintf(buf, size, "%.*s.%03ld", (int)stem, path, number) < (int)size &&
+           cr_file_check_regular(buf, NULL) == CR_ERR_OK;
 }

@@ -1,0 +1,9 @@
+/* Module: pictures and pages by cairo. */
+#include "config.h"
+
+#include "module/module.h"
+
+const struct cr_module crumple_module = {.version = VERSION,
+                                         .need_cairo = cr_canvas_need_cairo,
+                                         .pdf = cr_canvas_pdf,
+                                         .png = cr_canvas_png};

@@ -1,0 +1,114 @@
+/* Any bytes as a folder of files that belong together: tables of a PCM, ISO-MME with a channel, an
+ * EV5 file or an ERG description with what lies beside it, a scenario with its catalogue. Behind a
+ * line "=== N" stands the file of that number. What comes out of import is a scene that reads or an
+ * error object; a curve of it is finite over rising times. */
+#include "scratch.h"
+
+#include "import/import.h"
+#include "result/signal.h"
+#include "scene/scene.h"
+
+#include <math.h>
+#include <string.h>
+
+static const char *const names[] = {"participant_data.csv",
+                                    "dynamics.csv",
+                                    "participant_shape.csv",
+                                    "global_data.csv",
+                                    "t.mme",
+                                    "Channel/t.001",
+                                    "t.EV5",
+                                    "t.001",
+                                    "t.erg.info",
+                                    "t.erg",
+                                    "t.xosc",
+                                    "vehicles.xosc"};
+enum { NAMES = sizeof names / sizeof names[0] };
+
+static enum cr_err take(void *user, const struct cr_str *line, struct cr_error *err) {
+    struct cr_scene scene;
+    (void)user;
+    if (strncmp(line->s, "{\"crumple_result\"", 17) != 0) {
+        if (cr_scene_parse(line->s, line->len, "scene", &scene, err) != CR_ERR_OK) {
+            fprintf(stderr, "%s: %s\n", err->where, err->text);
+            abort();
+        }
+        cr_scene_fini(&scene);
+    }
+    return CR_ERR_OK;
+}
+
+static void read_curve(void) {
+    const struct cr_signal_pick pick = {.object = 1};
+    struct cr_error err = {0};
+    struct cr_signal s;
+    enum cr_err code = cr_signal_load_any(scratch_dir(), &pick, &s, &err);
+    if (code != CR_ERR_OK) {
+        if (err.code != code || err.text[0] == '\0') {
+            abort();
+        }
+        return;
+    }
+    for (int i = 0; i < s.n; i++) {
+        if (!isfinite(s.t[i]) || !isfinite(s.x[i]) || (i > 0 && !(s.t[i] > s.t[i - 1]))) {
+            abort();
+        }
+    }
+    cr_signal_free(&s);
+}
+
+static void import_all(const struct cr_model_lib *models) {
+    const char *path = scratch_dir();
+    struct cr_import_count count = {0};
+    struct cr_error err = {0};
+    struct cr_import_opts opts;
+    cr_import_init(&opts);
+    opts.models = models;
+    opts.take = take;
+    if (cr_import_files(&opts, &path, 1, &count, &err) != CR_ERR_OK && err.text[0] == '\0') {
+        abort();
+    }
+}
+
+/* the next part of the bytes, up to the next "\n=== "; its file, -1 for none */
+static int next_part(const uint8_t **at, size_t *left, size_t *size) {
+    if (*left < 7 || memcmp(*at, "=== ", 4) != 0) {
+        return -1;
+    }
+    int file = ((*at)[4] - 'A') % NAMES;
+    *at += 6;
+    *left -= 6;
+    for (*size = 0; *size < *left; ++*size) {
+        if (*left - *size > 5 && memcmp(*at + *size, "\n=== ", 5) == 0) {
+            break;
+        }
+    }
+    return file;
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    static struct cr_model_lib *models;
+    struct cr_error err;
+    char path[4096];
+    snprintf(path, sizeof path, "%s/models", data_dir());
+    if (models == NULL && cr_model_lib_open(path, &models, &err) != CR_ERR_OK) {
+        exit(3);
+    }
+    snprintf(path, sizeof path, "%s/Channel", scratch_dir());
+    mkdir(scratch_dir(), 0700);
+    mkdir(path, 0700);
+    size_t part;
+    for (int file; (file = next_part(&data, &size, &part)) >= 0;) {
+        scratch_put(names[file], data, part);
+        data += part < size ? part + 1 : part;
+        size -= part < size ? part + 1 : part;
+    }
+    import_all(models);
+    read_curve();
+    for (int i = 0; i < NAMES; i++) {
+        scratch_remove(names[i]);
+    }
+    rmdir(path);
+    rmdir(scratch_dir());
+    return 0;
+}
