@@ -11,7 +11,7 @@ if ! command -v "$NM" >/dev/null 2>&1 || ! command -v objdump >/dev/null 2>&1; t
     exit 0
 fi
 
-for lib in $core lib cmd repl tui cli trial; do
+for lib in $core process lib cmd repl tui cli trial; do
     lib=lib$lib.a
     foreign=$($NM -g --defined-only "$lib" 2>/dev/null |
         awk 'NF == 3 && $3 !~ /^(cr_|crumple_|_)/ { print $3 }')

@@ -42,7 +42,7 @@ check_PROGRAMS += crumple-manual
 crumple_manual_SOURCES = tests/manual.c
 crumple_manual_CFLAGS = $(CR_CFLAGS)
 crumple_manual_LDADD = libcmd.a libstudy.a libfigure.a libdamage.a librender.a libresult.a libscene.a libsolver.a \
-	libmodel.a libbase.a $(GSL_LIBS) $(NLOPT_LIBS) $(CJSON_LIBS) $(NETTLE_LIBS) $(CAIRO_LIBS)
+	libmodel.a libprocess.a libbase.a $(GSL_LIBS) $(NLOPT_LIBS) $(CJSON_LIBS) $(NETTLE_LIBS) $(CAIRO_LIBS)
 update-manual: crumple-manual$(EXEEXT)
 	./crumple-manual$(EXEEXT) >$(srcdir)/man/crumple-commands.7
 	$(SHELL) $(srcdir)/tests/lib_manual.sh $(srcdir)/src/lib/crumple.h >$(srcdir)/man/libcrumple.3

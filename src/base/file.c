@@ -1,6 +1,6 @@
 /* Reads files whole, and writes them whole or not at all: into a file without a name, or with one
  * of its own beside the target, whose place it takes when it is complete. */
-#define _GNU_SOURCE /* O_TMPFILE, realpath */
+#define _GNU_SOURCE /* O_TMPFILE */
 #include "base/file.h"
 
 #include <dirent.h>
@@ -292,15 +292,28 @@ static enum cr_err write_whole(const char *path, const char *text, size_t n, str
     return failed ? io_error(err, path, "write") : cr_file_sync_folder(path, err);
 }
 
+void cr_file_target(const char *path, struct cr_str *out) {
+    enum { LINKS_MAX = 40 }; /* as many as Linux follows */
+    char to[4096], dir[4096];
+    ssize_t n;
+    cr_str_add(out, path);
+    for (int i = 0; i < LINKS_MAX && (n = readlink(cr_str_get(out), to, sizeof to - 1)) > 0; i++) {
+        to[n] = '\0';
+        cr_file_dir(cr_str_get(out), dir, sizeof dir);
+        cr_str_clear(out);
+        cr_str_addf(out, "%s%s%s", to[0] == '/' ? "" : dir, to[0] == '/' ? "" : "/", to);
+    }
+}
+
 enum cr_err cr_file_write(const char *path, const char *text, size_t n, struct cr_error *err) {
     if (cr_file_in_place(path)) {
         return write_in_place(path, text, n, err);
     }
-    /* A link stays a link: the file it leads to is replaced. */
-    struct stat st;
-    char *target = lstat(path, &st) == 0 && S_ISLNK(st.st_mode) ? realpath(path, NULL) : NULL;
-    enum cr_err code = write_whole(target != NULL ? target : path, text, n, err);
-    free(target);
+    struct cr_str target = {0};
+    cr_file_target(path, &target);
+    enum cr_err code = target.failed ? cr_err_set(err, CR_ERR_MEMORY, "no memory for a path")
+                                     : write_whole(cr_str_get(&target), text, n, err);
+    cr_str_fini(&target);
     return code;
 }
 

@@ -3,6 +3,7 @@
 #define CR_BASE_FILE_H
 
 #include "base/err.h"
+#include "base/str.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -28,6 +29,10 @@ CR_MUST_CHECK enum cr_err cr_file_check_regular(const char *path, struct cr_erro
  * made lasting too; a failure of that alone leaves the new file. Errors: IO. */
 CR_MUST_CHECK enum cr_err cr_file_write(const char *path, const char *text, size_t n,
                                         struct cr_error *err);
+
+/* The file that a path leads to through links, which need not be there: what is written and renamed
+ * to that leaves the links as they are. Added to out. */
+void cr_file_target(const char *path, struct cr_str *out);
 
 /* Whether a path is a pipe or device such as /dev/stdout: it is written in place, a rename would
  * put a file where it was. */

@@ -13,10 +13,13 @@ bool cr_grow(void *array, int *size, int n, size_t each) {
     if (n < *size) {
         return true;
     }
-    if (*size > INT_MAX / 2) {
+    int more = *size > 0 ? *size : FIRST;
+    while (more <= n && more <= INT_MAX / 2) {
+        more *= 2;
+    }
+    if (more <= n) {
         return false;
     }
-    int more = *size > 0 ? 2 * *size : FIRST;
     if ((size_t)more > SIZE_MAX / each) {
         return false;
     }

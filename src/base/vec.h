@@ -77,6 +77,11 @@ static inline double cr_rad(double deg) {
 static inline double cr_deg(double rad) {
     return rad * (180 / CR_PI);
 }
+/* a bearing as whole degrees, as it is told: 0 to 359 */
+static inline double cr_bearing_deg(double rad) {
+    double deg = round(cr_deg(rad));
+    return deg - 360 * floor(deg / 360);
+}
 static inline double cr_kmh(double mps) {
     return mps * 3.6;
 }

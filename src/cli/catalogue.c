@@ -2,6 +2,7 @@
 #include "cli/cli.h"
 #include "cli/word.h"
 
+#include "process/signals.h"
 #include "base/json.h"
 #include "base/tree.h"
 #include "catalogue/catalogue.h"
@@ -209,6 +210,6 @@ int cr_cli_catalogue(int argc, char **argv) {
     if (status >= 0) {
         return status;
     }
-    cr_cli_catch();
+    cr_signals_catch_word();
     return choose(argv + 1, operands, format, path, &err) == CR_ERR_OK ? 0 : cr_cli_fail(&err);
 }

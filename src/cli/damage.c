@@ -4,6 +4,8 @@
 #include "damage/against.h"
 #include "damage/picture.h"
 
+#include "process/signals.h"
+
 #include <stdio.h>
 #include <string.h>
 
@@ -116,7 +118,7 @@ static enum cr_err run(const char *file, const struct options *opt, struct cr_er
     if (code != CR_ERR_OK) {
         return code;
     }
-    cr_cli_catch();
+    cr_signals_catch_word();
     code = work_back(&w, file, err);
     if (code == CR_ERR_OK && opt->solved != NULL) {
         code = compare(&w, err);

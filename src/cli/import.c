@@ -2,6 +2,7 @@
 #include "cli/cli.h"
 #include "cli/word.h"
 
+#include "process/signals.h"
 #include "import/import.h"
 
 #include <errno.h>
@@ -113,6 +114,6 @@ int cr_cli_import(int argc, char **argv) {
     if (status >= 0) {
         return status;
     }
-    cr_cli_catch();
+    cr_signals_catch_word();
     return run(&o, argv + 1, operands);
 }

@@ -1,6 +1,7 @@
 /* crumple merge: the parts of a stack that was spread over machines, put in order again. */
 #include "cli/cli.h"
 
+#include "process/signals.h"
 #include "base/grow.h"
 #include "cli/part.h"
 #include "cli/sink.h"
@@ -212,10 +213,10 @@ static enum cr_err write_all(struct merge *m, struct cr_sink *sink, bool *gone,
         }
         code = give(m, sink, e, gone, err);
     }
-    if (code == CR_ERR_OK) {
+    if (code == CR_ERR_OK && !*gone) {
         code = cr_sink_pairs(sink, &m->form, &lonely, err);
-        m->failed += lonely;
     }
+    m->failed = *gone ? 0 : m->failed + lonely;
     return code;
 }
 
@@ -294,7 +295,7 @@ int cr_cli_merge(int argc, char **argv) {
     }
     struct merge m = {.opt = &opt, .path = argv + 1, .paths = operands};
     m.file = calloc((size_t)operands, sizeof *m.file);
-    cr_cli_catch();
+    cr_signals_catch_word();
     enum cr_err code = m.file != NULL ? cr_sink_new(&opt.sink, &sink, &err)
                                       : cr_err_set(&err, CR_ERR_MEMORY, "no memory to merge");
     code = code == CR_ERR_OK ? merge(&m, sink, &err) : code;

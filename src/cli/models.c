@@ -6,6 +6,7 @@
 #include "cli/models.h"
 #include "cli/word.h"
 
+#include "process/signals.h"
 #include "base/vec.h"
 #include "render/project.h"
 
@@ -380,6 +381,6 @@ int cr_cli_models(int argc, char **argv) {
     if (status >= 0) {
         return status;
     }
-    cr_cli_catch();
+    cr_signals_catch_word();
     return models(operands > 0 ? argv[1] : NULL, &opt, &err) ? cr_cli_fail(&err) : 0;
 }

@@ -1,6 +1,5 @@
 /* The output file of a long run: written as FILE.part, which becomes FILE when it is whole. An
  * unfinished attempt is set aside as FILE.part.1 and so on, until one is whole. */
-#define _XOPEN_SOURCE 700 /* realpath */
 #include "cli/part.h"
 
 #include "base/file.h"
@@ -57,10 +56,12 @@ enum cr_err cr_part_find(struct cr_part *part, const char *path, struct cr_optio
     struct cr_str name = {0};
     struct stat st;
     enum cr_err code = CR_ERR_OK;
-    char *real = realpath(path, NULL); /* what a link leads to is written, not the link */
-    cr_str_add(&part->target, real != NULL ? real : path);
-    free(real);
     part->in_place = cr_file_in_place(path);
+    if (part->in_place) {
+        cr_str_add(&part->target, path);
+    } else {
+        cr_file_target(path, &part->target);
+    }
     for (int i = 0; i <= CR_PART_OLDS_MAX && resume != NULL && !part->in_place && code == CR_ERR_OK;
          i++) {
         const char *file = attempt(part, i, &name);

@@ -13,7 +13,17 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* what each row begins with, whichever fields are asked for */
+static const char *const label[] = {"index", "scene", "pair"};
+enum { LABELS = sizeof label / sizeof label[0] };
+
 static enum cr_err add(struct cr_fields *f, const char *name, size_t len, struct cr_error *err) {
+    for (int i = 0; i < LABELS + f->n; i++) {
+        const char *there = i < LABELS ? label[i] : f->name[i - LABELS];
+        if (strlen(there) == len && strncmp(there, name, len) == 0) {
+            return CR_ERR_OK;
+        }
+    }
     if (len == 0 || len >= CR_FIELD_SIZE) {
         cr_err_set(err, CR_ERR_USAGE, "--fields: a name is empty or too long");
         cr_err_hint(err, "for example --fields A.ees_kmh,B.delta_v_kmh");
@@ -120,10 +130,11 @@ static void copy_members(cJSON *to, const cJSON *from, const char *const key[], 
 
 static cJSON *impact_row(const cJSON *result, const cJSON *impact, int number,
                          const cJSON *vehicle) {
-    static const char *const label[] = {"index", "scene", "pair", "input"};
     static const char *const own[] = {"t_s", "end_s", "stop", "closing_kmh"};
+    static const char *const input[] = {"input"};
     cJSON *row = cJSON_CreateObject(), *one;
-    copy_members(row, result, label, sizeof label / sizeof label[0]);
+    copy_members(row, result, label, LABELS);
+    copy_members(row, result, input, 1);
     cr_tree_put(row, "impact", cJSON_CreateNumber(number));
     const char *id = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(vehicle, "id"));
     cJSON_ArrayForEach(one, cJSON_GetObjectItemCaseSensitive(impact, "between")) {
@@ -236,18 +247,11 @@ void cr_rows_csv(const struct cr_fields *fields, const cJSON *record, struct cr_
 
 enum cr_err cr_rows_json(const struct cr_fields *fields, const cJSON *record, struct cr_str *out,
                          struct cr_error *err) {
-    static const char *const keys[] = {"index", "scene", "pair"};
-    cJSON *row = cJSON_CreateObject();
-    for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
-        const cJSON *item = cJSON_GetObjectItemCaseSensitive(record, keys[i]);
-        if (item != NULL) {
-            cr_tree_put(row, keys[i], cJSON_Duplicate(item, true));
-        }
-    }
+    static const char *const failure[] = {"error"};
     const cJSON *error = cJSON_GetObjectItemCaseSensitive(record, "error");
-    if (error != NULL) {
-        cr_tree_put(row, "error", cJSON_Duplicate(error, true));
-    }
+    cJSON *row = cJSON_CreateObject();
+    copy_members(row, record, label, LABELS);
+    copy_members(row, record, failure, 1);
     for (int i = 0; i < fields->n && error == NULL; i++) {
         const char *text;
         double x = cr_fields_value(record, fields->name[i], &text);

@@ -2,6 +2,7 @@
 #include "cli/cli.h"
 #include "cli/word.h"
 
+#include "process/signals.h"
 #include "base/file.h"
 
 #include <stdio.h>
@@ -72,7 +73,7 @@ int cr_cli_schema(int argc, char **argv) {
     if (status >= 0) {
         return status;
     }
-    cr_cli_catch();
+    cr_signals_catch_word();
     enum cr_err code = operands == 0 ? list(&err) : show(argv[1], to, &err);
     return code == CR_ERR_OK ? 0 : cr_cli_fail(&err);
 }

@@ -1,45 +1,15 @@
-/* Models and risk functions that all words of the command line share, opened once, and ^C. */
+/* Models and risk functions that all words of the command line share, opened once, and whether
+ * somebody has pressed ^C. */
 #include "cli/cli.h"
 #include "cli/word.h"
 
-#include <signal.h>
+#include "process/signals.h"
+
 #include <string.h>
-#include <unistd.h>
-
-static volatile sig_atomic_t interrupted;
-
-/* A signal that comes between a look at the flag and a call that waits would be waited on: it is
- * followed by an alarm every second, which no call sleeps through. */
-static void on_signal(int sig) {
-    (void)sig;
-    interrupted = 1;
-    alarm(1);
-}
-
-void cr_cli_catch(void) {
-    struct sigaction act = {.sa_handler = on_signal};
-    sigemptyset(&act.sa_mask);
-    /* a second ^C ends the program at once, should it be somewhere that does not poll */
-    struct sigaction again = act;
-    sigaction(SIGALRM, &again, NULL);
-    act.sa_flags = (int)SA_RESETHAND;
-    static const int stops[] = {SIGINT, SIGTERM};
-    for (int i = 0; i < 2; i++) {
-        struct sigaction old;
-        /* a background job of a script is started with ^C ignored, and stays so */
-        if (sigaction(stops[i], NULL, &old) == 0 && old.sa_handler != SIG_IGN) {
-            sigaction(stops[i], &act, NULL);
-        }
-    }
-    struct sigaction ignore = {.sa_handler = SIG_IGN};
-    sigemptyset(&ignore.sa_mask);
-    sigaction(SIGPIPE, &ignore, NULL);
-    sigaction(SIGXFSZ, &ignore, NULL);
-}
 
 int cr_cli_cancelled(void *unused) {
     (void)unused;
-    return interrupted;
+    return cr_signal_interrupted;
 }
 
 struct cr_context cr_cli_context(const struct cr_cli_shared *shared,

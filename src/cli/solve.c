@@ -1,6 +1,8 @@
 /* One scene of the command line, from its file to its result. */
 #include "cli/word.h"
 
+#include "process/signals.h"
+
 #include <string.h>
 
 static const char *told(const char *path) {
@@ -26,7 +28,7 @@ enum cr_err cr_cli_begin(const char *path, const struct cr_option_values *set,
         cr_err_place(err, told(path), err->line, err->col);
     }
     /* Until here ^C ends the program at once, also while the program waits for input. */
-    cr_cli_catch();
+    cr_signals_catch_word();
     if (code == CR_ERR_OK && set != NULL) {
         code = cr_cli_override(&job->scene, set, err);
     }

@@ -7,6 +7,8 @@
 #include "cli/sink.h"
 #include "cli/word.h"
 
+#include "process/clock.h"
+#include "process/signals.h"
 #include "base/file.h"
 #include "base/json.h"
 #include "base/pool.h"
@@ -54,9 +56,9 @@ struct stack {
     struct cr_sink *sink;
     long shard, shards, number; /* shard 0..shards-1; scenes read so far */
     long done, failed, interrupted;
-    bool no_memory; /* for another scene */
-    bool gone;      /* whoever read the output */
-    struct timespec began, told;
+    bool no_memory;     /* for another scene */
+    bool gone;          /* whoever read the output */
+    double began, told; /* s of the wall clock */
     struct cr_error fatal;
 };
 
@@ -239,19 +241,13 @@ static void work(void *user, void *of) {
     cr_scene_fini(&scene);
 }
 
-static double since(const struct timespec *from, struct timespec *now) {
-    clock_gettime(CLOCK_MONOTONIC, now);
-    return (double)(now->tv_sec - from->tv_sec) + 1e-9 * (double)(now->tv_nsec - from->tv_nsec);
-}
-
 /* a line that is written over on a terminal, else one every ten seconds and at the end */
 static void tell(struct stack *s, bool last) {
-    struct timespec now;
+    double now = cr_clock_wall(), t = now - s->began;
     bool terminal = isatty(STDERR_FILENO);
-    if (!s->opt->progress || (!last && since(&s->told, &now) < (terminal ? 0.2 : 10))) {
+    if (!s->opt->progress || (!last && now - s->told < (terminal ? 0.2 : 10))) {
         return;
     }
-    double t = since(&s->began, &now);
     s->told = now;
     fprintf(stderr, "%s%ld scenes, %ld failed, %.1f s, %.1f per second%s", terminal ? "\r" : "",
             s->done, s->failed, t, t > 0 ? (double)s->done / t : 0.0,
@@ -362,8 +358,7 @@ static enum cr_err open_stack(struct stack *s, char **input, int inputs, struct 
 /* all scenes, then the pairs */
 static enum cr_err run_stack(struct stack *s, struct cr_error *err) {
     const struct cr_pool_work pool = {.take = take, .work = work, .give = give, .user = s};
-    clock_gettime(CLOCK_MONOTONIC, &s->began);
-    s->told = s->began;
+    s->began = s->told = cr_clock_wall();
     enum cr_err code = cr_pool_run(&pool, s->opt->jobs, err);
     if (code || s->fatal.code) {
         *err = code ? *err : s->fatal;
@@ -408,7 +403,7 @@ static enum cr_err stack(char **input, int inputs, struct options *opt, long *fa
     struct cr_part part = {.file = NULL};
     enum cr_err code = find_output(opt, &part, err);
     code = code ? code : open_stack(&s, input, inputs, err);
-    cr_cli_catch();
+    cr_signals_catch_word();
     if (!code && opt->out && strcmp(opt->out, "-") != 0) {
         code = to_file(&s, &part, err);
     } else if (!code) {

@@ -53,10 +53,7 @@ CR_MUST_CHECK enum cr_err cr_cli_open(struct cr_cli_shared *shared, enum cr_cli_
                                       struct cr_error *err);
 void cr_cli_close(struct cr_cli_shared *shared);
 
-/* Make SIGINT and SIGTERM set a flag, and a closed pipe and a limit of file size errors of writing.
- */
-void cr_cli_catch(void);
-/* Non-zero once interrupted; has the shape of cr_context.cancel. */
+/* Non-zero once ^C was pressed (process/signals.h); has the shape of cr_context.cancel. */
 int cr_cli_cancelled(void *unused);
 
 /* --result-version: a row for an option table */

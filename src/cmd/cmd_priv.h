@@ -167,7 +167,6 @@ const struct cr_measured *cr_damage_known(const struct cr_session *s, const char
 struct cr_context cr_session_context(struct cr_session *s);
 void cr_work_begin(struct cr_session *s);
 double cr_work_end(struct cr_session *s); /* s it took */
-double cr_work_processor_s(void);         /* s of processor time of this thread */
 double cr_work_max_bytes(const struct cr_session *s);
 /* Progress is due (first after 0.3 s, then ten times a second). */
 bool cr_work_due(struct cr_session *s, double *elapsed);

@@ -116,7 +116,7 @@ static void say_model(struct cr_session *s, const struct cr_participant *p) {
     const struct cr_model_choice *m = &p->model;
     char pdof[40] = "chosen from the direction of force";
     if (m->pdof_kind != CR_PDOF_AUTO) {
-        snprintf(pdof, sizeof pdof, "%.0f deg", cr_deg(m->pdof));
+        snprintf(pdof, sizeof pdof, "%.0f deg", cr_bearing_deg(m->pdof));
     }
     cr_say(s, "%s: %s%s%s, PDOF %s%s", p->id, cr_type_word(p->type),
            m->kind == CR_MODEL_FILE        ? ", voxels of "

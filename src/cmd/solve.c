@@ -1,5 +1,6 @@
 /* solve and explain: the crash as a whole, and one time slice of it with the paper's equations. */
 #include "cmd/cmd_priv.h"
+#include "process/clock.h"
 
 #include "scene/compiled.h"
 
@@ -39,7 +40,7 @@ static int cancelled(void *user) {
     double limit = s->opts.max_seconds, polled = s->work_polled;
     int cancel = cr_work_cancelled(s);
     bool looked = cancel == 0 && (s->opts.out.cancel == NULL || s->work_polled > polled);
-    return looked && limit > 0 && cr_work_processor_s() - s->work_processor > limit
+    return looked && limit > 0 && cr_clock_thread() - s->work_processor > limit
                ? (int)CR_CANCEL_TIME
                : cancel;
 }

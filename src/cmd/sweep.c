@@ -6,6 +6,7 @@
 
 #include "base/file.h"
 #include "base/pool.h"
+#include "study/limit.h"
 #include "base/random.h"
 
 #include <math.h>
@@ -38,19 +39,6 @@ static int stopped(void *user) {
     return atomic_load(&job->stop);
 }
 
-/* one run of it, in its thread */
-struct turn {
-    struct job *job;
-    double end; /* s of processor time; infinite: any */
-    unsigned polls;
-};
-
-static int stopped_or_late(void *user) {
-    struct turn *turn = user;
-    bool late = ++turn->polls % 32 == 0 && cr_work_processor_s() > turn->end;
-    return stopped(turn->job) != 0 ? (int)CR_CANCEL_USER : late ? CR_CANCEL_TIME : CR_CANCEL_NO;
-}
-
 /* the values of a run, in a state of its own */
 static enum cr_err apply(struct cr_state *state, const struct cr_sweep *sweep,
                          const struct cr_vary *var, const struct cr_sweep_run *run,
@@ -75,14 +63,14 @@ static void keep(struct cr_sweep_run *run, const struct cr_result *r) {
 
 static void solve_run(struct job *job, struct cr_sweep_run *run) {
     const struct cr_session_opts *opts = &job->session->opts;
-    double seconds = opts->max_seconds > 0 ? opts->max_seconds : (double)INFINITY;
-    struct turn turn = {.job = job, .end = cr_work_processor_s() + seconds};
-    struct cr_context ctx = {.models = job->models,
-                             .irf = job->irf,
-                             .cancel = stopped_or_late,
-                             .user = &turn,
-                             .max_bytes = cr_work_max_bytes(job->session),
-                             .max_seconds = opts->max_seconds};
+    const struct cr_context given = {.models = job->models,
+                                     .cancel = stopped,
+                                     .user = job,
+                                     .max_bytes = cr_work_max_bytes(job->session),
+                                     .max_seconds = opts->max_seconds};
+    struct cr_study_limit limit;
+    struct cr_context ctx = cr_study_limited(&given, &limit);
+    ctx.irf = job->irf;
     struct cr_state *state = NULL;
     struct cr_result *result = NULL;
     struct cr_error err = {0};

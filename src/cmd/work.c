@@ -1,32 +1,21 @@
 /* The clock of long work: when progress is due, and when to look whether the user cancels. */
 #include "cmd/cmd_priv.h"
 
+#include "process/clock.h"
+
 #include <math.h>
-#include <time.h>
 
 #define FIRST_SHOW 0.3  /* s of work before progress is shown */
 #define SHOW_EVERY 0.1  /* s between two shows */
 #define POLL_EVERY 0.01 /* s between two looks for a cancel */
-
-static double now_s(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-double cr_work_processor_s(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 double cr_work_max_bytes(const struct cr_session *s) {
     return 1e6 * (s->opts.max_megabytes > 0 ? s->opts.max_megabytes : CR_MAX_MEGABYTES);
 }
 
 void cr_work_begin(struct cr_session *s) {
-    s->work_began = now_s();
-    s->work_processor = cr_work_processor_s();
+    s->work_began = cr_clock_wall();
+    s->work_processor = cr_clock_thread();
     s->work_polled = -1; /* the first look is at once, however fast the work is */
     s->work_shown = 0;
 }
@@ -35,11 +24,11 @@ double cr_work_end(struct cr_session *s) {
     if (s->work_shown > 0 && s->opts.out.progress != NULL) {
         s->opts.out.progress(s->opts.out.user, NULL);
     }
-    return now_s() - s->work_began;
+    return cr_clock_wall() - s->work_began;
 }
 
 bool cr_work_due(struct cr_session *s, double *elapsed) {
-    double now = now_s();
+    double now = cr_clock_wall();
     *elapsed = now - s->work_began;
     if (s->opts.out.progress == NULL || *elapsed < FIRST_SHOW || now - s->work_shown < SHOW_EVERY) {
         return false;
@@ -49,7 +38,7 @@ bool cr_work_due(struct cr_session *s, double *elapsed) {
 }
 
 int cr_work_cancelled(struct cr_session *s) {
-    double now = now_s();
+    double now = cr_clock_wall();
     if (s->opts.out.cancel == NULL || now - s->work_polled < POLL_EVERY) {
         return 0;
     }

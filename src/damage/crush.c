@@ -58,13 +58,34 @@ static enum cr_err check_stations(const struct cr_measured *m, const struct cr_p
     double reach = cr_face_is_end(m->face) ? p->length : p->width;
     for (int i = 0; i < m->stations; i++) {
         if (!(m->depth[i] >= 0 && m->depth[i] < 0.9 * reach)) {
-            cr_err_set(err, CR_ERR_RANGE, "%s: C%d of %.2f m does not fit the vehicle of %.2f m",
+            cr_err_set(err, CR_ERR_RANGE, "%s: C%d of %.3g m does not fit the vehicle of %.3g m",
                        p->id, i + 1, m->depth[i], reach);
             cr_err_hint(err, "depths are in m in a file, with their unit in commands");
             return CR_ERR_RANGE;
         }
     }
     return CR_ERR_OK;
+}
+
+/* what is less certain than the vehicle is long says nothing, and its interval has no end */
+static enum cr_err check_tolerances(const struct cr_measured *m, const struct cr_participant *p,
+                                    struct cr_error *err) {
+    double tol = fmax(m->depth_tol, fmax(m->length_tol, m->offset_tol));
+    if (tol > p->length) {
+        cr_err_set(err, CR_ERR_RANGE,
+                   "%s: a tolerance of %.3g m is more than the vehicle of %.3g m", p->id, tol,
+                   p->length);
+    } else if (m->pdof_tol > CR_PI) {
+        cr_err_set(err, CR_ERR_RANGE, "%s: a tolerance of %.4g degrees is more than half a turn",
+                   p->id, cr_deg(m->pdof_tol));
+    } else if (m->mass_tol > p->mass) {
+        cr_err_set(err, CR_ERR_RANGE, "%s: a tolerance of %.4g kg is more than the mass of %.4g kg",
+                   p->id, m->mass_tol, p->mass);
+    } else {
+        return CR_ERR_OK;
+    }
+    cr_err_hint(err, "leave out what was not measured: usual tolerances are taken");
+    return CR_ERR_RANGE;
 }
 
 enum cr_err cr_crush_check(const struct cr_measured *m, const struct cr_participant *p,
@@ -83,7 +104,7 @@ enum cr_err cr_crush_check(const struct cr_measured *m, const struct cr_particip
     /* tape and dimensions are not better than a tenth */
     if (fabs(m->offset) + m->length / 2 > 0.6 * span) {
         cr_err_set(err, CR_ERR_RANGE,
-                   "%s: a field of %.2f m at %+.2f m lies outside the %s of %.2f m", p->id,
+                   "%s: a field of %.3g m at %+.3g m lies outside the %s of %.3g m", p->id,
                    m->length, m->offset, faces[m->face], span);
         cr_err_hint(err, "the offset is that of its middle, to the right or forward");
         return CR_ERR_RANGE;
@@ -93,13 +114,14 @@ enum cr_err cr_crush_check(const struct cr_measured *m, const struct cr_particip
     }
     double off = remainder(m->pdof - cr_crush_square(m->face), 2 * CR_PI);
     if (!isnan(m->pdof) && fabs(off) >= CR_PI / 2) {
-        cr_err_set(err, CR_ERR_RANGE, "%s: a force from %.0f degrees pulls at the %s", p->id,
+        cr_err_set(err, CR_ERR_RANGE, "%s: a force from %.4g degrees pulls at the %s", p->id,
                    cr_deg(m->pdof), faces[m->face]);
         cr_err_hint(err, "PDOF is clockwise from ahead; %.0f is square to that face",
                     cr_deg(cr_crush_square(m->face)));
         return CR_ERR_RANGE;
     }
-    return check_stations(m, p, err);
+    enum cr_err code = check_stations(m, p, err);
+    return code == CR_ERR_OK ? check_tolerances(m, p, err) : code;
 }
 
 enum cr_err cr_crush_open(const struct cr_model_lib *lib, const struct cr_participant *p,

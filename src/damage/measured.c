@@ -43,7 +43,7 @@ enum cr_err cr_crush_outline(const struct cr_crush_point *p, int n, struct cr_me
     enum { EVEN = 24 };
     for (int i = 1; i < n; i++) {
         if (!(p[i].along > p[i - 1].along)) {
-            cr_err_set(err, CR_ERR_RANGE, "the outline does not go on from %.2f m to %.2f m",
+            cr_err_set(err, CR_ERR_RANGE, "the outline does not go on from %.3g m to %.3g m",
                        p[i - 1].along, p[i].along);
             cr_err_hint(err, "its points go from left to right, or from rear to front");
             return CR_ERR_RANGE;
@@ -116,6 +116,9 @@ enum cr_err cr_crush_stations_read(const char *text, struct cr_measured *m, stru
         if (code != CR_ERR_OK || !(m->depth_tol >= 0)) {
             return code != CR_ERR_OK ? code
                                      : cr_err_set(err, CR_ERR_RANGE, "a tolerance is not negative");
+        }
+        if (plus - text >= (int)sizeof plain) {
+            return cr_err_set(err, CR_ERR_RANGE, "the list of stations is too long");
         }
         snprintf(plain, sizeof plain, "%.*s", (int)(plus - text), text);
         l.at = plain;

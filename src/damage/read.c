@@ -244,9 +244,10 @@ static enum cr_err take_rest(struct reader *r, const cJSON *json, struct cr_crus
             const cJSON *mass = cJSON_GetObjectItemCaseSensitive(m, "mass_kg");
             out->object = true;
             out->object_mass = cJSON_IsNumber(mass) ? mass->valuedouble : (double)NAN;
-            if (!cJSON_IsObject(m) || (mass != NULL && !(out->object_mass > 0))) {
+            if (!cJSON_IsObject(m) ||
+                (mass != NULL && !(out->object_mass >= 0.1 && out->object_mass <= 1e7))) {
                 return fail(r, CR_ERR_TYPE, "object: expected {} (fixed) or {\"mass_kg\": 100}",
-                            "a tree or a pole is {}");
+                            "a tree or a pole is {}; a mass is 0.1 to 10000000 kg");
             }
         } else if (strcmp(m->string, "restitution") == 0) {
             if (!take_number(m, &out->restitution, &out->restitution_tol) ||
@@ -310,7 +311,7 @@ static enum cr_err copy_stations(const struct cr_records *t, int row, cJSON *dam
         return CR_ERR_OK;
     }
     cJSON *list = cr_tree_array(damage, "crush_m");
-    for (int k = 1; k <= CR_STATIONS_MAX; k++) {
+    for (int k = 1; k <= CR_STATIONS_MAX + 1; k++) { /* one too many is told, not left out */
         char name[8];
         double x;
         snprintf(name, sizeof name, "c%d_m", k);

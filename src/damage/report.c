@@ -66,9 +66,7 @@ static void say_measured(const struct cr_crush_car *car, struct cr_str *out) {
     cr_str_addf(out, "%s: %s %.0f +- %.0f kg, %s, field %.2f +- %.2f m at %+.2f +- %.2f m, ",
                 car->id, cr_type_word(p->type), p->mass, m->mass_tol, cr_crush_face_word(m->face),
                 m->length, m->length_tol, m->offset, m->offset_tol);
-    cr_str_addf(out, "PDOF %.0f +- %.0f deg\n",
-                cr_deg(m->pdof) < -0.5 ? cr_deg(m->pdof) + 360 : cr_deg(m->pdof),
-                cr_deg(m->pdof_tol));
+    cr_str_addf(out, "PDOF %.0f +- %.0f deg\n", cr_bearing_deg(m->pdof), cr_deg(m->pdof_tol));
     if (m->guessed) {
         cr_str_add(out,
                    "  not measured: as deep as takes what such partners took in real crashes\n");

@@ -4,6 +4,7 @@
 #include "expert/expert.h"
 #include "expert/recheck.h"
 
+#include "process/signals.h"
 #include "base/file.h"
 
 #include <stdlib.h>
@@ -40,7 +41,7 @@ static enum cr_err audit(char **argv, int n, const struct options *opt, bool *sa
     if (code == CR_ERR_OK) {
         code = get_scene(text, len, argv, n, &scene, err);
     }
-    cr_cli_catch();
+    cr_signals_catch_word();
     if (code == CR_ERR_OK) {
         code = cr_cli_override(&scene, &opt->set, err);
     }

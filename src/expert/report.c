@@ -9,6 +9,7 @@
 #include "report/report.h"
 #include "study/limit.h"
 
+#include "process/signals.h"
 #include "base/file.h"
 #include "base/hash.h"
 #include "base/json.h"
@@ -317,7 +318,7 @@ static enum cr_err report(const char *path, const struct options *opt, const cha
     const char *name = strcmp(path, "-") == 0 ? "standard input" : path;
     begin(&w, opt, command);
     enum cr_err code = read_input(&w, path, name, err);
-    cr_cli_catch();
+    cr_signals_catch_word();
     if (code == CR_ERR_OK) {
         code = solve(&w, path, name, err);
     }

@@ -23,7 +23,7 @@ struct hit {
     }
 OF(get_delta_v, cr_kmh(h->of->delta_v))
 OF(get_ees, h->deforms ? cr_kmh(h->of->ees) : (double)NAN)
-OF(get_pdof, h->deforms ? cr_deg(h->of->pdof) : (double)NAN)
+OF(get_pdof, h->deforms ? cr_bearing_deg(h->of->pdof) : (double)NAN)
 OF(get_peak, h->deforms ? h->of->acceleration_max / CR_G : (double)NAN)
 OF(get_pulse, h->deforms ? h->of->pulse * 1e3 : (double)NAN)
 OF(get_depth, h->deforms ? h->of->face_depth : (double)NAN)

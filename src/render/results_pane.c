@@ -31,7 +31,7 @@ OF(ees, s->final ? cr_kmh(s->result->of[s->body].ees) : ees_now(s))
 OF(dv_now,
    cr_kmh(cr_vec2_len(cr_vec2_sub(s->now.vel, s->result->solution->body[s->body].before.vel))))
 OF(dv, s->final ? cr_kmh(s->result->of[s->body].delta_v) : dv_now(s))
-OF(pdof, cr_deg(s->result->of[s->body].pdof))
+OF(pdof, cr_bearing_deg(s->result->of[s->body].pdof))
 OF(depth, s->result->of[s->body].deformation_max)
 OF(energy, (s->final ? s->result->of[s->body].energy : s->now.energy) * 1e-3)
 OF(a_max, s->result->of[s->body].acceleration_max / CR_G)

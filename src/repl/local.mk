@@ -1,6 +1,5 @@
 noinst_LIBRARIES += librepl.a
 librepl_a_SOURCES = \
-	src/repl/interrupt.c \
 	src/repl/main.c \
 	src/repl/options.c \
 	src/repl/prompt.c \

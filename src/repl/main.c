@@ -52,13 +52,13 @@ static enum cr_err run_stream(struct cr_session *s) {
     int number = 0, first = 1;
     while (code == CR_ERR_OK && !cr_session_over(s)) {
         ssize_t n = getline(&line, &size, stdin);
-        if (n < 0 && ferror(stdin) && !cr_repl_interrupted) {
+        if (n < 0 && ferror(stdin) && !cr_signal_interrupted) {
             struct cr_error err;
             cr_err_set(&err, CR_ERR_IO, "cannot read: %s", strerror(errno));
             cr_err_place(&err, "stdin", 0, 0);
             code = say_error(&err);
         }
-        if (n < 0 || cr_repl_interrupted) {
+        if (n < 0 || cr_signal_interrupted) {
             break;
         }
         number++;
@@ -153,7 +153,7 @@ int cr_repl_main(int argc, char **argv, const char *data_dir, const char *cars_d
                                    .look = cr_terminal_look(o.color, o.ascii),
                                    .out = cr_terminal_out(&t),
                                    .report = report};
-    cr_repl_catch_interrupt();
+    cr_signals_catch_lines();
     if (cr_session_new(&opts, &s, &err) != CR_ERR_OK) {
         say_error(&err);
         return cr_err_status(err.code);
@@ -166,7 +166,7 @@ int cr_repl_main(int argc, char **argv, const char *data_dir, const char *cars_d
         code = run_stream(s);
     }
     cr_session_free(s);
-    if (cr_repl_interrupted && code == CR_ERR_OK && !prompt) {
+    if (cr_signal_interrupted && code == CR_ERR_OK && !prompt) {
         code = CR_ERR_INTERRUPTED;
     }
     if (fflush(stdout) != 0 || ferror(stdout)) {

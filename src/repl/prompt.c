@@ -85,8 +85,8 @@ void cr_repl_complete(struct cr_session *s) {
 
 /* ^C at the prompt: the line is given up, the session goes on */
 static int after_signal(void) {
-    if (cr_repl_interrupted) {
-        cr_repl_interrupted = 0;
+    if (cr_signal_interrupted) {
+        cr_signal_interrupted = 0;
         rl_replace_line("", 1); /* readline itself has shown ^C */
         rl_crlf();
         rl_on_new_line();
@@ -156,7 +156,7 @@ static void joined(char *line) {
 enum cr_err cr_repl_prompt(struct cr_session *s, struct cr_terminal *t, const char *state_dir) {
     char file[1200] = "";
     t->prompt = true;
-    cr_repl_interrupted = 0;
+    cr_signal_interrupted = 0;
     puts("Crumple: crash simulation by voxels. help lists the commands, Tab completes, ^D ends.");
     if (cr_session_left_behind(state_dir)) {
         puts("  An earlier session ended without being quit. Its scene: load --recover");
@@ -174,7 +174,7 @@ enum cr_err cr_repl_prompt(struct cr_session *s, struct cr_terminal *t, const ch
     }
     while (!cr_session_over(s)) {
         char *line = read_whole();
-        cr_repl_interrupted = 0;
+        cr_signal_interrupted = 0;
         if (line == NULL) { /* ^D */
             puts("");
             cr_session_run(s, "quit");

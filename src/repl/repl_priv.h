@@ -3,9 +3,8 @@
 #define CR_REPL_REPL_PRIV_H
 
 #include "cmd/cmd.h"
+#include "process/signals.h"
 #include "repl/repl.h"
-
-#include <signal.h>
 
 struct cr_repl_options {
     bool prompt, plain, ascii; /* plain: --repl, no full screen */
@@ -32,10 +31,6 @@ struct cr_terminal {
     bool progress; /* standard error is a terminal */
     bool drawn;    /* a progress line stands there */
 };
-
-/* Set by SIGINT, cleared by who acted on it. */
-extern volatile sig_atomic_t cr_repl_interrupted;
-void cr_repl_catch_interrupt(void);
 
 struct cr_out cr_terminal_out(struct cr_terminal *t);
 /* Colours and glyphs: color is "always", "never" or "auto"; ascii forces plain ASCII. */

@@ -117,7 +117,7 @@ static void progress(void *user, const struct cr_progress *p) {
 
 static int cancel(void *user) {
     (void)user;
-    return cr_repl_interrupted;
+    return cr_signal_interrupted;
 }
 
 static void size(void *user, int *width, int *height) {

@@ -109,10 +109,11 @@ static const char *pdof(const struct cr_paper *p, int body) {
     }
     const char *clock = cr_doc_text(p->doc, W(p, "%d o'clock"), of->pdof_clock);
     if (m == NULL || !range_of(p, body, m, range)) {
-        return cr_doc_text(p->doc, "%.0f\u00b0, %s", cr_deg(of->pdof), clock);
+        return cr_doc_text(p->doc, "%.0f\u00b0, %s", cr_bearing_deg(of->pdof), clock);
     }
-    return cr_doc_text(p->doc, "%.0f\u00b0 (%.0f %s %.0f), %s", cr_deg(of->pdof), range[0],
-                       W(p, "to"), range[1], clock);
+    return cr_doc_text(p->doc, "%.0f\u00b0 (%.0f %s %.0f), %s", cr_bearing_deg(of->pdof),
+                       cr_bearing_deg(cr_rad(range[0])), W(p, "to"),
+                       cr_bearing_deg(cr_rad(range[1])), clock);
 }
 
 static void one_vehicle(struct cr_paper *p, int body) {

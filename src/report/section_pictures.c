@@ -229,8 +229,9 @@ static void one_impact(struct cr_paper *p, const struct cr_impact *k, int side) 
     ROW(p, cr_doc_text(p->doc, "%.1f", 1e3 * (k->t_begin - p->r->solution->t_contact)),
         p->r->resolved.part[body].id, p->r->resolved.part[k->body[!side]].id,
         cr_doc_text(p->doc, "%.1f", cr_kmh(of->delta_v)),
-        cr_doc_text(p->doc, "%.1f", cr_kmh(of->ees)), cr_doc_text(p->doc, "%.0f", cr_deg(of->pdof)),
-        of->cdc, cr_doc_text(p->doc, "%.1f", of->acceleration_max / CR_G),
+        cr_doc_text(p->doc, "%.1f", cr_kmh(of->ees)),
+        cr_doc_text(p->doc, "%.0f", cr_bearing_deg(of->pdof)), of->cdc,
+        cr_doc_text(p->doc, "%.1f", of->acceleration_max / CR_G),
         cr_doc_text(p->doc, "%.0f", 1e3 * of->pulse),
         cr_doc_text(p->doc, "%s, e %.2f", W(p, cr_stop_word(k->stop)), k->restitution));
 }

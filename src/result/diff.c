@@ -132,6 +132,10 @@ static void say_value(struct cr_diff *d, struct cr_str *out, const struct cr_mea
         by = change = cr_deg(cr_angle_wrap(cr_rad(change)));
         share = NAN;
     }
+    if (strcmp(m->name, "pdof") == 0) {
+        one = cr_bearing_deg(cr_rad(a));
+        two = cr_bearing_deg(cr_rad(b));
+    }
     cr_measure_in(m, d->units, &one, NULL);
     cr_measure_in(m, d->units, &two, NULL);
     const char *unit = cr_measure_in(m, d->units, &by, &decimals);

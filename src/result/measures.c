@@ -109,7 +109,9 @@ const char *cr_measure_in(const struct cr_measure *m, enum cr_units units, doubl
 }
 
 const char *cr_measure_text(const struct cr_measure *m, double shown, char *buf, int size) {
-    snprintf(buf, (size_t)size, "%.*f", m->decimals, shown);
+    bool bearing = strcmp(m->name, "pdof") == 0;
+    snprintf(buf, (size_t)size, "%.*f", m->decimals,
+             bearing ? cr_bearing_deg(cr_rad(shown)) : shown);
     /* a rounded zero has no sign */
     if (buf[0] == '-' && strspn(buf + 1, "0.") == strlen(buf + 1)) {
         memmove(buf, buf + 1, strlen(buf));

@@ -245,7 +245,7 @@ static void check_vehicle(struct cr_result *r, int i, const struct cr_model_lib 
             r, "pdof-border",
             "%s: the force comes from %.0f deg, at the border of two hours of the clock: "
             "its model might as well be the other; \"blend\": true mixes them",
-            p->id, cr_deg(s->pdof));
+            p->id, cr_bearing_deg(s->pdof));
     }
 }
 

@@ -230,7 +230,7 @@ static enum cr_err settle(struct cr_result *r, const struct cr_context *ctx, str
             cr_result_warn(r, "pdof-unsettled",
                            "%s: the PDOF did not settle: model of %.0f deg, force from %.0f deg; "
                            "set \"blend\": true or a fixed \"pdof_deg\" and compare",
-                           scene->part[i].id, cr_deg(pdof[i]), cr_deg(found[i]));
+                           scene->part[i].id, cr_bearing_deg(pdof[i]), cr_bearing_deg(found[i]));
             break;
         }
         memcpy(pdof, found, sizeof pdof);

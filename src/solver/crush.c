@@ -4,13 +4,10 @@
 #include "base/grow.h"
 #include "solver/tuning.h"
 
-bool cr_crush_voxel(struct cr_side *k, int voxel, int at, double phi, struct cr_vec2 n,
-                    struct cr_vec2 push) {
+bool cr_crush_lose(struct cr_side *k, int voxel, int at, double phi, struct cr_vec2 n,
+                   struct cr_vec2 push) {
     struct cr_surface *f = &k->m->surface;
-    double h = f->grid->h, moved = cr_min(phi, f->band) - f->phi[at], amount = 0, unit = 0;
-    if (!(moved > 0)) {
-        return true;
-    }
+    double h = f->grid->h, amount = 0, unit = 0;
     if (voxel >= 0) {
         unit = cr_unit_energy(k, voxel, push);
     }
@@ -20,6 +17,10 @@ bool cr_crush_voxel(struct cr_side *k, int voxel, int at, double phi, struct cr_
     if (!cr_grow(&k->loss, &k->losses_size, k->losses, sizeof *k->loss)) {
         return false;
     }
+    if (f->phi[at] <= -f->band) {
+        cr_surface_near(f, at);
+    }
+    double moved = cr_min(phi, f->band) - f->phi[at];
     f->phi[at] += moved;
     if (amount > 0) {
         f->left[voxel] -= amount;

@@ -35,14 +35,14 @@ static double slope_at(const struct face *f, int i, double depth) {
 
 /* How deep a place lies below the undeformed outline of the body, m. */
 static double rest_depth(const struct cr_surface *s, struct cr_vec2 place) {
-    double least = INFINITY;
-    for (int face = 0; face < CR_FACES; face++) {
-        const struct cr_lines *l = &s->lines[face];
-        struct cr_vec2 r = cr_vec2_sub(place, l->corner);
-        int line = (int)cr_clamp(cr_vec2_dot(r, l->along) / s->grid->h, 0, l->n - 1);
-        least = cr_min(least, cr_vec2_dot(r, l->in) - s->outline[face][line]);
-    }
-    return least;
+    const struct cr_grid *g = s->grid;
+    double x = place.x - g->x0, y = place.y - g->y0, per = 1 / g->h;
+    int column = (int)cr_clamp(x * per, 0, g->nx - 1), row = (int)cr_clamp(y * per, 0, g->ny - 1);
+    double along = cr_min(g->nx * g->h - x - s->outline[CR_FACE_FRONT][row],
+                          x - s->outline[CR_FACE_REAR][row]);
+    double across = cr_min(g->ny * g->h - y - s->outline[CR_FACE_LEFT][column],
+                           y - s->outline[CR_FACE_RIGHT][column]);
+    return cr_min(along, across);
 }
 
 static void deepen(struct cr_hold *l, double depth, double in) {

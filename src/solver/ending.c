@@ -4,6 +4,8 @@
 #include "solver/phases.h"
 #include "solver/tuning.h"
 
+#include <string.h>
+
 void cr_ending_rest(struct cr_solver *s, const bool in_contact[]) {
     for (int i = 0; i < s->cs->n; i++) {
         struct cr_moving *m = &s->m[i];
@@ -24,30 +26,39 @@ void cr_ending_rest(struct cr_solver *s, const bool in_contact[]) {
     }
 }
 
-static void remember(const struct cr_solver *s, struct cr_snapshot *f) {
-    f->t = s->t;
-    f->tyre = s->tyre;
-    f->samples = s->samples;
-    f->p_ground = s->p_ground;
-    f->l_ground = s->l_ground;
+/* Everything as it is: the touch that is foreseen may never come. */
+static void remember(struct cr_solver *s) {
+    struct cr_freed *f = s->freed;
+    f->s = *s;
+    for (int p = 0; p < CR_PAIR_MAX; p++) {
+        f->last[p] = s->contact[s->touch[p].last];
+    }
     for (int i = 0; i < s->cs->n; i++) {
-        f->m[i].pos = s->m[i].pos;
-        f->m[i].vel = s->m[i].vel;
-        f->m[i].heading = s->m[i].heading;
-        f->m[i].yaw_rate = s->m[i].yaw_rate;
+        if (s->m[i].soft) {
+            cr_surface_keep(&s->m[i].surface);
+        }
     }
 }
 
-static void go_back(struct cr_solver *s, const struct cr_snapshot *f) {
-    s->t = f->t;
-    s->tyre = f->tyre;
-    s->samples = f->samples;
-    s->p_ground = f->p_ground;
-    s->l_ground = f->l_ground;
+static void go_back(struct cr_solver *s) {
+    const struct cr_freed *f = s->freed;
+    struct cr_solver now = *s;
+    *s = f->s;
+    memcpy(s->side, now.side, sizeof s->side);
+    s->contact = now.contact;
+    s->contacts_size = now.contacts_size;
+    s->times = now.times;
+    s->trace = now.trace;
+    s->samples_size = now.samples_size;
+    s->slice = now.slice;
+    s->slices_size = now.slices_size;
+    for (int p = 0; p < CR_PAIR_MAX; p++) {
+        s->contact[s->touch[p].last] = f->last[p];
+    }
     for (int i = 0; i < s->cs->n; i++) {
-        cr_kinematics_place(&s->m[i], f->m[i].pos, f->m[i].heading);
-        s->m[i].vel = f->m[i].vel;
-        s->m[i].yaw_rate = f->m[i].yaw_rate;
+        if (s->m[i].soft) {
+            cr_surface_back(&s->m[i].surface);
+        }
     }
 }
 
@@ -88,8 +99,8 @@ static double patience(const struct cr_duo *d) {
 /* Time until any two bodies strike if they fly on freely, infinite where that is too late to belong
  * to this crash. */
 static double touch_ahead(struct cr_solver *s) {
-    struct cr_snapshot now;
-    remember(s, &now);
+    struct cr_moving now[CR_BODY_MAX];
+    memcpy(now, s->m, sizeof now);
     long visits = s->visits;
     double ahead = INFINITY;
     double since = s->t - s->t_struck;
@@ -103,7 +114,7 @@ static double touch_ahead(struct cr_solver *s) {
             }
         }
     }
-    go_back(s, &now);
+    memcpy(s->m, now, sizeof now);
     s->visits = visits;
     return ahead;
 }
@@ -126,7 +137,7 @@ static void close_contacts(struct cr_solver *s) {
 static void look_ahead(struct cr_solver *s) {
     if (isnan(s->t_free)) {
         s->t_free = s->t_look = s->t;
-        remember(s, s->freed);
+        remember(s);
     }
     if (s->t >= s->t_look) {
         double ahead = touch_ahead(s);
@@ -134,21 +145,33 @@ static void look_ahead(struct cr_solver *s) {
         s->done = isinf(ahead);
     }
     if (s->done) {
-        go_back(s, s->freed);
+        go_back(s);
         close_contacts(s);
+        s->done = true;
     }
 }
 
-void cr_ending_check(struct cr_solver *s, bool any_contact, bool rubbing) {
+/* Is any contact open? What an elastic phase has taken it must give back, be it only rubbing. */
+static bool in_contact(const struct cr_solver *s) {
+    bool open = false;
+    for (int p = 0; p < s->cs->n * (s->cs->n - 1) / 2; p++) {
+        const struct cr_touch *t = &s->touch[p];
+        bool elastic = t->record >= 0 && s->contact[t->record].phase != CR_PHASE_PLASTIC;
+        open = open || elastic || (t->record >= 0 && !t->rubbing);
+    }
+    return open;
+}
+
+void cr_ending_check(struct cr_solver *s) {
     s->done = s->t - s->contact[0].t_begin > s->cs->opts.rest_time;
-    if (any_contact) {
+    bool open = in_contact(s);
+    if (open || s->t_struck == s->t) {
         s->t_free = NAN;
+    }
+    if (open) {
         return;
     }
     if (s->cs->opts.end == CR_END_SEPARATION) {
-        if (rubbing && !isnan(s->t_free)) {
-            remember(s, s->freed); /* what it took cannot be given back */
-        }
         look_ahead(s);
         return;
     }

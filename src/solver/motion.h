@@ -14,7 +14,7 @@ void cr_tyres_apply(struct cr_solver *s, int body);
 
 /* ending.c */
 void cr_ending_rest(struct cr_solver *s, const bool in_contact[]);
-void cr_ending_check(struct cr_solver *s, bool any_contact, bool rubbing);
+void cr_ending_check(struct cr_solver *s);
 
 /* Do the tyres of a body that stands hold it on the slope? */
 bool cr_tyres_hold(const struct cr_solver *s, int body);

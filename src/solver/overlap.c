@@ -55,6 +55,7 @@ static struct window window_of(const struct cr_moving *me, const struct cr_oppon
 /* The opponent's distance along a row of the body: its grid is walked through by steps. */
 struct walk {
     const struct cr_surface *f; /* NULL: a rigid shape */
+    int row;                    /* of the body's grid */
     double u, v;                /* of the row's voxel 0 in the opponent's padded grid, voxels */
     double du, dv;              /* from voxel to voxel */
     double wide, high;          /* of what can be interpolated in that grid, voxels */
@@ -110,88 +111,106 @@ static inline double walk_at(const struct walk *w, int ix) {
 /* Share of a voxel with which it presses in this slice: what the two come closer by, as far as the
  * opponent does not pass it by. */
 static double met_of(const struct cr_cell *c, struct cr_vec2 v, double dt) {
-    if (!c->core || !(c->approach > 0)) {
-        return 0;
-    }
     double whole = cr_passed_by * cr_vec2_len(v);
     return cr_min(c->overlap / (c->approach * dt), 1) * cr_min(c->approach / whole, 1);
 }
 
-/* A voxel that lies near both surfaces, into the list. */
-static void note_cell(struct cr_side *k, const struct walk *walk, int ix, int iy,
-                      struct cr_cell c) {
+/* How a voxel of the core meets the opponent's surface, which moves with the velocity v there. */
+static void meet(struct cr_side *k, struct cr_cell *c, struct cr_vec2 v) {
+    const struct cr_surface *f = &k->m->surface;
+    c->met = met_of(c, v, k->opponent.dt);
+    if (c->met > 0 && c->voxel >= 0) {
+        c->strength = cr_unit_energy(k, c->voxel, k->push) * f->dense[c->voxel] / f->grid->h;
+    }
+}
+
+/* A voxel that lies near both surfaces, into the list, which has room for it. */
+static void note_cell(struct cr_side *k, const struct walk *walk, int ix, double phi, double other,
+                      bool core) {
     const struct cr_opponent *o = &k->opponent;
     const struct cr_surface *f = &k->m->surface;
     const struct cr_grid *g = f->grid;
-    double h = g->h;
-    c.place = cr_vec2(g->x0 + (ix + 0.5) * h, g->y0 + (iy + 0.5) * h);
-    c.normal = walk_normal(walk, o, ix, c.place);
-    double steep = cr_vec2_len(c.normal);
+    int iy = walk->row;
+    struct cr_vec2 place = cr_vec2(g->x0 + (ix + 0.5) * g->h, g->y0 + (iy + 0.5) * g->h);
+    struct cr_vec2 normal = walk_normal(walk, o, ix, place);
+    double steep = cr_vec2_len(normal);
     if (!(steep > 1e-3)) {
         return;
     }
     bool inside = ix >= 0 && iy >= 0 && ix < g->nx && iy < g->ny;
-    c.voxel = inside ? iy * g->nx + ix : -1;
-    c.at = cr_surface_at(f, ix, iy);
-    c.normal = cr_vec2_scale(c.normal, 1 / steep);
-    struct cr_vec2 v = cr_vec2_axpy(o->still, o->turn, cr_vec2_perp(c.place));
-    c.approach = cr_vec2_dot(v, c.normal);
-    c.leaves =
-        c.approach < 0 && c.approach * c.approach > cr_passed_by * cr_passed_by * cr_vec2_dot(v, v);
-    c.met = met_of(&c, v, o->dt);
-    c.strength =
-        c.met > 0 && inside ? cr_unit_energy(k, c.voxel, k->push) * f->dense[c.voxel] / h : 0;
-    k->cell[k->cells++] = c;
+    struct cr_cell *c = &k->cell[k->cells++];
+    *c = (struct cr_cell){.voxel = inside ? iy * g->nx + ix : -1,
+                          .at = cr_surface_at(f, ix, iy),
+                          .place = place,
+                          .phi = phi,
+                          .other = other,
+                          .overlap = -(phi + other),
+                          .normal = cr_vec2_scale(normal, 1 / steep),
+                          .core = core};
+    struct cr_vec2 v = cr_vec2_axpy(o->still, o->turn, cr_vec2_perp(place));
+    c->approach = cr_vec2_dot(v, c->normal);
+    c->leaves = c->approach < 0 &&
+                c->approach * c->approach > cr_passed_by * cr_passed_by * cr_vec2_dot(v, v);
+    if (core && c->approach > 0) {
+        meet(k, c, v);
+    }
 }
 
-/* The voxels [from, to) of a row; false when memory is out. Voxels that a distance says are far
- * from one of the surfaces are passed over: it changes by no more than the way. */
-static bool find_in_row(struct cr_side *k, const struct cr_opponent *o, int iy, int from, int to) {
+/* The voxels [from, to) of a row, of which the list has room for all. Voxels that a distance says
+ * are far from one of the surfaces are passed over: it changes by no more than the way. */
+static void find_in_row(struct cr_side *k, int iy, int from, int to) {
     const struct cr_surface *f = &k->m->surface;
     const struct cr_grid *g = f->grid;
     double h = g->h, kept = cr_kept_voxels * h, per = 1 / h;
     struct cr_vec2 row = {g->x0 + 0.5 * h, g->y0 + (iy + 0.5) * h};
-    struct walk walk = walk_of(o, row, h);
+    struct walk walk = walk_of(&k->opponent, row, h);
+    walk.row = iy;
     const double *own = f->phi + cr_surface_at(f, 0, iy);
-    for (int ix = from; ix < to;) {
-        struct cr_cell c = {.phi = own[ix]};
-        double far = c.phi - kept;
-        if (far <= 0) {
-            c.other = walk.f != NULL ? walk_at(&walk, ix)
-                                     : distance_to(o, cr_vec2(row.x + ix * h, row.y));
-            far = c.other - kept;
-        }
-        if (far <= 0) {
-            c.overlap = -(c.phi + c.other);
-            double middle = fabs(c.phi - c.other);
-            c.core = middle < 2 * cr_core_voxels * h;
-            /* a gap closes by at most twice the way */
-            far = c.overlap < -h ? 0.5 * (-c.overlap - h) : 0;
-            bool meets = far <= 0 && middle < 2 * kept && (!c.core || c.overlap > 0);
-            if (meets && !cr_grow(&k->cell, &k->cells_size, k->cells, sizeof *k->cell)) {
-                return false;
+    const uint8_t *near = f->near + cr_surface_at(f, 0, iy), *next;
+    for (int ix = from; ix < to; ix++) {
+        if (!near[ix]) {
+            next = memchr(near + ix, 1, (size_t)(to - ix));
+            if (next == NULL) {
+                return;
             }
-            if (meets) {
-                note_cell(k, &walk, ix, iy, c);
-            }
+            ix = (int)(next - near);
         }
-        ix += far > h ? (int)(far * per) : 1;
+        double phi = own[ix], other = 0, far = phi - kept;
+        if (far <= 0) {
+            other = walk.f != NULL ? walk_at(&walk, ix)
+                                   : distance_to(&k->opponent, cr_vec2(row.x + ix * h, row.y));
+            far = other - kept;
+        }
+        /* a gap closes by at most twice the way */
+        far = cr_max(far, 0.5 * (phi + other - h));
+        if (far > 0) {
+            ix += far > h ? (int)(far * per) - 1 : 0;
+            continue;
+        }
+        double middle = fabs(phi - other);
+        bool core = middle < 2 * cr_core_voxels * h;
+        if (middle < 2 * kept && (!core || phi + other < 0)) {
+            note_cell(k, &walk, ix, phi, other, core);
+        }
     }
-    return true;
 }
 
 /* false when memory is out */
-static bool find_cells(struct cr_side *k, const struct cr_opponent *o) {
+static bool find_cells(struct cr_side *k) {
     const struct cr_grid *g = &k->m->body->grid;
-    struct window w = window_of(k->m, o);
+    struct window w = window_of(k->m, &k->opponent);
     const int *front = k->m->surface.first[CR_FACE_FRONT],
               *rear = k->m->surface.first[CR_FACE_REAR];
     for (int iy = w.y0; iy < w.y1; iy++) {
         int row = iy < 0 ? 0 : iy < g->ny ? iy : g->ny - 1;
         int from = rear[row] - EDGE, to = g->nx - front[row] + EDGE;
-        if (!find_in_row(k, o, iy, from > w.x0 ? from : w.x0, to < w.x1 ? to : w.x1)) {
+        from = from > w.x0 ? from : w.x0;
+        to = to < w.x1 ? to : w.x1;
+        if (from < to &&
+            !cr_grow(&k->cell, &k->cells_size, k->cells + to - from, sizeof *k->cell)) {
             return false;
         }
+        find_in_row(k, iy, from, to);
     }
     return true;
 }
@@ -245,7 +264,8 @@ static struct cr_vec2 push_on(const struct cr_duo *d, int side) {
     return cr_vec2_unrotate(side == 0 ? cr_vec2_scale(on_b, -1) : on_b, m->c, m->s);
 }
 
-static bool find_side(struct cr_duo *d, int side) {
+/* An empty side of a pair, and what its voxels see; false for a rigid shape, which has none. */
+static bool begin_side(struct cr_duo *d, int side) {
     struct cr_side *k = &d->s->side[side];
     struct cr_moving *me = side == 0 ? d->ma : d->mb, *other = side == 0 ? d->mb : d->ma;
     struct cr_side kept = *k;
@@ -255,21 +275,24 @@ static bool find_side(struct cr_duo *d, int side) {
                           .loss = kept.loss,
                           .losses_size = kept.losses_size};
     if (!me->soft) {
-        return true;
+        return false;
     }
     k->unit = me->unit[side == 0 ? d->b : d->a];
     k->push = push_on(d, side);
     k->opponent = opponent_of(me, other, d->s->dt);
-    return find_cells(k, &k->opponent);
+    return true;
 }
 
 bool cr_overlap_find(struct cr_duo *d, bool *met) {
     *met = false;
-    if (!find_side(d, 0) || !find_side(d, 1)) {
-        return false;
-    }
     for (int side = 0; side < 2; side++) {
         struct cr_side *k = &d->s->side[side];
+        if (!begin_side(d, side)) {
+            continue;
+        }
+        if (!find_cells(k)) {
+            return false;
+        }
         sum_cells(k);
         *met = *met || k->end > 0;
     }
@@ -277,19 +300,24 @@ bool cr_overlap_find(struct cr_duo *d, bool *met) {
 }
 
 double cr_overlap_area(struct cr_duo *d) {
-    if (!find_side(d, 0) || !find_side(d, 1)) {
-        return -1;
-    }
     double most = 0;
     for (int side = 0; side < 2; side++) {
         const struct cr_side *k = &d->s->side[side];
-        double area = 0, h = k->m->soft ? k->m->body->grid.h : 0;
-        for (int i = 0; i < k->cells; i++) {
-            const struct cr_cell *c = &k->cell[i];
-            double there = cr_clamp(0.5 - c->other / h, 0, 1);
-            double both = c->voxel >= 0 ? k->m->surface.left[c->voxel] + there - 1 : 0;
-            bool solid = both > 0 && cr_unit_energy(k, c->voxel, k->push) > 0;
-            area += solid ? both * h * h : 0;
+        if (!begin_side(d, side)) {
+            continue;
+        }
+        const struct cr_grid *g = &k->m->body->grid;
+        struct window w = window_of(k->m, &k->opponent);
+        double area = 0, h = g->h;
+        for (int iy = w.y0 > 0 ? w.y0 : 0; iy < w.y1 && iy < g->ny; iy++) {
+            for (int ix = w.x0 > 0 ? w.x0 : 0; ix < w.x1 && ix < g->nx; ix++) {
+                int voxel = iy * g->nx + ix;
+                struct cr_vec2 place = {g->x0 + (ix + 0.5) * h, g->y0 + (iy + 0.5) * h};
+                double there = cr_clamp(0.5 - distance_to(&k->opponent, place) / h, 0, 1);
+                double both = k->m->surface.left[voxel] + there - 1;
+                bool solid = there > 0 && both > 0 && cr_unit_energy(k, voxel, k->push) > 0;
+                area += solid ? both * h * h : 0;
+            }
         }
         most = cr_max(most, area);
     }

@@ -194,7 +194,7 @@ static int take_turns(const struct cr_solver *s, struct turn turn[CR_PAIR_MAX]) 
 
 /* Work all pairs, in their turns and backwards alternately: a body between two others feels the
  * first of its contacts before the second, and the lead changes from slice to slice. */
-static bool work_pairs(struct cr_solver *s, bool in_contact[], bool *any, bool *rubbing) {
+static bool work_pairs(struct cr_solver *s, bool in_contact[]) {
     struct turn turn[CR_PAIR_MAX];
     int pairs = take_turns(s, turn);
     s->backwards = !s->backwards;
@@ -211,10 +211,6 @@ static bool work_pairs(struct cr_solver *s, bool in_contact[], bool *any, bool *
         if (met && s->met[d.pair] == 0) {
             s->met[d.pair] = 1 + s->samples;
         }
-        /* what an elastic phase has taken it must give back, be it only rubbing */
-        bool elastic = t->record >= 0 && s->contact[t->record].phase != CR_PHASE_PLASTIC;
-        *any = *any || (met && (elastic || !t->rubbing));
-        *rubbing = *rubbing || (met && t->rubbing);
         if (met && !t->rubbing) {
             in_contact[a] = in_contact[b] = true;
         }
@@ -226,11 +222,11 @@ enum cr_status cr_solver_step(struct cr_solver *s, struct cr_error *err) {
     if (s->done) {
         return CR_STATUS_DONE;
     }
-    bool in_contact[CR_BODY_MAX] = {false}, any = false, rubbing = false;
+    bool in_contact[CR_BODY_MAX] = {false};
     s->dt = cr_kinematics_slice_length(s);
     begin_slice(s);
     cr_kinematics_move(s);
-    if (!work_pairs(s, in_contact, &any, &rubbing)) {
+    if (!work_pairs(s, in_contact)) {
         return failed(err, CR_ERR_MEMORY, "no memory for the solve");
     }
     for (int i = 0; i < s->cs->n; i++) {
@@ -255,7 +251,7 @@ enum cr_status cr_solver_step(struct cr_solver *s, struct cr_error *err) {
     if (!cr_record_sample(s)) {
         return failed(err, CR_ERR_MEMORY, "no memory for the trace");
     }
-    cr_ending_check(s, any, rubbing);
+    cr_ending_check(s);
     return s->done ? CR_STATUS_DONE : CR_STATUS_RUNNING;
 }
 

@@ -4,7 +4,7 @@
 #include "solver/setup.h"
 #include "solver/tuning.h"
 
-/* plan area that a pair shares, m2; negative when memory is out */
+/* plan area that a pair shares, m2 */
 static double shared_area(struct cr_solver *s, int a, int b) {
     struct cr_duo d = cr_duo(s, a, b);
     return cr_overlap_area(&d);
@@ -14,9 +14,6 @@ enum cr_err cr_start_check(struct cr_solver *s, struct cr_error *err) {
     for (int a = 0; a < s->cs->n; a++) {
         for (int b = a + 1; b < s->cs->n; b++) {
             double area = shared_area(s, a, b);
-            if (area < 0) {
-                return cr_err_set(err, CR_ERR_MEMORY, "no memory for the solve");
-            }
             if (area > cr_overlap_area_most) {
                 cr_err_set(err, CR_ERR_OVERLAP,
                            "participants %d and %d overlap at the start by %.3g m2", a + 1, b + 1,
@@ -26,7 +23,6 @@ enum cr_err cr_start_check(struct cr_solver *s, struct cr_error *err) {
             }
         }
     }
-    s->visits = 0;
     return CR_ERR_OK;
 }
 

@@ -136,18 +136,6 @@ struct cr_touch {
     struct cr_vec2 normal_sum; /* energy-weighted, J */
 };
 
-/* Kinematic state to go back to when nothing touched again. */
-struct cr_snapshot {
-    double t, tyre;
-    int samples;
-    struct cr_vec2 p_ground;
-    double l_ground;
-    struct {
-        struct cr_vec2 pos, vel;
-        double heading, yaw_rate;
-    } m[CR_BODY_MAX];
-};
-
 struct cr_solver {
     const struct cr_case *cs;
     struct cr_arena arena;
@@ -179,8 +167,14 @@ struct cr_solver {
     double friction, tyre;
     long visits, deformed;
     struct cr_sample before[CR_BODY_MAX];
-    struct cr_snapshot *freed; /* as it was when the last contact ended */
+    struct cr_freed *freed; /* as it was when the last contact ended */
     struct cr_solution out;
+};
+
+/* A solver to go back to, but for the surfaces, which keep their own, and arrays that only grow. */
+struct cr_freed {
+    struct cr_solver s;
+    struct cr_contact last[CR_PAIR_MAX]; /* of each pair */
 };
 
 /* Energy per unit of material of a voxel that is pushed along d, a unit vector in the body's frame,

@@ -3,8 +3,6 @@
 
 #include "solver/tuning.h"
 
-#include <string.h>
-
 static struct cr_lines lines_of(const struct cr_grid *g, enum cr_face face) {
     double x1 = g->x0 + g->nx * g->h, y1 = g->y0 + g->ny * g->h, low_y = g->y0, low_x = g->x0;
     switch (face) {
@@ -106,6 +104,17 @@ static void spread_outward(struct cr_surface *s, const double *near) {
     }
 }
 
+static void mark_near(struct cr_surface *s) {
+    for (int iy = -CR_MARGIN + 1; iy < s->grid->ny + CR_MARGIN - 1; iy++) {
+        for (int ix = -CR_MARGIN + 1; ix < s->grid->nx + CR_MARGIN - 1; ix++) {
+            int at = cr_surface_at(s, ix, iy);
+            if (s->phi[at] > -s->band) {
+                cr_surface_near(s, at);
+            }
+        }
+    }
+}
+
 static void measure_outline(struct cr_surface *s, enum cr_face face) {
     const struct cr_grid *g = s->grid;
     struct cr_lines lines = s->lines[face];
@@ -135,26 +144,58 @@ static void measure_density(struct cr_surface *s) {
     }
 }
 
+/* n objects of a piece of memory, from its begin on */
+static void *cut(char **piece, size_t n, size_t each) {
+    void *at = *piece;
+    *piece += n * each;
+    return at;
+}
+
+/* What changes lies in one piece: what is widest comes first, so that all is aligned. */
+static bool take_state(struct cr_surface *s, struct cr_arena *arena, size_t n, size_t padded) {
+    size_t lines = 2 * (size_t)(s->grid->nx + s->grid->ny);
+    s->state_size = (padded + 2 * n + lines) * sizeof(double) + lines * sizeof(int) + padded + n;
+    s->state = cr_arena_take(arena, 1, s->state_size);
+    s->kept = cr_arena_take_raw(arena, 1, s->state_size);
+    if (s->state == NULL || s->kept == NULL) {
+        return false;
+    }
+    char *piece = s->state;
+    s->phi = cut(&piece, padded, sizeof *s->phi);
+    s->left = cut(&piece, n, sizeof *s->left);
+    s->t_sum = cut(&piece, n, sizeof *s->t_sum);
+    for (int f = 0; f < CR_FACES; f++) {
+        s->limit[f] = cut(&piece, (size_t)cr_face_lines(s->grid, f), sizeof *s->limit[f]);
+    }
+    for (int f = 0; f < CR_FACES; f++) {
+        s->first[f] = cut(&piece, (size_t)cr_face_lines(s->grid, f), sizeof *s->first[f]);
+    }
+    s->near = cut(&piece, padded, sizeof *s->near);
+    s->how = cut(&piece, n, sizeof *s->how);
+    return true;
+}
+
 static bool take_arrays(struct cr_surface *s, struct cr_arena *arena, double **near) {
-    const struct cr_grid *g = s->grid;
-    size_t n = (size_t)g->nx * (size_t)g->ny;
-    size_t padded = (size_t)s->stride * (size_t)(g->ny + 2 * CR_MARGIN);
-    s->phi = cr_arena_take_raw(arena, padded, sizeof *s->phi);
+    size_t n = (size_t)s->grid->nx * (size_t)s->grid->ny;
+    size_t padded = (size_t)s->stride * (size_t)(s->grid->ny + 2 * CR_MARGIN);
+    bool ok = take_state(s, arena, n, padded);
     *near = cr_arena_take_raw(arena, padded, sizeof **near);
     s->dense = cr_arena_take_raw(arena, n, sizeof *s->dense);
-    s->left = cr_arena_take_raw(arena, n, sizeof *s->left);
-    s->t_sum = cr_arena_take(arena, n, sizeof *s->t_sum);
-    s->how = cr_arena_take(arena, n, sizeof *s->how);
-    bool ok = s->phi != NULL && *near != NULL && s->dense != NULL && s->left != NULL &&
-              s->t_sum != NULL && s->how != NULL;
+    ok = ok && *near != NULL && s->dense != NULL;
     for (int f = 0; f < CR_FACES; f++) {
-        size_t lines = (size_t)cr_face_lines(g, f);
+        size_t lines = (size_t)cr_face_lines(s->grid, f);
         s->outline[f] = cr_arena_take_raw(arena, lines, sizeof *s->outline[f]);
-        s->limit[f] = cr_arena_take_raw(arena, lines, sizeof *s->limit[f]);
-        s->first[f] = cr_arena_take_raw(arena, lines, sizeof *s->first[f]);
-        ok = ok && s->outline[f] != NULL && s->limit[f] != NULL && s->first[f] != NULL;
+        ok = ok && s->outline[f] != NULL;
     }
     return ok;
+}
+
+void cr_surface_keep(struct cr_surface *s) {
+    memcpy(s->kept, s->state, s->state_size);
+}
+
+void cr_surface_back(struct cr_surface *s) {
+    memcpy(s->state, s->kept, s->state_size);
 }
 
 bool cr_surface_new(struct cr_surface *s, const struct cr_grid *grid, struct cr_arena *arena) {
@@ -190,6 +231,7 @@ bool cr_surface_new(struct cr_surface *s, const struct cr_grid *grid, struct cr_
         }
     }
     spread_outward(s, near);
+    mark_near(s);
     for (int f = 0; f < CR_FACES; f++) {
         measure_outline(s, f);
     }

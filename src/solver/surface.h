@@ -13,6 +13,7 @@
 #include "solver/case.h"
 
 #include <stdint.h>
+#include <string.h>
 
 /* voxels of nothing about the grid, so that a place just outside has four neighbours */
 enum { CR_MARGIN = 4 };
@@ -31,13 +32,16 @@ struct cr_surface {
     const struct cr_grid *grid; /* borrowed */
     int stride;                 /* voxels in a row of phi */
     double band;                /* m within which phi is a distance */
-    double *phi;                /* with CR_MARGIN voxels more on each side, m */
-    double *dense;              /* share of a voxel that is material away from the outline, 0..1 */
-    double *left;               /* material left, 0..fill */
-    double *t_sum;              /* sum of time x material lost: gives t_crushed */
-    uint8_t *how;               /* enum cr_crush flags */
-    double *outline[CR_FACES];  /* undeformed surface of each line behind the edge of the grid, m */
-    double *limit[CR_FACES];    /* depth down to which each line was dragged along, likewise, m */
+    char *state, *kept;         /* all that changes in one piece, and room for it as it was */
+    size_t state_size;
+    double *phi;               /* with CR_MARGIN voxels more on each side, m */
+    uint8_t *near;             /* as phi: 1 within the band or beside it, 0 deep inside */
+    double *dense;             /* share of a voxel that is material away from the outline, 0..1 */
+    double *left;              /* material left, 0..fill */
+    double *t_sum;             /* sum of time x material lost: gives t_crushed */
+    uint8_t *how;              /* enum cr_crush flags */
+    double *outline[CR_FACES]; /* undeformed surface of each line behind the edge of the grid, m */
+    double *limit[CR_FACES];   /* depth down to which each line was dragged along, likewise, m */
     struct cr_lines lines[CR_FACES];
     int *first[CR_FACES]; /* of each line the first voxel from outside that holds material */
 };
@@ -61,10 +65,21 @@ static inline double cr_surface_left(double phi, struct cr_vec2 n, double h, dou
     return dense * cr_clamp(0.5 - phi / width, 0, 1);
 }
 
+/* A voxel comes into the band about the surface: its neighbours may be next. */
+static inline void cr_surface_near(struct cr_surface *s, int at) {
+    for (int k = -1; k <= 1; k++) {
+        memset(s->near + at + k * s->stride - 1, 1, 3);
+    }
+}
+
 /* Weight of a voxel for a surface at the distance phi: over a line of voxels it adds up to one. */
 static inline double cr_surface_weight(double phi, double h) {
     return cr_max(1 - fabs(phi) / h, 0);
 }
+
+/* Keep the surface as it is, and make it again what it was. */
+void cr_surface_keep(struct cr_surface *s);
+void cr_surface_back(struct cr_surface *s);
 
 /* The voxels that were emptied are passed over from now on in `first`. */
 void cr_surface_renew(struct cr_surface *s, enum cr_face face, int line);

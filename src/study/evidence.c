@@ -45,6 +45,13 @@ static enum cr_err push(struct cr_fit_evidence *e, const struct cr_fit_target *t
             return cr_err_set(err, CR_ERR_DUPLICATE, "%s is given twice", t->name);
         }
     }
+    /* what is squared and told must be within reason; NaN is not */
+    if (!(fabs(t->value) < 1e9 && t->half > 1e-9 && t->half < 1e9)) {
+        cr_err_set(err, CR_ERR_RANGE, "%s: %.3g +- %.3g %s is beyond all measure", t->name,
+                   cr_unit_from_si(t->unit, t->value), cr_unit_from_si(t->unit, t->half),
+                   t->unit->name);
+        return CR_ERR_RANGE;
+    }
     if (e->n == CR_FIT_TARGETS) {
         return cr_err_set(err, CR_ERR_RANGE, "more than %d measured numbers", CR_FIT_TARGETS);
     }

@@ -363,6 +363,11 @@ static enum cr_err check(const struct cr_study *study, const struct cr_fit_evide
         if (!(study->in[i].lo < study->in[i].hi)) {
             return cr_err_set(err, CR_ERR_RANGE, "the bounds of %s must rise", study->in[i].key);
         }
+        for (int k = 0; k < i; k++) {
+            if (strcmp(study->in[i].key, study->in[k].key) == 0) {
+                return cr_err_set(err, CR_ERR_DUPLICATE, "%s is given twice", study->in[i].key);
+            }
+        }
     }
     return CR_ERR_OK;
 }

@@ -2,14 +2,9 @@
  * machine takes no draw's time away. */
 #include "study/limit.h"
 
-#include <math.h>
-#include <time.h>
+#include "process/clock.h"
 
-static double processor_s(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
+#include <math.h>
 
 static int cancelled_or_late(void *user) {
     struct cr_study_limit *limit = user;
@@ -18,13 +13,13 @@ static int cancelled_or_late(void *user) {
     if (cancel != CR_CANCEL_NO) {
         return cancel;
     }
-    bool late = ++limit->polls % 32 == 0 && processor_s() > limit->end;
+    bool late = ++limit->polls % 32 == 0 && cr_clock_thread() > limit->end;
     return late ? CR_CANCEL_TIME : CR_CANCEL_NO;
 }
 
 struct cr_context cr_study_limited(const struct cr_context *given, struct cr_study_limit *limit) {
     double seconds = given->max_seconds > 0 ? given->max_seconds : (double)INFINITY;
-    *limit = (struct cr_study_limit){.given = given, .end = processor_s() + seconds};
+    *limit = (struct cr_study_limit){.given = given, .end = cr_clock_thread() + seconds};
     return (struct cr_context){.models = given->models,
                                .cancel = cancelled_or_late,
                                .user = limit,

@@ -3,6 +3,7 @@
 #include "trial/calibrate.h"
 #include "trial/trial.h"
 
+#include "process/signals.h"
 #include "base/file.h"
 #include "base/stats.h"
 #include "base/vec.h"
@@ -171,7 +172,7 @@ int cr_trial_calibrate(int argc, char **argv) {
     struct cr_cli_shared shared = {0};
     struct cr_calibration_data data = {.tests = {0}};
     char dir[512];
-    cr_cli_catch();
+    cr_signals_catch_word();
     enum cr_err code = cr_cli_open(&shared, CR_CLI_ALL, &err);
     if (code == CR_ERR_OK && cr_data_dir(dir, sizeof dir)[0] != '\0') {
         code = cr_calibration_read(dir, &data, &err);

@@ -3,6 +3,7 @@
 #include "trial/field.h"
 #include "trial/trial.h"
 
+#include "process/signals.h"
 #include "cli/cli.h"
 #include "cli/word.h"
 
@@ -127,7 +128,7 @@ static enum cr_err calibrate(const char *table, struct cr_str *out, struct cr_er
     if (code == CR_ERR_OK) {
         code = cr_field_load(table != NULL ? table : shipped, &filter, shared.models, &field, err);
     }
-    cr_cli_catch();
+    cr_signals_catch_word();
     if (code == CR_ERR_OK) {
         code = fit_all(&field, &rules, folds, err);
     }

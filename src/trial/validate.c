@@ -4,6 +4,7 @@
 #include "trial/trial.h"
 #include "trial/verdict.h"
 
+#include "process/signals.h"
 #include "base/file.h"
 #include "base/pool.h"
 #include "cli/cli.h"
@@ -285,7 +286,7 @@ static enum cr_err validate(char **name, int n, const struct options *opt, bool 
     if (code == CR_ERR_OK) {
         b.ctx = shared.ctx;
         b.ctx.models = own ? own : shared.models;
-        cr_cli_catch();
+        cr_signals_catch_word();
         code = solve_all(&b, opt->models, opt->jobs, err);
     }
     if (code == CR_ERR_OK) {

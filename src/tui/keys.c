@@ -155,7 +155,7 @@ static void redraw(struct cr_tui *t, int arg) {
 static void suspend(struct cr_tui *t, int arg) {
     (void)t;
     (void)arg;
-    cr_tui_stopping = 1;
+    cr_signal_stopping = 1;
 }
 
 static void cancel(struct cr_tui *t, int arg) {

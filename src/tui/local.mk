@@ -1,6 +1,5 @@
 noinst_LIBRARIES += libtui.a
 libtui_a_SOURCES = \
-	src/tui/clock.c \
 	src/tui/frame.c src/tui/frame.h \
 	src/tui/ground.c src/tui/ground.h \
 	src/tui/history.c \

@@ -11,20 +11,20 @@ enum { FRAMES_PER_S = 30 };
 /* ---- what signals ask for ---- */
 
 static void act_on_signals(struct cr_tui *t) {
-    if (cr_tui_stopping) {
+    if (cr_signal_stopping) {
         cr_term_suspend();
     }
-    if (cr_tui_continued) {
+    if (cr_signal_continued) {
         cr_term_redraw();
         t->dirty = true;
     }
-    if (cr_tui_resized) {
+    if (cr_signal_resized) {
         cr_term_resize(&t->w, &t->h);
         t->dirty = true;
     }
-    if (cr_tui_interrupted) {
+    if (cr_signal_interrupted) {
         const struct cr_input interrupt = {.code = 3};
-        cr_tui_interrupted = 0;
+        cr_signal_interrupted = 0;
         cr_tui_input(t, &interrupt);
     }
 }
@@ -93,8 +93,8 @@ static void on_progress(void *user, const struct cr_progress *progress) {
 static int on_cancel(void *user) {
     struct cr_tui *t = user;
     struct cr_input in;
-    if (cr_tui_interrupted) {
-        cr_tui_interrupted = 0;
+    if (cr_signal_interrupted) {
+        cr_signal_interrupted = 0;
         t->cancel = true;
     }
     act_on_signals(t);
@@ -107,7 +107,7 @@ static int on_cancel(void *user) {
             t->pending[t->pendings++] = in;
         }
     }
-    return t->cancel || cr_tui_ending;
+    return t->cancel || cr_signal_ending;
 }
 
 static int on_ask(void *user, const char *question, const char *answers) {
@@ -119,7 +119,7 @@ static int on_ask(void *user, const char *question, const char *answers) {
         t->dirty = true;
         act_on_signals(t);
         cr_tui_draw(t);
-        if (!cr_term_wait(-1) || cr_tui_ending) {
+        if (!cr_term_wait(-1) || cr_signal_ending) {
             answer = 'c';
         }
         while (answer == 0 && cr_term_read(&in)) {
@@ -157,13 +157,13 @@ static void show_stderr(struct cr_tui *t) {
 
 static void take_keys(struct cr_tui *t) {
     struct cr_input in;
-    t->keys_at = cr_tui_clock();
+    t->keys_at = cr_clock_wall();
     while (t->pendings > 0 && !cr_session_over(t->session)) {
         in = t->pending[0];
         memmove(t->pending, t->pending + 1, (size_t)--t->pendings * sizeof in);
         cr_tui_input(t, &in);
     }
-    while (!cr_session_over(t->session) && !cr_tui_ending && cr_term_read(&in)) {
+    while (!cr_session_over(t->session) && !cr_signal_ending && cr_term_read(&in)) {
         cr_tui_input(t, &in);
     }
 }
@@ -186,11 +186,11 @@ static bool turn(struct cr_tui *t) {
 
 static void loop(struct cr_tui *t) {
     bool there = true;
-    while (there && !cr_session_over(t->session) && !cr_tui_ending && !t->broken) {
+    while (there && !cr_session_over(t->session) && !cr_signal_ending && !t->broken) {
         there = turn(t);
     }
-    if (!there && !cr_tui_ending) {
-        cr_tui_ending = SIGHUP;
+    if (!there && !cr_signal_ending) {
+        cr_signal_ending = SIGHUP;
     }
 }
 
@@ -206,7 +206,7 @@ static int on_pause(void *user) {
     t->given_up = false;
     t->progress = NULL;
     t->lesson_down = 0;
-    while (t->paused && there && !cr_tui_ending && !t->broken) {
+    while (t->paused && there && !cr_signal_ending && !t->broken) {
         there = turn(t);
     }
     cr_play_stop(t);
@@ -214,7 +214,7 @@ static int on_pause(void *user) {
     t->sheet_from = -1;
     t->lesson_from = t->log.n;
     t->dirty = true;
-    return !there || cr_tui_ending || t->given_up;
+    return !there || cr_signal_ending || t->given_up;
 }
 
 static void on_play(void *user, bool on) {
@@ -317,9 +317,8 @@ static int run_screen(struct cr_tui *t, const struct cr_tui_start *start) {
     cr_prompt_close();
     cr_term_close();
     cr_paint_forget();
-    if (cr_tui_ending) { /* as the sender expects, and without giving up the autosave */
-        signal(cr_tui_ending, SIG_DFL);
-        raise(cr_tui_ending);
+    if (cr_signal_ending) { /* as the sender expects, and without giving up the autosave */
+        cr_signals_end_by(cr_signal_ending);
     }
     return t->broken ? cr_err_status(CR_ERR_MEMORY) : 0;
 }

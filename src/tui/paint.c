@@ -123,5 +123,5 @@ void cr_paint(const struct cr_cells *cells, const struct cr_look *look, int curs
         move(cursor_y, cursor_x);
     }
     refresh();
-    cr_frame_end(cr_tui_clock());
+    cr_frame_end(cr_clock_wall());
 }

@@ -39,7 +39,7 @@ void cr_play_start(struct cr_tui *t, int frame) {
         return;
     }
     double since = frame > 0 ? sol->t[frame - 1] - sol->t_contact : 0;
-    t->play = (struct cr_play){true, since, cr_tui_clock()};
+    t->play = (struct cr_play){true, since, cr_clock_wall()};
     set_frame(t, frame, false);
 }
 
@@ -69,7 +69,7 @@ void cr_play_tick(struct cr_tui *t) {
         return;
     }
     const struct cr_view *view = cr_session_view(t->session);
-    double now = cr_tui_clock();
+    double now = cr_clock_wall();
     t->play.at += fmin(now - t->play.ticked, LEAP_S) * view->rate / slowness(sol);
     t->play.ticked = now;
     int frame = view->frame, last = sol->samples;

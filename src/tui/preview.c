@@ -67,7 +67,7 @@ static void describe_contact(struct cr_preview *p, const struct cr_case *cs,
 
 /* Whether to give up: a signal ends the program, or it took so long that typing would be slow. */
 static bool enough(clock_t begun) {
-    return cr_tui_ending || (double)(clock() - begun) / CLOCKS_PER_SEC > look_s;
+    return cr_signal_ending || (double)(clock() - begun) / CLOCKS_PER_SEC > look_s;
 }
 
 static void look_ahead(struct cr_preview *p, const struct cr_compiled *compiled) {

@@ -279,11 +279,11 @@ void cr_tui_draw(struct cr_tui *t) {
     struct cr_error err;
     struct cr_look look = cr_tui_look(t);
     int x;
-    if (cr_tui_continued) {
+    if (cr_signal_continued) {
         cr_term_redraw(); /* who sees the screen types: the line must not be the shell's any more */
     }
     t->dirty = false;
-    t->drawn_at = cr_tui_clock();
+    t->drawn_at = cr_clock_wall();
     if (cr_tui_compose(t, &x, &err) != CR_ERR_OK) {
         t->broken = true;
         return;
@@ -292,7 +292,7 @@ void cr_tui_draw(struct cr_tui *t) {
 }
 
 int cr_tui_frame_due(const struct cr_tui *t) {
-    double wait = t->drawn_at + FRAME_S - cr_tui_clock();
+    double wait = t->drawn_at + FRAME_S - cr_clock_wall();
     return wait > 0 ? (int)ceil(1e3 * wait) : 0;
 }
 
@@ -304,7 +304,7 @@ int cr_tui_draw_due(struct cr_tui *t) {
     if (wait > 0) {
         return wait;
     }
-    int drawing = cr_frame_wait(cr_tui_clock());
+    int drawing = cr_frame_wait(cr_clock_wall());
     if (drawing > 0) {
         return drawing;
     }

@@ -1,7 +1,7 @@
-/* The terminal: curses on and off, signals, keys.
+/* The terminal: curses on and off, keys.
  *
  * Whatever ends the process, the terminal is given back: an ordinary end and SIGTERM or SIGHUP
- * through cr_term_close, a fault through on_fault, which calls only what POSIX allows there. */
+ * through cr_term_close, a fault through give_back. */
 #include "tui/tui_priv.h"
 
 #include <curses.h>
@@ -19,9 +19,6 @@
 #include <sys/stat.h>
 #include <termios.h>
 #include <unistd.h>
-
-volatile sig_atomic_t cr_tui_resized, cr_tui_interrupted, cr_tui_ending, cr_tui_stopping,
-    cr_tui_continued;
 
 enum {
     RESTORE_MAX = 512,
@@ -57,12 +54,7 @@ static struct {
     double asked_at, answered_at; /* s of the clock; NaN: not asked, or over; answer begun */
 } term = {.wake = {-1, -1}};
 
-/* ---- signals ---- */
-
-static const int faults[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGQUIT};
-enum { FAULTS = sizeof faults / sizeof *faults };
-static struct sigaction before_fault[FAULTS];
-
+/* For handlers of signals: it calls only what POSIX allows there. */
 static void give_back(void) {
     int kept = errno;
     if (term.restore_len > 0) {
@@ -73,73 +65,6 @@ static void give_back(void) {
     }
     cr_stderr_restore();
     errno = kept;
-}
-
-static void on_fault(int sig) {
-    static const char text[] = "crumple: a fault ended it; the scene is kept: load --recover\n";
-    give_back();
-    if (sig != SIGQUIT) {
-        ssize_t n = write(STDERR_FILENO, text, sizeof text - 1);
-        (void)n;
-    }
-    for (int i = 0; i < FAULTS; i++) {
-        if (faults[i] == sig) {
-            sigaction(sig, &before_fault[i], NULL);
-        }
-    }
-    raise(sig);
-}
-
-static void on_signal(int sig) {
-    int kept = errno;
-    char byte = 0;
-    switch (sig) {
-    case SIGWINCH:
-        cr_tui_resized = 1;
-        break;
-    case SIGINT:
-        cr_tui_interrupted = 1;
-        break;
-    case SIGTSTP:
-        cr_tui_stopping = 1;
-        break;
-    case SIGCONT:
-        cr_tui_continued = 1;
-        break;
-    default:
-        if (cr_tui_ending == sig) { /* asked twice: do not wait for the work under way */
-            give_back();
-            signal(sig, SIG_DFL);
-            raise(sig);
-        }
-        cr_tui_ending = sig;
-        break;
-    }
-    ssize_t n = write(term.wake[1], &byte, 1);
-    (void)n;
-    errno = kept;
-}
-
-static const int caught[] = {SIGWINCH, SIGINT, SIGTSTP, SIGCONT, SIGTERM, SIGHUP};
-enum { CAUGHT = sizeof caught / sizeof *caught };
-
-static void catch_signals(void) {
-    struct sigaction action = {.sa_handler = on_signal};
-    sigemptyset(&action.sa_mask);
-    for (int i = 0; i < CAUGHT; i++) {
-        sigaction(caught[i], &action, NULL);
-    }
-    action.sa_handler = SIG_IGN;
-    sigaction(SIGPIPE, &action, NULL);
-    /* a stack that has overflowed cannot carry its own handler */
-    static char room[65536];
-    stack_t stack = {.ss_sp = room, .ss_size = sizeof room};
-    sigaltstack(&stack, NULL);
-    struct sigaction fault = {.sa_handler = on_fault, .sa_flags = SA_ONSTACK | SA_NODEFER};
-    sigemptyset(&fault.sa_mask);
-    for (int i = 0; i < FAULTS; i++) {
-        sigaction(faults[i], &fault, &before_fault[i]);
-    }
 }
 
 /* ---- curses ---- */
@@ -211,7 +136,7 @@ static void ask_ground(void) {
         set_escdelay(ANSWER_ESCAPE_MS); /* a slow line may part it */
         fputs(CR_GROUND_QUESTION, stdout);
         fflush(stdout);
-        term.asked_at = cr_tui_clock();
+        term.asked_at = cr_clock_wall();
     }
 }
 
@@ -219,14 +144,14 @@ static void ask_ground(void) {
 static void await_answers(void) {
     struct pollfd fd = {.fd = STDIN_FILENO, .events = POLLIN};
     struct cr_input in;
-    int ms = cr_frame_awaits(cr_tui_clock());
-    while (ms > 0 && poll(&fd, 1, ms) > 0 && (fd.revents & POLLIN) != 0 && !cr_tui_ending) {
+    int ms = cr_frame_awaits(cr_clock_wall());
+    while (ms > 0 && poll(&fd, 1, ms) > 0 && (fd.revents & POLLIN) != 0 && !cr_signal_ending) {
         while (cr_term_read(&in)) {
             continue; /* what was typed meanwhile was for the screen that goes */
         }
-        ms = cr_frame_awaits(cr_tui_clock());
+        ms = cr_frame_awaits(cr_clock_wall());
     }
-    if (isfinite(term.asked_at) && cr_tui_clock() - term.asked_at < ANSWER_S) {
+    if (isfinite(term.asked_at) && cr_clock_wall() - term.asked_at < ANSWER_S) {
         poll(&fd, 1, ANSWER_MS);
         tcflush(STDIN_FILENO, TCIFLUSH);
     }
@@ -299,7 +224,8 @@ enum cr_err cr_term_open(struct cr_error *err) {
         fcntl(term.wake[i], F_SETFD, FD_CLOEXEC);
     }
     term.console = name != NULL && (strcmp(name, "linux") == 0 || strncmp(name, "linux-", 6) == 0);
-    catch_signals(); /* before curses, which then leaves them alone */
+    cr_signals_catch_screen(term.wake[1],
+                            give_back); /* before curses, which then leaves them alone */
     if (getenv("ESCDELAY") == NULL) {
         set_escdelay(ESCAPE_MS);
     }
@@ -354,27 +280,16 @@ void cr_term_close(void) {
 }
 
 void cr_term_suspend(void) {
-    struct sigaction stop = {.sa_handler = SIG_DFL}, ours;
-    sigset_t only, kept;
-    sigemptyset(&stop.sa_mask);
     modes(false);
     await_answers();
     leave_screen();
-    sigaction(SIGTSTP, &stop, &ours);
-    sigemptyset(&only);
-    sigaddset(&only, SIGTSTP);
-    sigprocmask(SIG_UNBLOCK, &only, &kept);
-    kill(0, SIGTSTP); /* stops here until the shell continues us */
-    sigprocmask(SIG_SETMASK, &kept, NULL);
-    sigaction(SIGTSTP, &ours, NULL);
-    cr_tui_stopping = 0;
-    cr_tui_continued = 1;
-    cr_tui_resized = 1; /* the window may have changed meanwhile */
+    cr_signals_stop();
+    cr_signal_resized = 1; /* the window may have changed meanwhile */
 }
 
 void cr_term_resize(int *w, int *h) {
     struct winsize size;
-    cr_tui_resized = 0;
+    cr_signal_resized = 0;
     if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 && size.ws_row > 0 &&
         (size.ws_row != LINES || size.ws_col != COLS)) {
         resize_term(size.ws_row, size.ws_col);
@@ -385,8 +300,8 @@ void cr_term_resize(int *w, int *h) {
 }
 
 void cr_term_redraw(void) {
-    if (cr_tui_continued) {
-        cr_tui_continued = 0;
+    if (cr_signal_continued) {
+        cr_signal_continued = 0;
         reset_prog_mode();
         modes(true);
     }
@@ -445,10 +360,10 @@ static bool read_one(struct cr_input *out) {
 static bool is_answer(const struct cr_input *in) {
     if (in->function && in->code == KEY_ANSWER) {
         term.answer = (struct cr_ground_reader){.on = true};
-        term.answered_at = cr_tui_clock();
+        term.answered_at = cr_clock_wall();
         return true;
     }
-    term.answer.on = term.answer.on && cr_tui_clock() - term.answered_at < ANSWER_S / 2;
+    term.answer.on = term.answer.on && cr_clock_wall() - term.answered_at < ANSWER_S / 2;
     if (!term.answer.on || in->function) {
         return false;
     }
@@ -510,7 +425,7 @@ const char *cr_term_pasted(void) {
 
 /* Part of what is pasted; *whole: it is the last, and `in` now the key that says so. */
 static bool is_paste(struct cr_input *in, bool *whole) {
-    double now = cr_tui_clock();
+    double now = cr_clock_wall();
     *whole = term.paste.on && in->function && in->code == KEY_PASTE_END;
     if (in->function && in->code == KEY_PASTE_BEGIN) {
         cr_paste_begin(&term.paste, now);
@@ -530,18 +445,18 @@ static bool is_paste(struct cr_input *in, bool *whole) {
 
 bool cr_term_read(struct cr_input *out) {
     const struct cr_input redraw = {.function = true, .code = KEY_RESIZE};
-    if (isfinite(term.asked_at) && cr_tui_clock() - term.asked_at > ANSWER_S) {
+    if (isfinite(term.asked_at) && cr_clock_wall() - term.asked_at > ANSWER_S) {
         ask_no_more();
     }
     bool whole;
-    if (cr_paste_silent(&term.paste, cr_tui_clock())) {
+    if (cr_paste_silent(&term.paste, cr_clock_wall())) {
         term.paste.on = false;
         *out = (struct cr_input){.function = true, .code = CR_KEY_PASTE};
         return true;
     }
     while (read_key(out)) {
         if (out->function && out->code == KEY_DRAWN) {
-            cr_frame_answered(cr_tui_clock());
+            cr_frame_answered(cr_clock_wall());
             continue;
         }
         if (is_paste(out, &whole) || is_pointer(out, &whole)) {

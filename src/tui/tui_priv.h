@@ -3,20 +3,17 @@
 #define CR_TUI_TUI_PRIV_H
 
 #include "cmd/cmd.h"
+#include "process/clock.h"
+#include "process/signals.h"
 #include "render/screen.h"
 #include "tui/frame.h"
 #include "tui/ground.h"
 #include "tui/tui.h"
 
-#include <signal.h>
 #include <stdbool.h>
 #include <wchar.h>
 
-/* ---- terminal (term.c): curses, signals, captured standard error ---- */
-
-/* What signals have asked for; set by handlers, cleared by who acts on it. */
-extern volatile sig_atomic_t cr_tui_resized, cr_tui_interrupted, cr_tui_ending, cr_tui_stopping,
-    cr_tui_continued;
+/* ---- terminal (term.c): curses, captured standard error ---- */
 
 /* Takes the terminal over, or says why not; cr_term_close gives it back and may be called twice. */
 CR_MUST_CHECK enum cr_err cr_term_open(struct cr_error *err);
@@ -192,8 +189,6 @@ struct cr_tui {
     struct cr_vec2 drag_by;     /* m, so far */
     struct cr_preview *preview; /* of the unsolved scene (preview.c) */
 };
-
-double cr_tui_clock(void); /* s, monotonic */
 
 /* A session with this screen as its output; nothing touches the terminal yet. */
 CR_MUST_CHECK enum cr_err cr_tui_new(const struct cr_tui_start *start, struct cr_tui **out,

@@ -41,7 +41,8 @@ SHARES = {"of cars over 60 g below 110 km/h closing, %": (0, 2),
 MONOTONY = {"demo, speed 40 to 120: largest step back, km/h": (0.1, 35),
             "demo, overlap 20 to 100 %: largest step back, km/h": (0.1, 15),
             "wall by 0.5 deg: largest step of EES against the mean, km/h": (0.3, 2),
-            "pole by 2 cm: largest step of EES, km/h": (1, 4)}
+            "pole by 2 cm: largest step of EES, km/h": (1, 4),
+            "demo, slices of 0.25 to 1 ms: span of delta-v of B, km/h": (0.5, 0.5)}
 
 
 def car(name, kind, mass, place, heading, speed, **more):
@@ -255,9 +256,11 @@ def monotony(bench, _opt):
                                for a in range(50, 71)]))
     poles = steps(bench.solve([scene("pole", sedan("A", (0, 0), 0, 50), pole(4, y / 100, 0.15))
                                for y in range(0, 41, 2)]))
+    slices = [cars(r)["B"]["delta_v_kmh"]
+              for r in bench.solve([{**demo(), "settings": {"dt_ms": dt / 20}} for dt in range(5, 21)])]
     mean = sum(walls) / len(walls)
     found = [step_back(speeds), step_back(overlaps), max(abs(s - mean) for s in walls),
-             max(abs(s) for s in poles)]
+             max(abs(s) for s in poles), max(slices) - min(slices)]
     print("monotony:")
     for (name, (wanted, today)), value in zip(MONOTONY.items(), found):
         bench.line(name, [value], [wanted], [today])

@@ -135,7 +135,7 @@ class Solve(unittest.TestCase):
         result = crumple.solve(wall(50))
         svg = xml.etree.ElementTree.fromstring(result.svg())
         self.assertTrue(svg.tag.endswith("svg"))
-        self.assertNotEqual(result.svg(0.1), result.svg())
+        self.assertNotEqual(result.svg(0.05), result.svg())
         self.assertIn("<svg", result._repr_html_())
 
     def test_interrupt(self):

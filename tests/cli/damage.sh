@@ -96,6 +96,22 @@ refused "nobody was measured" 3 'bad\.json:2:.*needs the other' damage "$tmp/bad
 bad "a ride that is none" 3 'under or over' "$crush, \"ride\": \"beside\""
 bad "an outline that goes back" 3 'bad\.json:[0-9]+:.*does not go on' \
     '"face": "front", "outline_m": [[0, 0.1], [-1, 0.1]]'
+bad "a depth beyond all measure" 3 'A: C1 of 1e\+308 m does not fit the vehicle of [0-9.]+ m \(' \
+    '"face": "front", "field_length_m": 1.4, "crush_m": [1e308, 0.1]'
+bad "a depth that may be anything" 3 'tolerance of 1e\+300 m is more than the vehicle' \
+    "$crush, \"crush_tolerance_m\": 1e300"
+bad "a force from anywhere" 3 'more than half a turn' \
+    "$crush, \"pdof_deg\": {\"value\": 0, \"tolerance\": 400}"
+pair "$crush" | sed 's/1600/{"value": 1600, "tolerance": 2000}/' >"$tmp/bad.json"
+refused "a mass that may be anything" 3 'more than the mass of 1600 kg' damage "$tmp/bad.json"
+sed 's/"vehicles"/"object": {"mass_kg": 1e-300}, "vehicles"/' "$tmp/tree.json" |
+    sed 's/"object": {}, //' >"$tmp/bad.json"
+refused "an object of no mass" 3 'a mass is 0.1 to 10000000 kg' damage "$tmp/bad.json"
+awk 'BEGIN { printf "id,type,mass_kg,face,field_length_m"
+    for (i = 1; i < 66; i++) printf ",c%d_m", i
+    printf "\nA,sedan,1600,front,1.4"; for (i = 1; i < 66; i++) printf ",0.3"; print "" }' \
+    >"$tmp/bad.csv"
+refused "more stations than are taken" 3 'bad.csv:2.*2 to 64' damage "$tmp/bad.csv"
 bad "restitution" 3 'restitution must' "$crush" ', "restitution": 2'
 pair "$crush" | sed 's/"mass_kg": 1600, //' >"$tmp/bad.json"
 refused "a missing mass" 3 'mass_kg' damage "$tmp/bad.json"

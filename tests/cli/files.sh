@@ -58,6 +58,16 @@ same "a link leads to what is written" "$status:$(cksum <kept.json)" \
     "0:$("$crumple" run wall.json | cksum)"
 [ -L link.json ]
 report $? "and stays a link"
-rm -f kept.json link.json
+mkdir away
+ln -s away/new.json dangling
+ln -s dangling twice
+run run wall.json -o twice
+same "a link to what is not there yet makes it there" "$status:$(cksum <away/new.json)" \
+    "0:$("$crumple" run wall.json | cksum)"
+run stack wall.json -o twice
+has "also piece by piece" "$status:$(cut -c 1-30 away/new.json)" '^0:.*"index":0'
+[ -L dangling ] && [ -L twice ]
+report $? "and both stay links"
+rm -rf kept.json link.json dangling twice away
 same "no temporary files stay behind" "$(ls)" "$before"
 finish

@@ -54,6 +54,11 @@ refused "five stations" 3 'six depths' fit "$tmp/w.json" A.speed to crush.A=1,2,
 refused "an input that is none" 3 'no key "colour"' fit "$tmp/w.json" A.colour to dv.A=40
 refused "an input that is no number" 3 'no number' fit "$tmp/w.json" A.type to dv.A=40
 refused "bounds that fall" 3 'does not rise' fit "$tmp/w.json" A.speed=60:40km/h to dv.A=40
+refused "an input twice" 3 'A\.speed is given twice' fit "$tmp/w.json" A.speed A.speed to dv.A=40
+for huge in dv.A=1e308km/h dv.A=43+-1e300km/h dv.A=43+-1e-300km/h rest.A=1e308,3m; do
+    refused "evidence of $huge" 3 'A.*: [0-9.e+-]+ \+- [0-9.e+-]+ (km/h|m) is beyond all measure' \
+        fit "$tmp/w.json" A.speed to $huge
+done
 refused "twice the same" 3 'given twice' fit "$tmp/w.json" A.speed to dv.A=40 dv.A=41
 refused "nothing that meets" 4 'no place within the bounds' \
     fit "$tmp/w.json" A.speed=0:0.0001km/h to dv.A=40 --starts 1 --solves 20

@@ -17,7 +17,7 @@ large='curses|tinfo|readline|cairo|sqlite|libzip|expat|crumple-'
 wall_scene >"$tmp/small.json"
 has "what is loaded is seen" "$(loaded --version)" '^libm\.so'
 cd "$tmp" || exit 99
-for words in --version models 'run small.json' 'stack small.json' 'mc --n 2 small.json' \
+for words in --version models 'run small.json' 'stack small.json' 'mc --draws 2 small.json' \
     'run -p crash.svg small.json'; do
     # shellcheck disable=SC2086
     empty "crumple $words loads no large library" "$(loaded $words | grep -E "$large")"

@@ -39,6 +39,9 @@ has "as JSON" "$(sed -n 2p "$tmp/out")" \
 has "with the errors" "$(sed -n 1p "$tmp/out")" '"error":[{]"code":"missing"'
 want=$(sed -n 2p "$tmp/all" | sed 's/.*"id":"A","ees_kmh":\([0-9.]*\),.*/\1/')
 has "the numbers are those of the results" "$(sed -n 2p "$tmp/out")" "\"A.ees_kmh\":$want[}]"
+run stack "$tmp/s.jsonl" --fields scene,A.ees_kmh,A.ees_kmh,index
+has "a field that is there already comes once" "$(sed -n 2p "$tmp/out")" \
+    '^[{]"index":1,"scene":"sa1","pair":"p1","A.ees_kmh":[0-9.]+[}]$'
 refused "a field that is none" 2 "no value 'A.colour'" stack "$tmp/s.jsonl" --fields A.colour
 refused "an empty field" 2 'a name is empty' stack "$tmp/s.jsonl" --fields A.ees,,A.cdc
 
@@ -100,6 +103,11 @@ refused "a part that is not there" 2 'nowhere: error: cannot open' merge "$tmp/n
 run merge "$tmp/part1" "$tmp/part2" "$tmp/part3" "$tmp/part4" --summary
 has "a summary of parts" "$out" '^Scenes: 15; solved 14, failed 1'
 has "with their pairs" "$out" '^Pairs: 7 of 7 compared'
+{
+    "$crumple" merge "$tmp/part1" "$tmp/part2" "$tmp/part3" "$tmp/part4" 2>"$tmp/errs"
+    echo $? >"$tmp/status"
+} | head -c 1 >"$tmp/out"
+same "a reader that has had enough of it is no failure" "$(cat "$tmp/status" "$tmp/errs")" 0
 run merge "$tmp/all" -f csv --fields A.ees
 same "a table of parts" "$(wc -l <"$tmp/out" | tr -d ' ')" 16
 

@@ -1,6 +1,6 @@
 # fuzz targets: make check replays the corpus, make fuzz mutates it with libFuzzer (clang)
 fuzz_targets = fuzz_cmd fuzz_model fuzz_scene
-fuzz_ldadd = libscene.a libsolver.a libmodel.a libbase.a $(CJSON_LIBS) $(NETTLE_LIBS)
+fuzz_ldadd = libscene.a libsolver.a libmodel.a libprocess.a libbase.a $(CJSON_LIBS) $(NETTLE_LIBS)
 EXTRA_PROGRAMS += fuzz_scene fuzz_model fuzz_cmd
 fuzz_cmd_SOURCES = tests/fuzz/fuzz_cmd.c tests/fuzz/fuzz.h
 fuzz_cmd_CFLAGS = $(CR_CFLAGS)

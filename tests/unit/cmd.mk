@@ -1,6 +1,6 @@
 # unit tests of src/cmd
 cmd_test_libs = libcmd.a libstudy.a libfigure.a libdamage.a librender.a libresult.a libscene.a libsolver.a libmodel.a \
-	libbase.a $(CMOCKA_LIBS) $(GSL_LIBS) $(NLOPT_LIBS) $(CJSON_LIBS) \
+	libprocess.a libbase.a $(CMOCKA_LIBS) $(GSL_LIBS) $(NLOPT_LIBS) $(CJSON_LIBS) \
 	$(NETTLE_LIBS) $(CAIRO_LIBS)
 check_PROGRAMS += test_cmd
 TESTS += test_cmd

@@ -1,5 +1,5 @@
 # unit tests of src/study, and the word mc
-study_test_libs = libstudy.a libresult.a libscene.a libsolver.a libmodel.a libbase.a \
+study_test_libs = libstudy.a libresult.a libscene.a libsolver.a libmodel.a libprocess.a libbase.a \
 	$(CMOCKA_LIBS) $(GSL_LIBS) $(NLOPT_LIBS) $(CJSON_LIBS) $(NETTLE_LIBS)
 check_PROGRAMS += test_study
 TESTS += test_study tests/cli/mc.sh tests/cli/fit.sh tests/cli/fit_back.sh

@@ -126,6 +126,12 @@ static void test_angles_and_rounding(void **state) {
     (void)state;
     check_near(cr_angle_wrap(3 * CR_PI), CR_PI, 1e-12);
     check_near(cr_angle_wrap(-0.5), -0.5, 0);
+    /* a bearing never reads 360, nor what draws beyond it are unwrapped to */
+    check_near(cr_bearing_deg(cr_rad(359.6)), 0, 0);
+    check_near(cr_bearing_deg(cr_rad(359.4)), 359, 0);
+    check_near(cr_bearing_deg(cr_rad(363.2)), 3, 0);
+    check_near(cr_bearing_deg(cr_rad(-0.2)), 0, 0);
+    check_near(cr_bearing_deg(cr_rad(-10)), 350, 0);
     check_near(cr_kmh(cr_mps(56)), 56, 1e-12);
     check_near(cr_round12(1.0 / 3), 0.333333333333, 0);
     struct cr_vec2 v = cr_vec2_rotate(cr_vec2(1, 0), 0, 1);

@@ -8,7 +8,7 @@ check_PROGRAMS += test_tui_ground
 TESTS += test_tui_ground
 test_tui_ground_SOURCES = tests/unit/test_tui_ground.c
 test_tui_ground_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
-test_tui_ground_LDADD = libtui.a $(CMOCKA_LIBS)
+test_tui_ground_LDADD = libtui.a libprocess.a $(CMOCKA_LIBS)
 check_PROGRAMS += test_tui_pointer
 TESTS += test_tui_pointer
 test_tui_pointer_SOURCES = tests/unit/test_tui_pointer.c
@@ -18,9 +18,9 @@ check_PROGRAMS += test_tui_frame
 TESTS += test_tui_frame
 test_tui_frame_SOURCES = tests/unit/test_tui_frame.c
 test_tui_frame_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
-test_tui_frame_LDADD = libtui.a $(CMOCKA_LIBS)
+test_tui_frame_LDADD = libtui.a libprocess.a $(CMOCKA_LIBS)
 tui_test_libs = libtui.a libcmd.a libstudy.a libfigure.a libdamage.a librender.a libresult.a libscene.a libsolver.a \
-	libmodel.a libbase.a $(CMOCKA_LIBS) $(GSL_LIBS) $(NLOPT_LIBS) $(NCURSES_LIBS) $(READLINE_LIBS) \
+	libmodel.a libprocess.a libbase.a $(CMOCKA_LIBS) $(GSL_LIBS) $(NLOPT_LIBS) $(NCURSES_LIBS) $(READLINE_LIBS) \
 	 $(CJSON_LIBS) $(NETTLE_LIBS) $(CAIRO_LIBS)
 tui_double = tests/unit/tui_double.c tests/unit/tui_double.h tests/unit/render_double.c \
 	tests/unit/render_double.h
