@@ -43,6 +43,24 @@ for dir in src/*/ src/main.c; do
     empty "includes of $dir" "$(broken "$(basename "$dir")" "$dir")"
 done
 
+# the .c files that include a header, also through others
+users() { # HEADER
+    grep -ro --include='*.[ch]' '^#include "[^"]*"' src tests |
+        sed 's#^src/##; s#^tests/[a-z]*/##; s#:.include "#" #; s#"##g' |
+        awk -v header="$1" '
+            { file[NR] = $1; included[NR] = $2 }
+            END {
+                reached[header] = 1
+                for (more = 1; more;)
+                    for (i = more = 0; i++ < NR;)
+                        if (reached[included[i]] && !reached[file[i]]) more = reached[file[i]] = 1
+                for (name in reached) if (name ~ /c$/) print name
+            }'
+}
+case_users=$(users solver/case.h | wc -l)
+[ "$case_users" -lt 60 ] && [ "$case_users" -gt 20 ]
+report $? "fewer than 60 files are compiled anew when solver/case.h changes: $case_users"
+
 all=$(grep -rnE --include='*.[ch]' '#include <(cjson|n?curses|ncursesw|term|panel|readline)' src)
 outside() { # INCLUDE PATHS
     printf '%s\n' "$all" | grep -E "<$1" | grep -vE "^$2"

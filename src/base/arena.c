@@ -36,17 +36,16 @@ static struct cr_arena_block *new_block(struct cr_arena *arena, size_t want, boo
 }
 
 static void *take(struct cr_arena *arena, size_t n, size_t size, bool zeroed) {
-    if (size != 0 && n > (SIZE_MAX - BLOCK_MIN) / size) {
-        return NULL;
-    }
+    bool fits = size == 0 || n <= (SIZE_MAX - BLOCK_MIN) / size;
     size_t align = alignof(max_align_t);
     size_t want = (n * size + align - 1) / align * align;
     struct cr_arena_block *b = arena->head;
-    if (b == NULL || b->size - b->used < want) {
+    if (fits && (b == NULL || b->size - b->used < want)) {
         b = new_block(arena, want, zeroed);
-        if (b == NULL) {
-            return NULL;
-        }
+    }
+    if (!fits || b == NULL) {
+        arena->failed = true;
+        return NULL;
     }
     void *p = b->data + b->used;
     b->used += want;
@@ -69,8 +68,7 @@ void cr_arena_free(struct cr_arena *arena) {
         free(b);
         b = next;
     }
-    arena->head = NULL;
-    arena->total = 0;
+    *arena = (struct cr_arena){.head = NULL};
 }
 
 void cr_arena_keep(void) {

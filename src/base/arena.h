@@ -5,14 +5,17 @@
 #ifndef CR_BASE_ARENA_H
 #define CR_BASE_ARENA_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 struct cr_arena {
     struct cr_arena_block *head;
     size_t total; /* bytes taken so far, for reports of memory use */
+    bool failed;  /* memory was out for something: who takes much asks once, after the last */
 };
 
-/* Zeroed memory for n objects of the given size; NULL when memory is out or n * size overflows. */
+/* Zeroed memory for n objects of the given size; NULL when memory is out or n * size overflows,
+ * which the arena remembers in `failed`. */
 void *cr_arena_take(struct cr_arena *arena, size_t n, size_t size);
 
 /* The same with any content, for what is written whole before it is read. */

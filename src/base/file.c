@@ -327,6 +327,17 @@ char *cr_file_part(const char *data_dir, const char *part, char *buf, size_t siz
     return buf;
 }
 
+char *cr_file_own_part(const char *xdg_data_home, const char *home, const char *part, char *buf,
+                       size_t size) {
+    buf[0] = '\0';
+    if (xdg_data_home != NULL && xdg_data_home[0] == '/') {
+        snprintf(buf, size, "%s/crumple/%s", xdg_data_home, part);
+    } else if (home != NULL && home[0] == '/') {
+        snprintf(buf, size, "%s/.local/share/crumple/%s", home, part);
+    }
+    return buf;
+}
+
 int cr_file_by_bytes(const struct dirent **a, const struct dirent **b) {
     return strcmp((*a)->d_name, (*b)->d_name);
 }

@@ -48,6 +48,11 @@ CR_MUST_CHECK enum cr_err cr_file_sync_folder(const char *path, struct cr_error 
  * its top once installed. "share/irf" is the same, and "models" has one place. Returns buf. */
 char *cr_file_part(const char *data_dir, const char *part, char *buf, size_t size);
 
+/* Where a user's own part of the data ("catalogue") lies: XDG_DATA_HOME/crumple/PART, else below
+ * HOME; "" where the values of both (NULL: not set) lead nowhere. Returns buf. */
+char *cr_file_own_part(const char *xdg_data_home, const char *home, const char *part, char *buf,
+                       size_t size);
+
 /* Order of names for scandir: by bytes, the same in every locale. */
 struct dirent;
 int cr_file_by_bytes(const struct dirent **a, const struct dirent **b);

@@ -74,15 +74,8 @@ const char *cr_data_dir(char *buf, int size) {
 }
 
 const char *cr_own_cars(char *buf, int size) {
-    const char *data = getenv("XDG_DATA_HOME"), *home = getenv("HOME");
-    if (data != NULL && data[0] == '/') {
-        snprintf(buf, (size_t)size, "%s/crumple/catalogue", data);
-    } else if (home != NULL && home[0] == '/') {
-        snprintf(buf, (size_t)size, "%s/.local/share/crumple/catalogue", home);
-    } else {
-        return empty(buf);
-    }
-    return buf;
+    return cr_file_own_part(getenv("XDG_DATA_HOME"), getenv("HOME"), "catalogue", buf,
+                            (size_t)size);
 }
 
 enum cr_err cr_cli_data(const char *name, char *buf, int size, struct cr_error *err) {

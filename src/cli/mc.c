@@ -162,7 +162,7 @@ static enum cr_err run(const char *path, const struct options *opt, struct cr_er
     if (code == CR_ERR_OK) {
         code = solve(&job.scene, opt, &job.shared.ctx, &text, err);
         if (code != CR_ERR_OK && err->where[0] != '\0') {
-            cr_cli_locate(path, err);
+            cr_cli_locate_job(&job, err);
         }
     }
     code = cr_cli_emit_after(code, opt->out, &text, err);

@@ -3,6 +3,7 @@
 
 #include "process/signals.h"
 
+#include <stdio.h>
 #include <string.h>
 
 static const char *told(const char *path) {
@@ -21,7 +22,7 @@ enum cr_err cr_cli_override(struct cr_scene *scene, const struct cr_option_value
 enum cr_err cr_cli_begin(const char *path, const struct cr_option_values *set,
                          const struct cr_cli_budget *budget, struct cr_cli_job *job,
                          struct cr_error *err) {
-    *job = (struct cr_cli_job){.path = path};
+    *job = (struct cr_cli_job){.path = path, .set = set};
     cr_scene_init(&job->scene);
     enum cr_err code = cr_scene_load(path, &job->scene, err);
     if (code != CR_ERR_OK && strcmp(err->src, "-") == 0) {
@@ -47,6 +48,34 @@ void cr_cli_locate(const char *path, struct cr_error *err) {
     }
 }
 
+/* JSON pointer of what KEY=VALUE sets: "A.model.file" is /participants/0/model/file */
+static void pointer_of(const struct cr_scene *scene, const char *text, char *buf, int size) {
+    int len = (int)strcspn(text, "="), id = (int)strcspn(text, ".");
+    int n = snprintf(buf, (size_t)size, "/settings/%.*s", len, text);
+    for (int i = 0; i < scene->n && id < len; i++) {
+        if ((int)strlen(scene->part[i].id) == id &&
+            strncmp(scene->part[i].id, text, (size_t)id) == 0) {
+            n = snprintf(buf, (size_t)size, "/participants/%d/%.*s", i, len - id - 1,
+                         text + id + 1);
+        }
+    }
+    for (int i = 0; i < n && i < size - 1; i++) {
+        buf[i] = buf[i] == '.' ? '/' : buf[i];
+    }
+}
+
+void cr_cli_locate_job(const struct cr_cli_job *job, struct cr_error *err) {
+    char pointer[sizeof err->where], place[200];
+    for (int i = job->set != NULL ? job->set->n - 1 : -1; i >= 0 && err->src[0] == '\0'; i--) {
+        pointer_of(&job->scene, job->set->value[i], pointer, sizeof pointer);
+        if (strcmp(err->where, pointer) == 0) {
+            snprintf(place, sizeof place, "--set %s", job->set->value[i]);
+            cr_err_place(err, place, 0, 0);
+        }
+    }
+    cr_cli_locate(job->path, err);
+}
+
 enum cr_err cr_cli_solve(const struct cr_cli_shared *shared, const struct cr_cli_budget *budget,
                          const struct cr_scene *scene, struct cr_result **out,
                          struct cr_error *err) {
@@ -59,7 +88,7 @@ enum cr_err cr_cli_solve_job(struct cr_cli_job *job, const struct cr_cli_budget 
                              struct cr_error *err) {
     enum cr_err code = cr_cli_solve(&job->shared, budget, &job->scene, &job->result, err);
     if (code != CR_ERR_OK) {
-        cr_cli_locate(job->path, err);
+        cr_cli_locate_job(job, err);
     }
     return code;
 }

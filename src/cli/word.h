@@ -93,7 +93,8 @@ struct cr_context cr_cli_context(const struct cr_cli_shared *shared,
 /* One scene of a word of the command line: read and overridden (cr_cli_begin), solved when that is
  * the word's business (cr_cli_solve_job), given back in any case (cr_cli_end). */
 struct cr_cli_job {
-    const char *path; /* as given, "-" for standard input; borrowed */
+    const char *path;                   /* as given, "-" for standard input; borrowed */
+    const struct cr_option_values *set; /* what was overridden; borrowed, nullable */
     struct cr_scene scene;
     struct cr_cli_shared shared; /* ctx has the limits of the budget */
     struct cr_result *result;    /* NULL: not solved */
@@ -114,6 +115,8 @@ CR_MUST_CHECK enum cr_err cr_cli_solve(const struct cr_cli_shared *shared,
                                        struct cr_error *err);
 /* Give an error without a place the one in the file that its JSON pointer leads to. */
 void cr_cli_locate(const char *path, struct cr_error *err);
+/* The same of the scene of a job: its file, or the --set that gave the value. */
+void cr_cli_locate_job(const struct cr_cli_job *job, struct cr_error *err);
 
 /* --units: of what people read; files for programs stay metric. */
 #define CR_CLI_UNITS_OPTION(to)                                                                    \

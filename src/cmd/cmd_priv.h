@@ -140,6 +140,10 @@ void cr_session_reset_view(struct cr_session *s);
 /* A path as typed, else below the data folder: "share/tutorial/reference.json" works anywhere. */
 const char *cr_session_find_file(const struct cr_session *s, const char *path, char *buf, int size);
 enum cr_err cr_session_need_models(struct cr_session *s, struct cr_error *err);
+struct cr_car;
+/* The car of the catalogue that the words mean. Errors: those of cr_catalogue_find. */
+CR_MUST_CHECK enum cr_err cr_session_car(struct cr_session *s, const char *words,
+                                         const struct cr_car **car, struct cr_error *err);
 enum cr_err cr_session_need_result(struct cr_session *s, struct cr_error *err);
 /* Likewise, and of the scene as it is now, solved to its end. */
 enum cr_err cr_session_need_whole(struct cr_session *s, struct cr_error *err);

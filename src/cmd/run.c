@@ -48,7 +48,11 @@ static void caret(struct cr_str *out, int indent, int col, int len) {
 
 static void message(const struct cr_error *err, struct cr_str *out) {
     if (err->src[0] != '\0' && err->line > 0) {
-        cr_str_addf(out, "%s:%d:%d: ", err->src, err->line, err->col);
+        cr_str_addf(out, "%s:%d:", err->src, err->line);
+        if (err->col > 0) {
+            cr_str_addf(out, "%d:", err->col);
+        }
+        cr_str_add(out, " ");
     } else if (err->src[0] != '\0') {
         cr_str_addf(out, "%s: ", err->src);
     }

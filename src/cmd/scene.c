@@ -138,12 +138,9 @@ static enum cr_err find_or_add(struct cr_call *call, enum cr_kind kind, struct c
 /* What the catalogue says of the car that was named, before anything is changed by it. */
 static enum cr_err say_car(struct cr_call *call, const struct cr_participant *p,
                            struct cr_error *err) {
-    const struct cr_catalogue *catalogue;
     const struct cr_car *car;
     struct cr_str line = {0};
-    enum cr_err code = cr_session_need_models(call->s, err);
-    code = code == CR_ERR_OK ? cr_model_catalogue(call->s->models, &catalogue, err) : code;
-    code = code == CR_ERR_OK ? cr_catalogue_find(catalogue, p->car, &car, err) : code;
+    enum cr_err code = cr_session_car(call->s, p->car, &car, err);
     if (code != CR_ERR_OK) {
         return cr_cmd_blame(call, "car", code);
     }

@@ -4,6 +4,7 @@
 
 #include "base/grow.h"
 #include "base/show.h"
+#include "catalogue/catalogue.h"
 #include "scene/compiled.h"
 #include "study/study.h"
 
@@ -281,6 +282,14 @@ enum cr_err cr_session_need_models(struct cr_session *s, struct cr_error *err) {
         return code;
     }
     return CR_ERR_OK;
+}
+
+enum cr_err cr_session_car(struct cr_session *s, const char *words, const struct cr_car **car,
+                           struct cr_error *err) {
+    const struct cr_catalogue *catalogue;
+    enum cr_err code = cr_session_need_models(s, err);
+    code = code == CR_ERR_OK ? cr_model_catalogue(s->models, &catalogue, err) : code;
+    return code == CR_ERR_OK ? cr_catalogue_find(catalogue, words, car, err) : code;
 }
 
 enum cr_err cr_session_need_result(struct cr_session *s, struct cr_error *err) {

@@ -154,6 +154,10 @@ static enum cr_err try_words(struct cr_session *s, const struct cr_vary *var,
         if (code == CR_ERR_OK) {
             code = cr_vary_word(state, var, axis->word[i], err);
         }
+        if (code == CR_ERR_OK && strcmp(var->key.key, "car") == 0) {
+            const struct cr_car *car;
+            code = cr_session_car(s, axis->word[i], &car, err);
+        }
         cr_state_free(state);
     }
     return code;

@@ -17,7 +17,8 @@ const struct cr_sweep_key cr_sweep_keys[] = {
     {"x", "position.x", 0, false, CR_DIM_LENGTH, "m", "place to the east"},
     {"y", "position.y", 0, false, CR_DIM_LENGTH, "m", "place to the north"},
     {"type", "type", CR_FOR_VEHICLE, false, CR_DIMS, "", "EES models: suv,compact"},
-    {"car", "car", CR_FOR_VEHICLE, false, CR_DIMS, "", "cars of the catalogue: \"golf 2015,up\""},
+    {"car", "car", CR_FOR_VEHICLE, false, CR_DIMS, "",
+     "cars of the catalogue: \"golf 2015,jetta 2015\""},
     {"model", "model", CR_FOR_VEHICLE, false, CR_DIMS, "", "suv/12,suv/3 or files of voxels"},
     {"mass", "mass_kg", 0, false, CR_DIM_MASS, "kg", "mass"},
     {"kerb", "kerb_mass_kg", CR_FOR_VEHICLE, false, CR_DIM_MASS, "kg", "kerb mass"},
@@ -149,12 +150,23 @@ static int coordinate(const struct cr_vary *var) {
                                                      : -1;
 }
 
+/* Where mass, kerb mass and load are all known, one that is not varied follows: the mass, or of a
+ * mass that is the load. */
+static void let_mass_follow(struct cr_participant *p, const char *key) {
+    bool mass = strcmp(key, "mass_kg") == 0, kerb = strcmp(key, "kerb_mass_kg") == 0;
+    if (mass && !isnan(p->kerb_mass)) {
+        p->load = NAN;
+    } else if ((kerb && !isnan(p->load)) || (strcmp(key, "load_kg") == 0 && !isnan(p->kerb_mass))) {
+        p->mass = NAN;
+    }
+}
+
 enum cr_err cr_vary_apply(struct cr_state *state, const struct cr_vary *var, double si,
                           struct cr_error *err) {
     char full[2 * CR_NAME_MAX + 2], value[40];
     bool setting = var->key.setting;
     int axis = coordinate(var);
-    const struct cr_participant *part = setting ? NULL : cr_scene_find(&state->scene, var->id);
+    struct cr_participant *part = setting ? NULL : cr_scene_find(&state->scene, var->id);
     if (axis >= 0) {
         return cr_cmd_set_numbers(&state->scene, var->id, "position_m",
                                   axis == 0 ? si : part->pos.x, axis == 1 ? si : part->pos.y, err);
@@ -164,6 +176,9 @@ enum cr_err cr_vary_apply(struct cr_state *state, const struct cr_vary *var, dou
                           setting ? 0 : cr_scene_kind_mask(part));
     if (key == NULL) {
         return cr_err_set(err, CR_ERR_KEY, "%s has no %s", var->id, var->key.name);
+    }
+    if (part != NULL) {
+        let_mass_follow(part, var->key.key);
     }
     full_name(var, full, sizeof full);
     snprintf(value, sizeof value, "%.17g", cr_unit_from_si(cr_scene_key_unit(key), si));

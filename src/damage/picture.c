@@ -44,7 +44,7 @@ enum cr_err cr_crush_picture(const struct cr_crush_car *car, const struct cr_cru
     size_t flat = (size_t)car->grid.nx * (size_t)car->grid.ny;
     double *ees = cr_arena_take(&arena, n, sizeof *ees);
     double *left = cr_arena_take(&arena, flat, sizeof *left);
-    if (ees == NULL || left == NULL) {
+    if (arena.failed) {
         code = cr_err_set(err, CR_ERR_MEMORY, "no memory for the model of %s", car->id);
         goto out;
     }

@@ -4,6 +4,7 @@
 #include "expert/recheck.h"
 
 #include "base/json.h"
+#include "base/show.h"
 
 #include <cjson/cJSON.h>
 #include <math.h>
@@ -235,11 +236,16 @@ void cr_recheck_text(const struct cr_recheck *c, struct cr_str *out) {
                             : "same bytes\n");
         return;
     }
-    cr_str_addf(out, "differs first at %s: the file has %s, computed now %s\n", c->where, c->had,
-                c->has);
+    const char *const said[] = {"differs first at ", c->where, ": the file has ", c->had,
+                                ", computed now ",   c->has};
+    for (size_t i = 0; i < sizeof said / sizeof *said; i++) {
+        cr_show_add(out, said[i]); /* keys and words are those of a file of anybody */
+    }
+    cr_str_add(out, "\n");
     if (c->version) {
-        cr_str_addf(out, "the version differs: the file is of %s, this is %s\n", c->had_version,
-                    PACKAGE_VERSION);
+        cr_str_add(out, "the version differs: the file is of ");
+        cr_show_add(out, c->had_version);
+        cr_str_addf(out, ", this is %s\n", PACKAGE_VERSION);
     }
     cr_str_add(out, c->method ? "the method differs\n" : "");
     cr_str_add(out, c->models ? "the models differ\n" : "");

@@ -90,8 +90,10 @@ CRUMPLE_API int crumple_version_number(void);
 CRUMPLE_API const char *crumple_error_word(int code);
 
 /* Read the models and risk functions of a data folder; NULL: that of the environment variable
- * CRUMPLE_DATA, else the one the library was installed with. Errors: CRUMPLE_IO, CRUMPLE_SYNTAX,
- * CRUMPLE_MODEL, CRUMPLE_MEMORY. Close with crumple_close. */
+ * CRUMPLE_DATA, else the one the library was installed with. Cars that a scene names come from its
+ * catalogue and from the tables in the user's own, $XDG_DATA_HOME/crumple/catalogue or
+ * ~/.local/share/crumple/catalogue. Errors: CRUMPLE_IO, CRUMPLE_SYNTAX, CRUMPLE_MODEL,
+ * CRUMPLE_MEMORY. Close with crumple_close. */
 CRUMPLE_API int crumple_open(const char *data_folder, crumple **out, crumple_error *error);
 
 /* Give back what crumple_open has made; results of it stay valid. NULL does nothing. */

@@ -21,11 +21,15 @@ int crumple_version_number(void) {
 }
 
 static enum cr_err open_data(struct crumple *lib, const char *dir, struct cr_error *err) {
-    char models[4200], irf[4200], rules[4200];
+    char models[4200], irf[4200], rules[4200], cars[4200];
     cr_file_part(dir, "irf", irf, sizeof irf);
     cr_file_part(dir, "damage/calibration.json", rules, sizeof rules);
+    cr_file_own_part(getenv("XDG_DATA_HOME"), getenv("HOME"), "catalogue", cars, sizeof cars);
     snprintf(models, sizeof models, "%s/models", dir);
     enum cr_err code = cr_model_lib_open(models, &lib->models, err);
+    if (code == CR_ERR_OK) {
+        code = cr_model_own_cars(lib->models, cars, err);
+    }
     if (code == CR_ERR_OK) {
         code = cr_model_need_all(lib->models, err);
     }

@@ -2,7 +2,6 @@
 #include "lib/lib_priv.h"
 
 #include "base/str.h"
-#include "scene/compiled.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -128,22 +127,22 @@ size_t crumple_field(const crumple_result *result, const char *id, int kind, flo
     if (body < 0 || kind < CRUMPLE_FIELD_MATERIAL || kind > CRUMPLE_FIELD_TIME) {
         return 0;
     }
-    const struct cr_body *b = &r->compiled->cs.body[body];
+    const struct cr_grid *g = cr_result_grid(r, body);
+    double mass = cr_result_mass(r, body);
     const struct cr_outcome *o = &r->solution->body[body];
-    size_t n = (size_t)b->grid.nx * (size_t)b->grid.ny;
-    if (n == 0 || o->left == NULL || (kind == CRUMPLE_FIELD_EES && !(b->mass > 0))) {
+    size_t n = (size_t)g->nx * (size_t)g->ny;
+    if (n == 0 || o->left == NULL || (kind == CRUMPLE_FIELD_EES && !(mass > 0))) {
         return 0;
     }
-    const int counts[3] = {b->grid.nx, b->grid.ny, 1};
-    const double place[6] = {b->grid.x0,     b->grid.y0,     b->grid.h,
-                             o->after.pos.x, o->after.pos.y, o->after.heading};
+    const int counts[3] = {g->nx, g->ny, 1};
+    const double place[6] = {g->x0, g->y0, g->h, o->after.pos.x, o->after.pos.y, o->after.heading};
     memcpy(dims, counts, sizeof counts);
     memcpy(frame, place, sizeof place);
     if (kind == CRUMPLE_FIELD_EES) {
-        return size == 0 || fill_ees(&b->grid, b->mass, out, size) ? n : 0;
+        return size == 0 || fill_ees(g, mass, out, size) ? n : 0;
     }
     for (size_t i = 0; i < n && i < size; i++) {
-        out[i] = (float)voxel(&b->grid, o, kind, i);
+        out[i] = (float)voxel(g, o, kind, i);
     }
     return n;
 }

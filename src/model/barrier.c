@@ -134,7 +134,7 @@ enum cr_err cr_barrier_grid(const struct cr_barrier *b, double voxel, const doub
     size_t n = (size_t)g.nx * (size_t)g.ny;
     double *fill = cr_arena_take(arena, n, sizeof *fill);
     double *energy = cr_arena_take(arena, n, sizeof *energy);
-    if (fill == NULL || energy == NULL) {
+    if (arena->failed) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for the voxels of a barrier");
     }
     struct line line = {.z = {fmax(z[0], b->z_lo), fmin(z[1], b->z_hi)}};

@@ -195,15 +195,12 @@ static void make_row(struct work *w, int j, const struct half_grid *g) {
     }
 }
 
-static bool take_work(struct work *w, int plan_ny, bool ranged, struct cr_arena *scratch) {
+static void take_work(struct work *w, int plan_ny, bool ranged, struct cr_arena *scratch) {
     size_t nx = (size_t)w->nx;
     for (int v = 0; v < 5; v++) {
         bool same = !ranged && (v == 2 || v == 3);
         w->slab[v] = same ? w->slab[v - 2] : cr_arena_take_raw(scratch, nx * (size_t)plan_ny, 8);
         w->line[v] = same ? w->line[v - 2] : cr_arena_take_raw(scratch, nx, 8);
-        if (w->slab[v] == NULL || w->line[v] == NULL) {
-            return false;
-        }
     }
     w->row_budget = cr_arena_take_raw(scratch, nx, 8);
     w->row_weight = cr_arena_take(scratch, nx, 8);
@@ -211,8 +208,6 @@ static bool take_work(struct work *w, int plan_ny, bool ranged, struct cr_arena 
     w->mean = cr_arena_take_raw(scratch, (size_t)plan_ny, 8);
     w->col_budget = cr_arena_take_raw(scratch, (size_t)w->half, 8);
     w->sum = cr_arena_take_raw(scratch, nx + (size_t)w->half, 8);
-    return w->row_budget != NULL && w->row_weight != NULL && w->fill != NULL &&
-           w->col_budget != NULL && w->sum != NULL && w->mean != NULL;
 }
 
 /* Turn rows of the left half that are counted from the front into rows along x, and mirror them to
@@ -242,19 +237,13 @@ static void set_faces(const struct work *w, struct cr_grid *g) {
     }
 }
 
-/* fill and out are made in the left half of the grid itself */
-static bool take_half(struct half_grid *g, size_t n, double *fill, double *energy, bool ranged,
-                      struct cr_arena *scratch) {
+static void take_half(struct half_grid *g, size_t n, bool ranged, struct cr_arena *scratch) {
     double **const array[] = {&g->energy[0], &g->energy[1], &g->mixed, &g->ranged[0],
                               &g->ranged[1]};
-    *g = (struct half_grid){.fill = fill + n, .out = energy + n};
+    *g = (struct half_grid){.fill = NULL};
     for (int i = 0; i < (ranged ? 5 : 3); i++) {
         *array[i] = cr_arena_take_raw(scratch, n, 8);
-        if (*array[i] == NULL) {
-            return false;
-        }
     }
-    return true;
 }
 
 /* All rows, both fields, and their mix. */
@@ -292,10 +281,13 @@ static enum cr_err run(struct work *w, const struct cr_model_plan *p, struct cr_
     bool ranged = p->weight[0] != p->full[0];
     struct half_grid half;
     double *fill = cr_arena_take_raw(arena, 2 * n, 8), *energy = cr_arena_take_raw(arena, 2 * n, 8);
-    if (fill == NULL || energy == NULL || !take_half(&half, n, fill, energy, ranged, scratch) ||
-        !take_work(w, p->ny, ranged, scratch)) {
+    take_half(&half, n, ranged, scratch);
+    take_work(w, p->ny, ranged, scratch);
+    if (arena->failed || scratch->failed) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for a model of %zu voxels", 2 * n);
     }
+    half.fill = fill + n; /* these two are made in the left half of the grid itself */
+    half.out = energy + n;
     make_half(w, p, &half);
     mirror(w, fill);
     mirror(w, energy);

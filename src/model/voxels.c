@@ -102,7 +102,7 @@ static enum cr_err raise_all(struct volume *w, struct cr_voxels *v, struct cr_ar
     for (int i = 0; i < 3; i++) {
         w->column[i] = cr_arena_take(scratch, (size_t)w->body->nz, sizeof *w->column[i]);
     }
-    if (w->fill == NULL || w->energy == NULL || w->column[2] == NULL) {
+    if (arena->failed || scratch->failed) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for %zu voxels", n);
     }
     for (int iy = 0; iy < v->ny; iy++) {

@@ -359,7 +359,7 @@ const struct cr_plot *cr_plot_shown(const struct cr_plot *plot, struct cr_arena 
     }
     struct cr_plot *to = cr_arena_take(arena, 1, sizeof *to);
     struct cr_curve_line *curve = cr_arena_take(arena, (size_t)plot->curves + 1, sizeof *curve);
-    if (to == NULL || curve == NULL) {
+    if (arena->failed) {
         return NULL;
     }
     *to = *plot;
@@ -372,11 +372,8 @@ const struct cr_plot *cr_plot_shown(const struct cr_plot *plot, struct cr_arena 
         curve[k] = plot->curve[k];
         curve[k].x = scaled(plot->curve[k].x, plot->curve[k].n, x, arena);
         curve[k].y = scaled(plot->curve[k].y, plot->curve[k].n, y, arena);
-        if (curve[k].x == NULL || curve[k].y == NULL) {
-            return NULL;
-        }
     }
-    return to;
+    return arena->failed ? NULL : to;
 }
 
 enum cr_err cr_render_plot(struct cr_cells *cells, struct cr_rect at, const struct cr_look *look,

@@ -4,7 +4,6 @@
 #include "base/arena.h"
 #include "base/vec.h"
 #include "result/pulse.h"
-#include "scene/compiled.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -187,11 +186,10 @@ static double kinetic(const struct cr_result *result, int sample) {
     const struct cr_solution *sol = result->solution;
     double sum = 0;
     for (int b = 0; b < sol->bodies; b++) {
-        const struct cr_body *body = &result->compiled->cs.body[b];
         const struct cr_sample *s = &sol->trace[sample * sol->bodies + b];
-        if (body->mass > 0) {
-            sum += 0.5 * body->mass * cr_vec2_dot(s->vel, s->vel);
-            sum += 0.5 * fmax(body->inertia, 0) * s->yaw_rate * s->yaw_rate;
+        if (cr_result_moves(result, b)) {
+            sum += 0.5 * cr_result_mass(result, b) * cr_vec2_dot(s->vel, s->vel);
+            sum += 0.5 * cr_result_inertia(result, b) * s->yaw_rate * s->yaw_rate;
         }
     }
     return sum;

@@ -3,7 +3,6 @@
 #include "render/table.h"
 
 #include "base/vec.h"
-#include "scene/compiled.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -213,8 +212,7 @@ enum {
 int cr_table_bodies(const struct cr_result *result, int body[CR_BODY_MAX]) {
     int n = 0;
     for (int i = 0; i < result->solution->bodies; i++) {
-        const struct cr_body *b = &result->compiled->cs.body[i];
-        if (b->mass > 0 || b->grid.nx > 0) {
+        if (cr_result_moves(result, i) || cr_result_grid(result, i)->nx > 0) {
             body[n++] = i;
         }
     }

@@ -2,7 +2,6 @@
 #include "report/sections.h"
 
 #include "base/vec.h"
-#include "scene/compiled.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -67,9 +66,10 @@ static void hashes(struct cr_paper *p) {
     const struct cr_scene *scene = &p->r->resolved;
     line(p, "Scene, SHA-256", p->s->scene_hash);
     for (int i = 0; i < scene->n; i++) {
-        if (p->r->compiled->model[i][0] != '\0') {
+        if (cr_result_model(p->r, i)[0] != '\0') {
             ROW(p, cr_doc_text(p->doc, W(p, "Model of %s, SHA-256"), scene->part[i].id),
-                cr_doc_text(p->doc, "%s %s", p->r->compiled->model[i], p->r->compiled->hash[i]));
+                cr_doc_text(p->doc, "%s %s", cr_result_model(p->r, i),
+                            cr_result_model_hash(p->r, i)));
         }
     }
     if (p->s->ctx->irf != NULL) {

@@ -28,3 +28,16 @@ double cr_result_mass(const struct cr_result *result, int body) {
 const struct cr_grid *cr_result_grid(const struct cr_result *result, int body) {
     return &result->compiled->cs.body[body].grid;
 }
+
+double cr_result_inertia(const struct cr_result *result, int body) {
+    double inertia = result->compiled->cs.body[body].inertia;
+    return cr_result_moves(result, body) && inertia > 0 ? inertia : 0;
+}
+
+const char *cr_result_model(const struct cr_result *result, int body) {
+    return result->compiled->model[body];
+}
+
+const char *cr_result_model_hash(const struct cr_result *result, int body) {
+    return result->compiled->hash[body];
+}

@@ -1,6 +1,7 @@
 /* Two results side by side: crumple diff, and compare with a result. */
 #include "result/diff.h"
 
+#include "base/show.h"
 #include "base/vec.h"
 #include "result/measures.h"
 
@@ -35,7 +36,7 @@ static const char *shown(const cJSON *json, char buf[TEXT]) {
     if (json == NULL || cJSON_IsNull(json)) {
         snprintf(buf, TEXT, "-");
     } else if (cJSON_IsString(json)) {
-        snprintf(buf, TEXT, "%.20s", json->valuestring);
+        cr_show(json->valuestring, buf, TEXT / 2 + 1); /* of a file of anybody */
     } else if (cJSON_IsBool(json)) {
         snprintf(buf, TEXT, "%s", cJSON_IsTrue(json) ? "yes" : "no");
     } else if (cJSON_IsNumber(json)) {
@@ -48,11 +49,12 @@ static const char *shown(const cJSON *json, char buf[TEXT]) {
 
 static void say_input(struct cr_diff *d, struct cr_str *out, const char *path, const cJSON *a,
                       const cJSON *b) {
-    char first[TEXT], second[TEXT];
+    char first[TEXT], second[TEXT], key[PATH];
     if (d->inputs++ == 0) {
         cr_str_add(out, "inputs\n");
     }
-    cr_str_addf(out, "  %-28s %11s %11s", path, shown(a, first), shown(b, second));
+    cr_str_addf(out, "  %-28s %11s %11s", cr_show(path, key, sizeof key), shown(a, first),
+                shown(b, second));
     if (cJSON_IsNumber(a) && cJSON_IsNumber(b)) {
         cr_str_addf(out, " %+11.6g", b->valuedouble - a->valuedouble);
     }
@@ -193,13 +195,18 @@ enum cr_err cr_diff_text(struct cr_diff *d, struct cr_str *out, struct cr_error 
     int found = 0;
     d->worst = 0;
     d->inputs = d->values = 0;
-    cr_str_addf(out, "1: %s\n2: %s\n", d->a_name, d->b_name);
+    for (int i = 0; i < 2; i++) {
+        cr_str_addf(out, "%d: ", i + 1);
+        cr_show_add(out, i == 0 ? d->a_name : d->b_name);
+        cr_str_add(out, "\n");
+    }
     cr_str_addf(out, "%-30s %11s %11s %11s\n", "", "1", "2", "2 - 1");
     say_inputs(d, out);
     for (const cJSON *p = a->child; p != NULL; p = p->next) {
         const cJSON *id = cJSON_GetObjectItemCaseSensitive(p, "id"), *other = by_id(b, id);
         if (other != NULL) {
-            cr_str_addf(out, "%s\n", id->valuestring);
+            cr_show_add(out, id->valuestring);
+            cr_str_add(out, "\n");
             say_participant(d, out, p, other);
             found++;
         }

@@ -9,7 +9,6 @@
 #include "base/json.h"
 #include "base/number.h"
 #include "base/tree.h"
-#include "scene/compiled.h"
 
 #include <cjson/cJSON.h>
 #include <math.h>
@@ -68,11 +67,11 @@ static bool put_input(const struct cr_result *r, const struct cr_result_opts *op
     cr_tree_text(input, "scene_sha256", hex);
     cJSON *models = cr_tree_object(input, "models");
     for (int i = 0; i < r->resolved.n; i++) {
-        if (!r->compiled->model[i][0]) {
+        if (cr_result_model(r, i)[0] == '\0') {
             continue;
         }
         struct cr_str s = {0};
-        cr_str_addf(&s, "%s sha256 %s", r->compiled->model[i], r->compiled->hash[i]);
+        cr_str_addf(&s, "%s sha256 %s", cr_result_model(r, i), cr_result_model_hash(r, i));
         cr_tree_str(models, r->resolved.part[i].id, &s);
         cr_str_fini(&s);
     }

@@ -3,7 +3,6 @@
 #include "result/planar.h"
 
 #include "result/result_priv.h"
-#include "scene/compiled.h"
 
 /* symmetric 2 x 2: what an impulse at the impact centre does to the velocity there */
 struct mobility {
@@ -45,12 +44,11 @@ double cr_planar_yaw_change(const struct cr_result *result, int body, struct cr_
     const int of[2] = {c->a, c->b};
     struct cr_planar_body b[2];
     for (int i = 0; i < 2; i++) {
-        const struct cr_body *own = &result->compiled->cs.body[of[i]];
+        double mass = cr_result_mass(result, of[i]), inertia = cr_result_inertia(result, of[i]);
         const struct cr_sample *before = &sol->body[of[i]].before;
         const struct cr_sample *then = cr_result_motion_at(sol, of[i], c->t_plastic_end);
         b[i] =
-            (struct cr_planar_body){own->mass > 0 ? 1 / own->mass : 0,
-                                    own->mass > 0 && own->inertia > 0 ? 1 / own->inertia : 0,
+            (struct cr_planar_body){mass > 0 ? 1 / mass : 0, inertia > 0 ? 1 / inertia : 0,
                                     cr_vec2_sub(c->coe, then->pos), before->vel, before->yaw_rate};
     }
     struct cr_vec2 j = cr_planar_impulse(b, normal, c->restitution);

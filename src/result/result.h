@@ -119,10 +119,14 @@ struct cr_result {
 /* An empty result with an empty case, freed as one block with free(); NULL without memory. */
 struct cr_result *cr_result_new(void);
 
-/* A participant as it was solved: whether it can move, its mass in kg, its voxels (nx = 0: a rigid
- * object). */
+/* A participant as it was solved: whether it can move, its mass in kg and yaw inertia in kg m2 (0:
+ * it does not turn), its voxels (nx = 0: a rigid object), its model ("suv/12", "" without) and the
+ * SHA-256 of that. So who reads a result need not know the case (scene/compiled.h). */
 bool cr_result_moves(const struct cr_result *result, int body);
 double cr_result_mass(const struct cr_result *result, int body);
+double cr_result_inertia(const struct cr_result *result, int body);
+const char *cr_result_model(const struct cr_result *result, int body);
+const char *cr_result_model_hash(const struct cr_result *result, int body);
 const struct cr_grid *cr_result_grid(const struct cr_result *result, int body);
 
 /* Shared, immutable data a run needs: models and injury risk functions. */

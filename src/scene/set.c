@@ -67,7 +67,9 @@ static enum cr_err find_part_key(struct cr_scene *scene, const char *name, const
     }
     cr_err_set(err, CR_ERR_KEY, "%s has no key \"%.60s\"", cr_scene_kind_word(mask), dot + 1);
     const char *near = cr_scene_key_nearest(t->table, dot + 1, "", mask);
-    if (near != NULL) {
+    if (near != NULL && strcmp(near, dot + 1) == 0) { /* its own keys are those that have values */
+        cr_err_hint(err, "set one of its keys, \"%s.%s.KEY\"", id, near);
+    } else if (near != NULL) {
         cr_err_hint(err, "did you mean \"%s\"?", near);
     }
     return CR_ERR_KEY;

@@ -142,6 +142,21 @@ quiet "such a measured pulse" "$crumple" -e 'load pole.json' -e solve -e "compar
 quiet "such a model" "$crumple" models "$ugly"
 quiet "such an earlier result" "$crumple" stack pole.json --resume "$ugly"
 quiet "such an output" "$crumple" run pole.json -o "no/$ugly"
+"$crumple" run pole.json -o result.json
+for where in '"version":' '"cdc":' '"scene":'; do
+    # the control characters that JSON lets through as they are, and those that it escapes
+    WHERE=$where UGLY=$(printf 'x\\u001b]0;pwn\\u0007\302\233\342\200\256y') \
+        awk 'i = index($0, ENVIRON["WHERE"]) {
+        $0 = substr($0, 1, i - 1) ENVIRON["WHERE"] " \"" ENVIRON["UGLY"] "\"," } { print }' \
+        result.json >other.json
+    quiet "such a result with $where in audit" "$crumple" audit other.json
+    quiet "and in diff" "$crumple" diff result.json other.json
+    quiet "and in compare" "$crumple" -e 'load pole.json' -e solve -e 'compare other.json'
+done
+cp result.json "$ugly.result.json"
+quiet "such a name of a result in diff" "$crumple" diff result.json "$ugly.result.json"
+run audit other.json
+has "and the difference is told" "$out" "differs first"
 
 "$crumple" run "$cases/esc-in-key.json" 2>errs
 same "the place of a key with escapes" "$(cut -d: -f2-3 errs)" 1:2

@@ -135,6 +135,13 @@ run run "$tmp/wall.json" --set A.speed_kmh=20 -s A.speed_kmh=70
 same "the last --set wins" "$(value ees_kmh)" "$fast"
 run run "$tmp/wall.json" --set method=paper
 has "--set method=paper" "$out" '"method":[[:space:]]*"paper"'
+refused "a fault of --set that only the solve finds" 3 \
+    '^--set injury=nonsense: error: .*there is no injury risk function "nonsense"' \
+    run "$demo" --set injury=all --set injury=nonsense
+refused "and one of what it left as it was has its line" 3 \
+    '^[^:]*json:[0-9]+:[0-9]+: error: .*load_kg' run "$demo" --set A.mass_kg=2000
+refused "a group of keys" 3 'no key "model" \(set one of its keys, "A.model.KEY"\)' \
+    run "$demo" --set A.model=suv
 refused "unknown key of --set" 3 'dt_sm.*dt_ms' run "$demo" --set dt_sm=1
 refused "value of --set out of range" 3 'restitution' run "$demo" --set restitution=7
 refused "value of --set is no number" 3 'dt_ms' run "$demo" --set dt_ms=fast

@@ -206,6 +206,7 @@ def wrong_after(kind, t):
 def round_of(crumple, seed, kind, seconds):
     rnd = random.Random("monkey %s" % seed)
     t = Terminal(crumple)
+    t.wait_for(b"\x1b[?1049h")  # a ^C before that ends the program, as it should
     t.listen(0.3)
     until, acts = time.monotonic() + seconds, 0
     while time.monotonic() < until and t.alive():

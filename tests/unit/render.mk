@@ -1,7 +1,10 @@
 # unit tests of src/render
+check_LIBRARIES += libdouble.a
+libdouble_a_SOURCES = tests/unit/render_double.c tests/unit/render_double.h
+libdouble_a_CFLAGS = $(CR_CFLAGS)
 render_tests = test_render_cells test_render_layout test_render_picture \
 	test_render_golden test_render_project
-render_test_libs = librender.a libresult.a libscene.a libsolver.a libmodel.a libbase.a \
+render_test_libs = libdouble.a librender.a libresult.a libscene.a libsolver.a libmodel.a libbase.a \
 	$(CMOCKA_LIBS) $(CJSON_LIBS) $(NETTLE_LIBS)
 check_PROGRAMS += $(render_tests)
 TESTS += $(render_tests)
@@ -11,17 +14,13 @@ test_render_cells_LDADD = $(render_test_libs)
 test_render_layout_SOURCES = tests/unit/test_render_layout.c
 test_render_layout_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 test_render_layout_LDADD = $(render_test_libs)
-test_render_picture_SOURCES = tests/unit/test_render_picture.c tests/unit/render_double.c \
-	tests/unit/render_double.h
+test_render_picture_SOURCES = tests/unit/test_render_picture.c
 test_render_picture_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 test_render_picture_LDADD = $(render_test_libs)
-test_render_project_SOURCES = tests/unit/test_render_project.c tests/unit/render_double.c \
-	tests/unit/render_double.h
+test_render_project_SOURCES = tests/unit/test_render_project.c
 test_render_project_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 test_render_project_LDADD = $(render_test_libs)
-test_render_golden_SOURCES = tests/unit/test_render_golden.c tests/unit/golden.h \
-	tests/unit/render_double.c \
-	tests/unit/render_double.h
+test_render_golden_SOURCES = tests/unit/test_render_golden.c tests/unit/golden.h
 test_render_golden_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 test_render_golden_LDADD = $(render_test_libs)
 EXTRA_DIST += tests/golden/render/report-80.txt \

@@ -1,6 +1,8 @@
 /* Builds the crash made by hand that tests of pictures look at. */
 #include "render_double.h"
 
+#include "scene/compiled.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -175,7 +177,7 @@ static void add_trace(struct render_double *d, const struct car *car, int n) {
 
 static void begin(struct render_double *d, int n) {
     memset(d, 0, sizeof *d);
-    d->result.compiled = &d->compiled;
+    d->result.compiled = take(d, 1, sizeof *d->result.compiled);
     d->result.solution = &d->solution;
     d->solution.bodies = n;
     d->solution.t_contact = t_contact;

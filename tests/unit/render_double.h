@@ -5,11 +5,9 @@
 #define CR_TEST_RENDER_DOUBLE_H
 
 #include "result/result.h"
-#include "scene/compiled.h"
 
 struct render_double {
     struct cr_result result;
-    struct cr_compiled compiled;
     struct cr_solution solution;
     struct cr_arena arena;
 };

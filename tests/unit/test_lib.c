@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 static crumple *lib;
@@ -271,6 +272,46 @@ static void test_closed_before(void **state) {
     crumple_result_free(r);
 }
 
+/* a car of the user's own table, as `crumple catalogue import` leaves it */
+static void test_own_cars(void **state) {
+    char dir[] = "/tmp/crumple-own-XXXXXX", path[100];
+    static const char *const parts[] = {"", "/crumple", "/crumple/catalogue"};
+    static const char scene[] =
+        "{\"crumple\":1,\"settings\":{\"voxel_mm\":100,\"dt_ms\":2},\"participants\":[{\"id\":"
+        "\"A\","
+        "\"kind\":\"vehicle\",\"car\":\"zeta 9\",\"position_m\":[0,0],\"speed_kmh\":50},"
+        "{\"id\":\"W\",\"kind\":\"object\",\"shape\":\"wall\",\"position_m\":[4,0],"
+        "\"heading_deg\":180}]}";
+    crumple *own;
+    crumple_result *r;
+    (void)state;
+    assert_int_equal(crumple_solve(lib, scene, strlen(scene), NULL, &r, NULL), CRUMPLE_NAME);
+    assert_non_null(mkdtemp(dir));
+    for (int i = 1; i < 3; i++) {
+        snprintf(path, sizeof path, "%s%s", dir, parts[i]);
+        assert_int_equal(mkdir(path, 0700), 0);
+    }
+    snprintf(path, sizeof path, "%s/crumple/catalogue/my.csv", dir);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fputs("make,model,type,curb_kg,length_m\nZeta,9,compact,1234,4.2\n", file);
+    fclose(file);
+    assert_int_equal(setenv("XDG_DATA_HOME", dir, 1), 0);
+    assert_int_equal(crumple_open(getenv("SRC"), &own, NULL), CRUMPLE_OK);
+    assert_int_equal(crumple_solve(own, scene, strlen(scene), NULL, &r, NULL), CRUMPLE_OK);
+    unsetenv("XDG_DATA_HOME");
+    char *text = crumple_json(r, CRUMPLE_RESOLVED, NULL);
+    assert_non_null(strstr(text, "\"kerb_mass_kg\":1234"));
+    crumple_free(text);
+    crumple_result_free(r);
+    crumple_close(own);
+    unlink(path);
+    for (int i = 2; i >= 0; i--) {
+        snprintf(path, sizeof path, "%s%s", dir, parts[i]);
+        rmdir(path);
+    }
+}
+
 static int cancel_at_third(void *user) {
     return ++*(int *)user >= 3;
 }
@@ -457,8 +498,8 @@ int main(void) {
         cmocka_unit_test(test_series),   cmocka_unit_test(test_field),
         cmocka_unit_test(test_json),     cmocka_unit_test(test_cancel),
         cmocka_unit_test(test_svg),      cmocka_unit_test(test_closed_before),
-        cmocka_unit_test(test_stack),    cmocka_unit_test(test_threads),
-        cmocka_unit_test(test_import),
+        cmocka_unit_test(test_own_cars), cmocka_unit_test(test_stack),
+        cmocka_unit_test(test_threads),  cmocka_unit_test(test_import),
     };
     return cmocka_run_group_tests_name("lib", tests, open_lib, close_lib);
 }

@@ -4,7 +4,6 @@
 #include "test.h"
 
 #include "result/result_priv.h"
-#include "scene/compiled.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -109,7 +108,7 @@ static void side_slap(void **state) {
     /* both are in the vehicle's energy and delta-v */
     assert_true(r->of[0].energy > 0.999999 * (first->energy[0] + slap->energy[0]));
     const double *left = r->solution->body[0].left;
-    const struct cr_grid *g = &r->compiled->cs.body[0].grid;
+    const struct cr_grid *g = cr_result_grid(r, 0);
     double tail = 0;
     for (int k = 0; k < g->nx * g->ny; k++) {
         tail += 4 * (k % g->nx) < g->nx ? g->fill[k] - left[k] : 0;

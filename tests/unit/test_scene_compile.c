@@ -129,9 +129,12 @@ static void test_masses(void **state) {
     static const struct {
         double mass, kerb, load, want[3];
     } rows[] = {
-        {1600, NAN, 200, {1600, 1400, 200}}, {NAN, 1400, 200, {1600, 1400, 200}},
-        {NAN, 1400, NAN, {1400, 1400, 0}},   {1600, 1400, NAN, {1600, 1400, 200}},
+        {1600, NAN, 200, {1600, 1400, 200}},
+        {NAN, 1400, 200, {1600, 1400, 200}},
+        {NAN, 1400, NAN, {1400, 1400, 0}},
+        {1600, 1400, NAN, {1600, 1400, 200}},
         {1300, 1400, NAN, {1300, 1400, 0}},
+        {900, NAN, NAN, {900, 900, 0}}, /* lighter than its type */
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         scene_of(CAR_A, CAR_B, &s);

@@ -19,11 +19,10 @@ TESTS += test_tui_frame
 test_tui_frame_SOURCES = tests/unit/test_tui_frame.c
 test_tui_frame_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 test_tui_frame_LDADD = libtui.a libprocess.a $(CMOCKA_LIBS)
-tui_test_libs = libtui.a libcmd.a libstudy.a libfigure.a libdamage.a librender.a libresult.a libscene.a libsolver.a \
+tui_test_libs = libdouble.a libtui.a libcmd.a libstudy.a libfigure.a libdamage.a librender.a libresult.a libscene.a libsolver.a \
 	libmodel.a libprocess.a libbase.a $(CMOCKA_LIBS) $(GSL_LIBS) $(NLOPT_LIBS) $(NCURSES_LIBS) $(READLINE_LIBS) \
 	 $(CJSON_LIBS) $(NETTLE_LIBS) $(CAIRO_LIBS)
-tui_double = tests/unit/tui_double.c tests/unit/tui_double.h tests/unit/render_double.c \
-	tests/unit/render_double.h
+tui_double = tests/unit/tui_double.c tests/unit/tui_double.h
 check_PROGRAMS += test_tui_golden
 TESTS += test_tui_golden
 test_tui_golden_SOURCES = tests/unit/test_tui_golden.c tests/unit/golden.h $(tui_double)
