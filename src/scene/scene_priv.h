@@ -37,8 +37,8 @@ struct cr_members {
     uint64_t given; /* bit i: row i of the table was given */
 };
 /* Hand the members of an object to `take`, one by one, with the reader at the place of each; the
- * first error ends it. Errors: RANGE for too many, DUPLICATE for a key that stands there twice, those
- * of `take`. */
+ * first error ends it. Errors: RANGE for too many, DUPLICATE for a key that stands there twice,
+ * those of `take`. */
 typedef enum cr_err (*cr_scene_take_fn)(struct cr_reader *r, const struct cJSON *member,
                                         void *user);
 CR_MUST_CHECK enum cr_err cr_scene_members_each(struct cr_reader *r, const struct cJSON *object,
