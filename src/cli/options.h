@@ -65,8 +65,9 @@ struct cr_usage {
     }
 
 /* Parse argv (argv[0] is the word itself). Options and operands may be mixed, "--" ends the
- * options, "-" is an operand. The operands are moved to argv[1] ... argv[*operands]. *help is set when -h or
- * --help was met, which ends the parsing. Errors: USAGE with the nearest spelling or the range. */
+ * options, "-" is an operand. The operands are moved to argv[1] ... argv[*operands]. *help is set
+ * when -h or --help was met, which ends the parsing. Errors: USAGE with the nearest spelling or the
+ * range. */
 CR_MUST_CHECK enum cr_err cr_options_parse(const struct cr_usage *usage, int argc, char **argv,
                                            int *operands, bool *help, struct cr_error *err);
 
