@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What a column may hold. `words`: how its name may begin where no map names it. */
+/* What a column may hold. `words`: how its name may begin where the map does not name it. */
 enum channel { T, X, Y, HEADING, SPEED, VX, VY, LENGTH, WIDTH, HEIGHT, MASS, WHEELBASE, CHANNELS };
 static const struct {
     const char *key;
@@ -146,8 +146,8 @@ static enum cr_err find_channel(const struct table *t, const cJSON *map, enum ch
                            .clockwise = flag(item, "clockwise", NULL),
                            .north = flag(item, "zero", "north")};
     enum cr_err code = mapped(t, map, channels[ch].key, &out->at, err);
-    if (code == CR_ERR_OK && out->at < 0 && t->im->map == NULL) {
-        out->at = named(t->csv, channels[ch].words, 4);
+    if (code == CR_ERR_OK && out->at < 0 && map == t->im->map) {
+        out->at = named(t->csv, channels[ch].words, 4); /* none of those side by side */
     }
     return code == CR_ERR_OK && out->at >= 0 ? unit_of(t, ch, item, out, err) : code;
 }
@@ -246,10 +246,8 @@ static enum cr_err find_columns(struct table *t, struct cr_error *err) {
     if (code != CR_ERR_OK) {
         return code;
     }
-    if (map == NULL) {
-        t->cases = named(t->csv, case_words, 1);
-        t->part = named(t->csv, part_words, 4);
-    }
+    t->cases = t->cases < 0 ? named(t->csv, case_words, 1) : t->cases;
+    t->part = t->part < 0 ? named(t->csv, part_words, 4) : t->part;
     if (cJSON_IsObject(side)) {
         return find_groups(t, side, err);
     }

@@ -160,6 +160,19 @@ static int look_inside(struct cr_import *im, struct cr_import_head *head,
     return files;
 }
 
+static void unknown(const struct cr_import_head *head, const char *text, struct cr_error *err) {
+    if (!head->folder && head->len == 0) {
+        cr_err_set(err, CR_ERR_SYNTAX, "an empty file");
+    } else if (memcmp(text, "\xff\xfe", 2) == 0 || memcmp(text, "\xfe\xff", 2) == 0) {
+        cr_err_set(err, CR_ERR_SYNTAX, "UTF-16, of which no format is known");
+        cr_err_hint(err, "save it as UTF-8");
+    } else {
+        cr_err_set(err, CR_ERR_SYNTAX, "no format that import knows");
+        cr_err_hint(err, "--format is one of %s; a long table needs a --map",
+                    cr_import_formats() + strlen("auto|"));
+    }
+}
+
 static enum cr_err choose_format(struct cr_import *im, struct cr_import_head *head,
                                  char text[CR_IMPORT_HEAD + 1], const struct format **out,
                                  struct cr_error *err) {
@@ -176,10 +189,8 @@ static enum cr_err choose_format(struct cr_import *im, struct cr_import_head *he
         return CR_ERR_NAME;
     }
     if (*out == NULL) {
-        cr_err_set(err, CR_ERR_SYNTAX, "no format that import knows");
+        unknown(head, text, err);
         cr_err_place(err, im->shown, 0, 0);
-        cr_err_hint(err, "--format is one of %s; a long table needs a --map",
-                    cr_import_formats() + strlen("auto|"));
     }
     return *out != NULL ? CR_ERR_OK : CR_ERR_SYNTAX;
 }

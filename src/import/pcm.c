@@ -112,15 +112,16 @@ static enum cr_err open_streams(struct pcm *m, struct cr_error *err) {
     enum cr_err code =
         m->old ? CR_ERR_OK : cr_sql_has(m->im, m->db, "participant_shape", "X", &shape, err);
     static const char numbers[] =
-        "(SELECT %s AS k, row_number() OVER (ORDER BY %s) AS n FROM (SELECT DISTINCT %s FROM "
-        "participant_data)) AS c";
+        " FROM (SELECT k, row_number() OVER (ORDER BY k) AS n FROM (SELECT %s AS k FROM "
+        "participant_data UNION SELECT %s FROM dynamics) WHERE k IS NOT NULL) AS c";
     cr_str_add(&parts, "SELECT c.n");
-    for (int i = CASE; i < D_CASE; i++) {
+    cr_str_add(&parts, ", c.k");
+    for (int i = CASE + 1; i < D_CASE; i++) {
         cr_str_addf(&parts, ", %s%s", strcmp(m->of[i], "NULL") != 0 ? "p." : "", m->of[i]);
     }
-    cr_str_addf(&parts, ", %s FROM ", shape ? "s.x" : "NULL");
-    cr_str_addf(&parts, numbers, id, id, id);
-    cr_str_addf(&parts, " JOIN participant_data AS p ON p.%s = c.k", id);
+    cr_str_add(&parts, shape ? ", s.x" : ", NULL");
+    cr_str_addf(&parts, numbers, id, m->of[D_CASE]);
+    cr_str_addf(&parts, " LEFT JOIN participant_data AS p ON p.%s = c.k", id);
     if (shape) {
         cr_str_add(&parts, " LEFT JOIN (SELECT CASEID AS k, PARTID AS b, max(X) AS x FROM "
                            "participant_shape GROUP BY 1, 2) AS s ON s.k = c.k AND s.b = p.PARTID");
@@ -130,8 +131,7 @@ static enum cr_err open_streams(struct pcm *m, struct cr_error *err) {
     for (int i = D_CASE; i < COLUMNS; i++) {
         cr_str_addf(&rows, ", %s%s", strcmp(m->of[i], "NULL") != 0 ? "d." : "", m->of[i]);
     }
-    cr_str_add(&rows, " FROM ");
-    cr_str_addf(&rows, numbers, id, id, id);
+    cr_str_addf(&rows, numbers, id, m->of[D_CASE]);
     cr_str_addf(&rows, " JOIN dynamics AS d ON d.%s = c.k ORDER BY c.n, d.%s, d.%s", m->of[D_CASE],
                 m->of[T], m->of[D_PART]);
     code = code == CR_ERR_OK ? cr_sql_prepare(m->im, m->db, &parts, &m->parts, err) : code;
@@ -168,6 +168,22 @@ static double of_row(const struct pcm *m, int column) {
     return number(m->rows, 1 + column - D_CASE);
 }
 
+/* Texts of the columns from `first` to before `end` of a stream are numbers all the same. */
+static enum cr_err check_numbers(const struct pcm *m, int first, int end, const char *id,
+                                 struct cr_error *err) {
+    sqlite3_stmt *row = first < D_CASE ? m->parts : m->rows;
+    double x;
+    for (int i = first; i < end; i++) {
+        int at = 1 + i - (first < D_CASE ? CASE : D_CASE);
+        const char *s = sqlite3_column_type(row, at) == SQLITE_TEXT ? text(row, at) : "";
+        if (s[strspn(s, " ")] != '\0' && !cr_csv_scan(s, true, &x)) {
+            return cr_err_set(err, CR_ERR_TYPE, "%s: %s of participant %s is no number: \"%.40s\"",
+                              columns[i].table, m->of[i], id, s);
+        }
+    }
+    return CR_ERR_OK;
+}
+
 static const char *const kinds[] = {"a car",     "a pedestrian", "a motorcycle",
                                     "a bicycle", "a truck",      "an unknown kind"};
 
@@ -176,6 +192,13 @@ static enum cr_err add_part(struct pcm *m, struct cr_error *err) {
     struct cr_participant *p;
     double type = of_part(m, TYPE), front = number(m->parts, 1 + D_CASE - CASE);
     snprintf(id, sizeof id, "P%.30s", text(m->parts, 1 + PART - CASE));
+    if (id[1] == '\0') {
+        return cr_err_set(err, CR_ERR_MISSING, "participant_data has no participant of this case");
+    }
+    enum cr_err code = check_numbers(m, TYPE, D_CASE, id + 1, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
     if (type != 0) {
         int kind = type >= 1 && type <= 4 ? (int)type : 5;
         cr_err_set(err, CR_ERR_MODEL, "participant %s is %s, not a car (%s %g in participant_data)",
@@ -183,7 +206,7 @@ static enum cr_err add_part(struct pcm *m, struct cr_error *err) {
         cr_err_hint(err, "there are models of cars only");
         return CR_ERR_MODEL;
     }
-    enum cr_err code = cr_import_add(m->im, id, CR_KIND_VEHICLE, &p, err);
+    code = cr_import_add(m->im, id, CR_KIND_VEHICLE, &p, err);
     if (code != CR_ERR_OK) {
         return code;
     }
@@ -210,6 +233,10 @@ static enum cr_err add_row(struct pcm *m, struct cr_error *err) {
     if (p == NULL) {
         return cr_err_set(err, CR_ERR_MISSING,
                           "participant %s of dynamics is not in participant_data", id + 1);
+    }
+    enum cr_err code = check_numbers(m, T, COLUMNS, id + 1, err);
+    if (code != CR_ERR_OK) {
+        return code;
     }
     for (int i = T; i <= VY; i++) {
         if (isnan(of_row(m, i))) {

@@ -6,8 +6,8 @@
  * from north. */
 #include "import/xml.h"
 
-#include "base/csv.h"
 #include "base/grow.h"
+#include "base/units.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -43,19 +43,28 @@ bool cr_import_sumo_is(const struct cr_import_head *head) {
 /* "x,y" or "x,y,z" of an attribute */
 static enum cr_err place(const struct sumo *s, const struct cr_xml_node *node, const char *who,
                          const char *end, struct cr_vec2 *out, struct cr_error *err) {
-    char name[32], x[64];
+    char name[32];
+    double at[3] = {0};
     const char *text;
     snprintf(name, sizeof name, "%s%s", who, end);
     enum cr_err code = cr_xml_need(s->im->shown, node, name, &text, err);
     if (code != CR_ERR_OK) {
         return code;
     }
-    size_t n = strcspn(text, ",");
-    size_t m = text[n] == ',' ? strcspn(text + n + 1, ",") : 0;
-    snprintf(x, sizeof x, "%.*s", (int)(n < 60 ? n : 60), text);
-    bool done = m > 0 && m < 60 && cr_csv_scan(x, false, &out->x);
-    snprintf(x, sizeof x, "%.*s", (int)(m < 60 ? m : 60), m > 0 ? text + n + 1 : "");
-    if (!done || !cr_csv_scan(x, false, &out->y)) {
+    int n = 0;
+    const char *behind = text;
+    while (n < 3 && (n == 0 || *behind == ',')) {
+        const char *p = n == 0 ? text : behind + 1;
+        p += strspn(p, " ");
+        at[n] = cr_number_scan(p, &behind);
+        if (behind == p || !isfinite(at[n++])) {
+            n = 0;
+            break;
+        }
+        behind += strspn(behind, " ");
+    }
+    *out = cr_vec2(at[0], at[1]);
+    if (n < 2 || *behind != '\0') {
         return cr_xml_fault(s->im->shown, node, err, CR_ERR_TYPE,
                             "%s is no place \"x,y\": \"%.60s\"", name, text);
     }

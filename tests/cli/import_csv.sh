@@ -42,9 +42,19 @@ has "gives an error object in its place" "$out" '^\{"crumple_result":2,.*"where"
 sed '6s/0.2/0.1/' "$data/long.csv" >"$tmp/time.csv"
 refused "a time that does not rise" 1 'time.csv:6:.*must rise.*0.1 s after 0.1 s' "$tmp/time.csv"
 refused "an unknown --case" 3 'no case 7' "$data/long.csv" --case 7
+# a map that says only what is added, or one column: the others are known by their names
+echo '{ "vehicles": { "A": { "type": "suv" } }, "heading": { "column": "heading [deg]" } }' \
+    >"$tmp/map.json"
+run import "$data/long.csv" --map "$tmp/map.json"
+same "a map of some keys leaves the others by name: status 0" "$status" 0
+has "and adds what it says" "$out" '"id":"A","kind":"vehicle","type":"suv"'
 refused "a --before of nothing" 2 '--before.*more than 0 s' "$data/long.csv" --before 0
 printf 'nothing of the kind\n' >"$tmp/what.txt"
 refused "no format" 3 'what.txt: error: no format' "$tmp/what.txt"
+: >"$tmp/empty.csv"
+refused "an empty file" 3 'empty.csv: error: an empty file' "$tmp/empty.csv"
+printf '\377\376t\000' >"$tmp/wide.csv"
+refused "UTF-16" 3 'wide.csv: error: UTF-16.*save it as UTF-8' "$tmp/wide.csv"
 refused "no file" 2 'nowhere.csv: error: cannot open' "$tmp/nowhere.csv"
 
 # A long file is read in constant memory: half a million rows would take more than what is allowed.

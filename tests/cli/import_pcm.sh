@@ -29,6 +29,17 @@ else
     sed '3s/1000001,2,0,/1000001,2,1,/' "$data/pcm5/participant_data.csv" \
         >"$tmp/less/participant_data.csv"
     refused "a pedestrian" 1 'participant P?2 is a pedestrian, not a car' "$tmp/less"
+    sed '2s/1420.0/heavy/' "$data/pcm5/participant_data.csv" >"$tmp/less/participant_data.csv"
+    refused "a text for a mass" 1 \
+        'participant_data: WEIGHT of participant 1 is no number: "heavy"' "$tmp/less"
+    sed '1!s/,0.8$/,wet/' "$data/pcm5/dynamics.csv" >"$tmp/less/dynamics.csv"
+    cp "$data/pcm5/participant_data.csv" "$tmp/less"
+    refused "a text for a friction" 1 'dynamics: MUE of participant 1 is no number: "wet"' \
+        "$tmp/less"
+    { cat "$data/pcm5/dynamics.csv"; echo 77,1,0,0,0,0,9,0,0,0,0.8; } >"$tmp/less/dynamics.csv"
+    refused "a case of dynamics alone" 1 'participant_data has no participant of this case' \
+        "$tmp/less"
+    same "the others come out" "$(printf '%s\n' "$out" | grep -c '"name":"pcm-1000001"')" 1
     # a second case, one of which is asked for, and one is at fault
     for table in participant_data participant_shape dynamics; do
         sed 1d "$data/pcm5/$table.csv" | sed 's/^1000001/7/' | cat "$data/pcm5/$table.csv" - \

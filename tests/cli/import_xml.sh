@@ -102,6 +102,10 @@ for a in collider victimSpeed colliderFront victimBack; do
     without "SUMO without $a" "s/ $a=\"[^\"]*\"//" "$data/sumo-collisions.xml" \
         "<collision>: no \"$a\""
 done
+for at in 1 1,2,3,4 1,x '1;2' ,2; do
+    without "a place $at" "s/colliderFront=\"[^\"]*\"/colliderFront=\"$at\"/" \
+        "$data/sumo-collisions.xml" '<collision>: colliderFront is no place "x,y"'
+done
 without "a person" 's/victimType="car"/victimType="DEFAULT_PEDTYPE"/' "$data/sumo-collisions.xml" \
     '"b" is not a car'
 for a in id x y angle speed; do
