@@ -10,9 +10,6 @@ enum cr_stop cr_abort_check(struct cr_duo *d, bool deformed);
 
 /* touch.c: a contact begins, or a rubbing one goes on; false when memory is out */
 bool cr_touch_begin(struct cr_duo *d, const struct cr_force *f);
-/* a touch that began as rubbing is none once it has crushed more than rubbing does: the other end of
- * a car that slaps a wall along which it slides */
-void cr_touch_weigh(const struct cr_solver *s, struct cr_touch *t);
 /* the contact is over */
 void cr_touch_end(struct cr_solver *s, struct cr_touch *t);
 /* energy of approach of a touch against what the pair has crushed so far; infinite for a first

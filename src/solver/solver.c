@@ -102,7 +102,6 @@ static bool work_pair(struct cr_duo *d) {
     }
     if (d->touch->record >= 0) {
         struct cr_contact *c = &s->contact[d->touch->record];
-        cr_touch_weigh(s, d->touch);
         c->stop = cr_abort_check(d, deformed);
         if (c->stop != CR_STOP_NONE) {
             cr_elastic_begin(d);

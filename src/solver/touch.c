@@ -74,11 +74,6 @@ bool cr_touch_begin(struct cr_duo *d, const struct cr_force *f) {
     return true;
 }
 
-void cr_touch_weigh(const struct cr_solver *s, struct cr_touch *t) {
-    const struct cr_contact *c = &s->contact[t->record];
-    t->rubbing = t->rubbing && c->energy[0] + c->energy[1] <= cr_rubbing_here * t->spent;
-}
-
 void cr_touch_end(struct cr_solver *s, struct cr_touch *t) {
     struct cr_contact *c = &s->contact[t->record];
     c->phase = CR_PHASE_APART;
