@@ -11,10 +11,11 @@
 
 #define FORMATS   "text|json|csv"
 #define SAMPLINGS "latin|sobol"
+#define GRIDS     "auto|own"
 enum format { FORMAT_TEXT, FORMAT_JSON, FORMAT_CSV };
 
 struct options {
-    int format, draws, seed, sampling, jobs, units;
+    int format, draws, seed, sampling, grid, jobs, units;
     bool no_scatter, quiet;
     const char *out, *plot;
     struct cr_option_values set, pictures;
@@ -135,6 +136,7 @@ static enum cr_err solve(const struct cr_scene *scene, const struct options *opt
                              .seed = (unsigned long)opt->seed,
                              .sampling = (enum cr_sampling)opt->sampling,
                              .jobs = opt->jobs,
+                             .own_grid = opt->grid == 1,
                              .progress = tell,
                              .user = (void *)(uintptr_t)opt};
     enum cr_err code = cr_scatter_read(cr_data_dir(dir, sizeof dir), &scatter, err);
@@ -187,6 +189,8 @@ int cr_cli_mc(int argc, char **argv) {
         NUMBER("seed", 0, opt.seed, 1, 2147483647,
                "of the generator; the same seed gives the same bytes (1)"),
         CHOICE("sampling", 0, SAMPLINGS, opt.sampling, "latin hypercube or Sobol sequence (latin)"),
+        CHOICE("grid", 0, GRIDS, opt.grid,
+               "own: all on the scene's voxels; auto: many on coarse ones where that serves"),
         FLAG("no-scatter", 0, opt.no_scatter, "the stiffness of the vehicles does not vary"),
         NUMBER("jobs", 'j', opt.jobs, 1, 256, "threads (one per processor)"),
         TEXT("plot", 0, "A.RESULT", opt.plot, "result of histogram and ranked inputs (ees)"),

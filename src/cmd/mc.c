@@ -190,6 +190,7 @@ static enum cr_err draw(struct cr_call *call, const struct cr_study *study,
                                     .seed = (unsigned long)cr_cmd_number(call, "seed", 1),
                                     .sampling = (enum cr_sampling)cr_cmd_word(call, "sampling", 0),
                                     .jobs = (int)cr_cmd_number(call, "jobs", 0),
+                                    .own_grid = cr_cmd_word(call, "grid", 0) == 1,
                                     .progress = progress,
                                     .user = s};
     const struct cr_context ctx = {

@@ -316,15 +316,15 @@ static const struct cr_arg sweep_args[] = {
 
 static const struct cr_arg mc_args[] = {
     REST("KEY=VALUE+-TOLERANCE", CR_VALUE_SWEEP,
-         .help =
-             "A.speed=56+-3km/h, also :uniform or :triangular for normal, and @GROUP for inputs "
-             "that move together; beside those of the scene"),
+         .help = "A.speed=56+-3km/h, :uniform or :triangular, @GROUP to move together"),
     KEY("draws", CR_VALUE_COUNT, .lo = 10, .hi = 1000000, .def = "2000",
         .help = "how many scenes are drawn and solved"),
     KEY("seed", CR_VALUE_COUNT, .lo = 1, .hi = 2147483647, .def = "1",
         .help = "of the generator; the same seed gives the same numbers"),
     KEY("sampling", CR_VALUE_WORD, .words = "latin|sobol", .def = "latin",
         .help = "Latin hypercube, or Sobol sequence"),
+    KEY("grid", CR_VALUE_WORD, .words = "auto|own", .def = "auto",
+        .help = "own: all on the scene's voxels; auto: many on coarse ones"),
     KEY("scatter", CR_VALUE_SWITCH, .words = "on|off", .def = "on",
         .help = "the stiffness of each vehicle varies too, as cars of its type differ"),
     KEY("plot", CR_VALUE_TEXT, .def = "ees of all",

@@ -5,6 +5,7 @@
 #include "base/pool.h"
 #include "base/stats.h"
 #include "study/draw.h"
+#include "study/mc_grid.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -94,13 +95,13 @@ struct item {
 struct work {
     struct cr_mc *mc;
     const struct cr_context *ctx;
-    int next;
+    int next, end; /* draws to take */
     bool no_memory;
 };
 
 static void *take(void *user) {
     struct work *w = user;
-    if (w->next >= w->mc->opts.draws) {
+    if (w->next >= w->end) {
         return NULL;
     }
     struct item *item = calloc(1, sizeof *item);
@@ -112,14 +113,19 @@ static void *take(void *user) {
     return item;
 }
 
-static double *results_of(const struct cr_mc *mc, int draw_index, int part) {
-    return mc->result + ((long)draw_index * mc->participants + part) * measures();
+static double *results_of(const struct cr_mc *mc, double *all, int draw_index, int part) {
+    return all + ((long)draw_index * mc->participants + part) * measures();
 }
 
-static void solve(void *user, void *given) {
-    struct work *w = user;
-    struct item *item = given;
-    struct cr_mc *mc = w->mc;
+static enum cr_err set_voxel(struct cr_scene *scene, double voxel, struct cr_error *err) {
+    char text[32];
+    snprintf(text, sizeof text, "%.17g", 1e3 * voxel);
+    return cr_scene_set(scene, "voxel_mm", text, err);
+}
+
+/* a draw on voxels of an edge, its results into those of all */
+static void solve_on(const struct work *w, struct item *item, double voxel, double *all) {
+    const struct cr_mc *mc = w->mc;
     struct cr_scene scene;
     struct cr_result *result = NULL;
     struct cr_error err = {0};
@@ -130,17 +136,32 @@ static void solve(void *user, void *given) {
     item->code =
         mc->study.make(&mc->study, &mc->input[(long)item->draw * mc->study.n], &scene, &err);
     if (item->code == CR_ERR_OK) {
-        item->code = cr_result_run(&scene, &ctx, &result, &err);
+        item->code = mc->both > 0 ? set_voxel(&scene, voxel, &err) : CR_ERR_OK;
+        if (item->code == CR_ERR_OK) {
+            item->code = cr_result_run(&scene, &ctx, &result, &err);
+        }
         cr_scene_fini(&scene);
     }
     for (int p = 0; p < mc->participants; p++) {
-        double *to = results_of(mc, item->draw, p);
+        double *to = results_of(mc, all, item->draw, p);
         for (int i = 0; i < n; i++) {
             to[i] = item->code == CR_ERR_OK ? cr_measure_get(&m[i], &result->of[p]) : (double)NAN;
         }
     }
     snprintf(item->message, sizeof item->message, "%.199s", err.text);
     cr_result_free(result);
+}
+
+static void solve(void *user, void *given) {
+    struct work *w = user;
+    struct item *item = given;
+    struct cr_mc *mc = w->mc;
+    if (item->draw < mc->both) {
+        solve_on(w, item, mc->voxel, mc->on_coarse);
+    }
+    if (item->draw >= mc->both || item->code != CR_ERR_INTERRUPTED) {
+        solve_on(w, item, item->draw < mc->both ? mc->own_voxel : mc->voxel, mc->result);
+    }
 }
 
 static bool give(void *user, void *given) {
@@ -180,6 +201,7 @@ static enum cr_err solve_nominal(struct cr_mc *mc, const struct cr_context *ctx,
     cr_scene_fini(&scene);
     if (code == CR_ERR_OK) {
         mc->participants = result->resolved.n;
+        mc->own_voxel = result->resolved.set.voxel;
         mc->nominal = calloc((size_t)mc->participants, sizeof *mc->nominal);
         for (int p = 0; p < mc->participants && mc->nominal != NULL; p++) {
             mc->nominal[p] = result->of[p];
@@ -190,11 +212,38 @@ static enum cr_err solve_nominal(struct cr_mc *mc, const struct cr_context *ctx,
         size_t n = (size_t)mc->opts.draws;
         mc->input = calloc(n * (size_t)mc->study.n, sizeof *mc->input);
         mc->result = calloc(n * (size_t)mc->participants * (size_t)measures(), sizeof *mc->result);
-        if (mc->nominal == NULL || mc->input == NULL || mc->result == NULL) {
+        if (mc->nominal == NULL || mc->input == NULL || mc->result == NULL ||
+            !cr_mc_grid_open(mc)) {
             code = cr_err_set(err, CR_ERR_MEMORY, "no memory for the draws");
         }
     }
     cr_result_free(result);
+    return code;
+}
+
+/* the draws [from, to) */
+static enum cr_err solve_some(struct cr_mc *mc, const struct cr_context *ctx, int from, int to,
+                              struct cr_error *err) {
+    struct work w = {.mc = mc, .ctx = ctx, .next = from, .end = to};
+    const struct cr_pool_work work = {.take = take, .work = solve, .give = give, .user = &w};
+    enum cr_err code = cr_pool_run(&work, mc->opts.jobs, err);
+    return code == CR_ERR_OK && w.no_memory
+               ? cr_err_set(err, CR_ERR_MEMORY, "no memory for the draws")
+               : code;
+}
+
+static enum cr_err solve_all(struct cr_mc *mc, const struct cr_context *ctx, struct cr_error *err) {
+    enum cr_err code = CR_ERR_OK;
+    if (mc->both > 0) {
+        code = solve_some(mc, ctx, 0, mc->both, err);
+        if (code == CR_ERR_OK && !mc->interrupted) {
+            cr_mc_grid_choose(mc);
+        }
+    }
+    if (code == CR_ERR_OK && !mc->interrupted) {
+        code = solve_some(mc, ctx, mc->both, mc->opts.draws, err);
+    }
+    cr_mc_grid_shift(mc);
     return code;
 }
 
@@ -227,17 +276,12 @@ enum cr_err cr_mc_run(const struct cr_study *study, const struct cr_mc_opts *opt
     mc->study = *study;
     mc->opts = *opts;
     find_dims(mc);
-    struct work w = {.mc = mc, .ctx = ctx};
-    const struct cr_pool_work work = {.take = take, .work = solve, .give = give, .user = &w};
     code = solve_nominal(mc, ctx, err);
     if (code == CR_ERR_OK) {
         code = draw(mc, err);
     }
     if (code == CR_ERR_OK) {
-        code = cr_pool_run(&work, opts->jobs, err);
-    }
-    if (code == CR_ERR_OK && w.no_memory) {
-        code = cr_err_set(err, CR_ERR_MEMORY, "no memory for the draws");
+        code = solve_all(mc, ctx, err);
     }
     if (code != CR_ERR_OK) {
         cr_mc_free(mc);
@@ -254,16 +298,13 @@ void cr_mc_free(struct cr_mc *mc) {
         free(mc->nominal);
         free(mc->input);
         free(mc->result);
+        free(mc->on_coarse);
+        free(mc->grid);
         free(mc);
     }
 }
 
 /* ---- statistics ---- */
-
-/* value near the unvaried one: an angle of 359 degrees is -1 where that is 2 */
-static double unwrapped(const struct cr_measure *m, double x, double nominal) {
-    return m->dim == CR_DIM_ANGLE ? nominal + remainder(x - nominal, 2 * CR_PI) : x;
-}
 
 static void make_histogram(const double *sorted, int n, struct cr_mc_stats *out) {
     out->lo = sorted[0];
@@ -281,11 +322,12 @@ static int gather(const struct cr_mc *mc, int part, int measure, double *y, doub
     const struct cr_measure *m = &cr_measures(&names)[measure];
     double nominal = cr_measure_get(m, &mc->nominal[part]);
     for (int i = 0; i < mc->done; i++) {
-        double x = results_of(mc, i, part)[measure];
+        double x = results_of(mc, mc->result, i, part)[measure];
         if (isnan(x)) {
             continue;
         }
-        y[n] = unwrapped(m, x, nominal);
+        /* near the unvaried one: an angle of 359 degrees is -1 where that is 2 */
+        y[n] = nominal + cr_mc_difference(m, x, nominal);
         for (int k = mc->study.n - 1; k >= 0; k--) { /* of a group the first is what counts */
             const struct cr_study_input *in = &mc->study.in[k];
             double at = mc->input[(long)i * mc->study.n + k];
@@ -324,7 +366,10 @@ enum cr_err cr_mc_stats(const struct cr_mc *mc, int participant, int measure,
     out->n = gather(mc, participant, measure, y, z);
     out->mean = cr_stats_mean(y, out->n);
     out->sd = cr_stats_sd(y, out->n);
-    out->mean_error = out->n > 1 ? out->sd / sqrt(out->n) : (double)NAN;
+    out->grid = mc->voxel > mc->own_voxel ? mc->grid[participant * names + measure].scatter : 0;
+    /* of the draws, and of the median by which they were moved */
+    double moved = out->grid > 0 ? out->grid * sqrt(CR_PI / 2 / mc->both) : 0;
+    out->mean_error = out->n > 1 ? hypot(out->sd / sqrt(out->n), moved) : (double)NAN;
     struct cr_regression lines = {
         .x = z, .y = y, .n = out->n, .dims = mc->dims, .b = out->effect, .r2 = (double)NAN};
     code = cr_draw_regress(&lines, err);

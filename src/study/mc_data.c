@@ -64,6 +64,7 @@ static cJSON *stats(const struct cr_mc *mc, const struct cr_mc_stats *s,
     }
     cr_tree_put(o, "standard_error", number(shown(m, s->mean_error)));
     cr_tree_put(o, "moved_from_half", number(shown(m, s->moved)));
+    cr_tree_put(o, "grid_sd", number(shown(m, s->grid)));
     cr_tree_put(o, "histogram", histogram(s, m));
     cJSON *effect = cr_tree_object(o, "effect_of_tolerance");
     for (int d = 0; d < s->effects; d++) {
@@ -107,6 +108,9 @@ enum cr_err cr_mc_json(const struct cr_mc *mc, struct cr_str *out, struct cr_err
     cr_tree_text(root, "sampling", cr_sampling_word(mc->opts.sampling));
     cr_tree_text(root, "generator", cr_draw_generator(mc->opts.sampling));
     cr_tree_number(root, "seed", (double)mc->opts.seed);
+    cr_tree_number(root, "voxel_mm", 1e3 * mc->voxel);
+    cr_tree_number(root, "own_voxel_mm", 1e3 * mc->own_voxel);
+    cr_tree_number(root, "on_both", mc->both);
     cr_tree_put(root, "inputs", inputs(mc));
     enum cr_err code = results(mc, cr_tree_object(root, "results"), err);
     if (code != CR_ERR_OK) {

@@ -45,6 +45,21 @@ static void name_of(const struct teller *t, int part, const struct cr_measure *m
              own ? "" : unit);
 }
 
+/* on which voxels, where many draws were asked for */
+static void say_grid(const struct teller *t) {
+    const struct cr_mc *mc = t->mc;
+    double own = 1e3 * mc->own_voxel;
+    if (mc->voxel > mc->own_voxel) {
+        cr_str_addf(t->out,
+                    "solved on voxels of %.3g mm, and moved by what the first %d, solved on %.3g "
+                    "mm too,\ndiffer by (all on these: grid own)\n",
+                    1e3 * mc->voxel, mc->both, own);
+    } else if (mc->both > 0) {
+        cr_str_addf(t->out, "all solved on voxels of %.3g mm: on coarse ones the first %d differ\n",
+                    own, mc->both);
+    }
+}
+
 static void say_inputs(const struct cr_mc *mc, struct cr_str *out) {
     cr_str_add(out, "inputs (normal: 95 % within +-; else the whole range)\n");
     for (int i = 0; i < mc->study.n; i++) {
@@ -190,6 +205,7 @@ enum cr_err cr_mc_text(const struct cr_mc *mc, const struct cr_mc_plot *plot,
         cr_str_addf(out, "%d of them have no result and are left out, the first: %s\n", mc->failed,
                     mc->failure);
     }
+    say_grid(&t);
     say_inputs(mc, out);
     enum cr_err code = say_results(&t, err);
     for (int p = 0; p < mc->participants && code == CR_ERR_OK; p++) {

@@ -70,7 +70,8 @@ struct cr_mc_opts {
     int draws; /* 10..1000000 */
     unsigned long seed;
     enum cr_sampling sampling;
-    int jobs; /* 0: one per processor */
+    int jobs;      /* 0: one per processor */
+    bool own_grid; /* all draws on the voxels of the scene, however many */
     /* told after each draw, in the thread that called; NULL: not. Non-zero ends the work. */
     int (*progress)(void *user, int done, int draws);
     void *user;
@@ -85,12 +86,19 @@ struct cr_mc_stats {
     double nominal; /* of the scene as given */
     double mean, sd, quantile[CR_MC_QUANTILES];
     double mean_error; /* standard error of the mean */
-    double moved;      /* how far the 2.5 and 97.5 % points moved from half of the draws to all */
-    double lo, hi;     /* range of the histogram */
+    double grid;   /* scatter between coarse and own voxels, SD; 0 where all are solved on these */
+    double moved;  /* how far the 2.5 and 97.5 % points moved from half of the draws to all */
+    double lo, hi; /* range of the histogram */
     int bin[CR_MC_BINS];
     int effects;                    /* dimensions that vary, those of one group as one */
     double effect[CR_STUDY_INPUTS]; /* of + one tolerance, linear regression over all draws */
     double explained;               /* R2 of that regression */
+};
+
+/* What a result on the scene's own voxels has more than on coarse ones: in the middle, and its
+ * standard deviation. */
+struct cr_mc_grid {
+    double shift, scatter;
 };
 
 struct cr_mc {
@@ -105,11 +113,16 @@ struct cr_mc {
     struct cr_severity *nominal; /* [participants] */
     double *input;               /* [draws * study.n] values that were solved, SI */
     double *result;              /* [draws * participants * measures], NaN where there is none */
+    double own_voxel, voxel;     /* edge of the scene's voxels, and of those of the draws, m */
+    int both;                    /* so many of the first draws were solved on both */
+    double *on_coarse;           /* [both * participants * measures] on the coarse ones */
+    struct cr_mc_grid *grid;     /* [participants * measures], NULL: all on the scene's own */
 };
 
-/* Solve the draws. The same bytes come out for every number of jobs. Errors: USAGE when this build
- * has no GSL, RANGE for options, those of the scene as given, MEMORY; INTERRUPTED with *out as far
- * as it came. */
+/* Solve the draws: many draws of a scene with fine voxels on coarse ones, moved by what the first
+ * draws, solved on both, differ by; unless these say that the grid decides. The same bytes come out
+ * for every number of jobs. Errors: USAGE when this build has no GSL, RANGE for options, those of
+ * the scene as given, MEMORY; INTERRUPTED with *out as far as it came. */
 CR_MUST_CHECK enum cr_err cr_mc_run(const struct cr_study *study, const struct cr_mc_opts *opts,
                                     const struct cr_context *ctx, struct cr_mc **out,
                                     struct cr_error *err);

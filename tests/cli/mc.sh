@@ -38,6 +38,33 @@ print(d["class"], d["draws"], d["seed"], d["inputs"][0]["distribution"],
 else
     skip "JSON has what was asked" "no python3"
 fi
+
+# many draws on coarse voxels, if the first say that they serve
+for jobs in 1 3; do
+    run mc "$tmp/w.json" --draws 240 --set A.speed_kmh=50+-5 -f json --jobs $jobs
+    cksum <"$tmp/out" >"$tmp/sum$jobs"
+done
+same "also of draws on two grids" "$(cat "$tmp/sum1")" "$(cat "$tmp/sum3")"
+cp "$tmp/out" "$tmp/auto"
+run mc "$tmp/w.json" --draws 240 --set A.speed_kmh=50+-5 -f json --grid=own
+if command -v python3 >/dev/null 2>&1; then
+    same "which are told, and the results are those of the own grid" "$(python3 -c 'import json, sys
+auto, own = (json.load(open(f)) for f in sys.argv[1:])
+print(*(d[k] for d in (auto, own) for k in ("voxel_mm", "own_voxel_mm", "on_both")))
+for key in "ees_kmh", "delta_v_kmh", "deformation_max_m", "acceleration_max_g":
+    a, o = (d["results"]["A"][key] for d in (auto, own))
+    assert o["grid_sd"] == 0 <= a["grid_sd"], key
+    for q in "mean", "q2_5", "q50", "q97_5":
+        assert abs(a[q] - o[q]) < 0.1 * o["sd"], (key, q, a[q], o[q])' "$tmp/auto" "$tmp/out")" \
+        "40 25 24 25 25 0"
+else
+    skip "which are told, and the results are those of the own grid" "no python3"
+fi
+run mc "$tmp/w.json" --draws 240 --set A.speed_kmh=50+-5
+has "and said" "$out" '^solved on voxels of 40 mm, and moved by what the first 24, solved on 25 mm'
+run mc "$SRC/share/scenes/sideswipe.json" --draws 240 --set A.speed_kmh=70+-0.3 --no-scatter
+has "where the grid decides, all are on the own" "$out" \
+    '^all solved on voxels of 25 mm: on coarse ones the first 24 differ$'
 run mc "$tmp/w.json" --draws 12 --no-scatter -f csv
 same "CSV has a row per draw" "$(printf '%s\n' "$out" | grep -c '^[0-9]')" 12
 has "with inputs and results" "$out" '^draw,A\.yaw_rate_deg_s,A\.ees_kmh,'
