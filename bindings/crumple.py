@@ -182,7 +182,7 @@ class _Call:
         self.raised: BaseException | None = None  # in a callback
         self.options = _Options(
             ctypes.sizeof(_Options),
-            name.encode(),
+            os.fsencode(name),
             os.fsencode(folder),
             (ctypes.c_char_p * len(texts))(*texts),
             len(texts),
@@ -466,7 +466,7 @@ class Result:
         return self.svg() + f"<p>{html.escape(repr(self)[1:-1])}</p>"
 
     def _vehicles(self) -> list[str]:
-        return [name[:-8] for name in self.names() if name.endswith(".ees_kmh")]
+        return [part["id"] for part in self.dict()["participants"] if "ees_kmh" in part]
 
     def __repr__(self) -> str:
         parts = (

@@ -10,6 +10,7 @@
 
 #include <cjson/cJSON.h>
 #include <errno.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -72,6 +73,9 @@ static enum cr_err note(struct merge *m, struct entry *e, long number, struct cr
         code =
             wrong(m->path[e->file], number,
                   m->line[e->size - 1] != '\n' ? "the last line is cut" : "this is no result", err);
+    } else if (cJSON_IsNumber(index) &&
+               !(index->valuedouble >= 0 && index->valuedouble < INT_MAX)) {
+        code = wrong(m->path[e->file], number, "an index that none can have", err);
     } else if (cJSON_IsNumber(index)) {
         e->index = (long)index->valuedouble;
         code = add(m, e, err);

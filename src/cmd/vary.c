@@ -150,23 +150,12 @@ static int coordinate(const struct cr_vary *var) {
                                                      : -1;
 }
 
-/* Where mass, kerb mass and load are all known, one that is not varied follows: the mass, or of a
- * mass that is the load. */
-static void let_mass_follow(struct cr_participant *p, const char *key) {
-    bool mass = strcmp(key, "mass_kg") == 0, kerb = strcmp(key, "kerb_mass_kg") == 0;
-    if (mass && !isnan(p->kerb_mass)) {
-        p->load = NAN;
-    } else if ((kerb && !isnan(p->load)) || (strcmp(key, "load_kg") == 0 && !isnan(p->kerb_mass))) {
-        p->mass = NAN;
-    }
-}
-
 enum cr_err cr_vary_apply(struct cr_state *state, const struct cr_vary *var, double si,
                           struct cr_error *err) {
     char full[2 * CR_NAME_MAX + 2], value[40];
     bool setting = var->key.setting;
     int axis = coordinate(var);
-    struct cr_participant *part = setting ? NULL : cr_scene_find(&state->scene, var->id);
+    const struct cr_participant *part = setting ? NULL : cr_scene_find(&state->scene, var->id);
     if (axis >= 0) {
         return cr_cmd_set_numbers(&state->scene, var->id, "position_m",
                                   axis == 0 ? si : part->pos.x, axis == 1 ? si : part->pos.y, err);
@@ -177,12 +166,11 @@ enum cr_err cr_vary_apply(struct cr_state *state, const struct cr_vary *var, dou
     if (key == NULL) {
         return cr_err_set(err, CR_ERR_KEY, "%s has no %s", var->id, var->key.name);
     }
-    if (part != NULL) {
-        let_mass_follow(part, var->key.key);
-    }
     full_name(var, full, sizeof full);
     snprintf(value, sizeof value, "%.17g", cr_unit_from_si(cr_scene_key_unit(key), si));
-    return cr_scene_set(&state->scene, full, value, err);
+    enum cr_err code = cr_scene_set(&state->scene, full, value, err);
+    cr_scene_mass_follows(&state->scene, full);
+    return code;
 }
 
 enum cr_err cr_vary_word(struct cr_state *state, const struct cr_vary *var, const char *word,

@@ -347,7 +347,7 @@ static void copy_text(const struct cr_records *t, int row, const char *column, c
 /* a row is a vehicle: the same keys as in JSON, c1_m ... for the stations */
 static enum cr_err row_as_json(const struct cr_records *t, int row, cJSON *vehicles,
                                struct cr_error *err) {
-    static const char *const own[] = {"mass_kg", "kerb_mass_kg", "length_m",
+    static const char *const own[] = {"mass_kg", "kerb_mass_kg", "load_kg",    "length_m",
                                       "width_m", "height_m",     "wheelbase_m"};
     static const char *const of_damage[] = {"field_length_m", "field_offset_m",
                                             "direct_width_m", "direct_offset_m",

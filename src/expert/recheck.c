@@ -193,11 +193,11 @@ static enum cr_err again(const cJSON *had, const char *text, const struct cr_res
                          struct cr_str *out, struct cr_error *err) {
     const cJSON *input = cJSON_GetObjectItemCaseSensitive(had, "input");
     const cJSON *version = cJSON_GetObjectItemCaseSensitive(had, "crumple_result");
-    struct cr_result_opts opts = {
-        .trace = cJSON_GetObjectItemCaseSensitive(had, "trace") != NULL,
-        .resolved = cJSON_GetObjectItemCaseSensitive(input, "resolved") != NULL,
-        .pretty = strstr(text, "\n\t") != NULL,
-        .version = cJSON_IsNumber(version) ? (int)version->valuedouble : 0};
+    struct cr_result_opts opts = {.trace = cJSON_GetObjectItemCaseSensitive(had, "trace") != NULL,
+                                  .resolved =
+                                      cJSON_GetObjectItemCaseSensitive(input, "resolved") != NULL,
+                                  .pretty = strstr(text, "\n\t") != NULL,
+                                  .version = cJSON_IsNumber(version) ? version->valueint : 0};
     return cr_result_json(now, &opts, out, err);
 }
 

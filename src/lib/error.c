@@ -4,31 +4,25 @@
 #include <stdio.h>
 #include <string.h>
 
-/* X(code of the program, code of the library) */
-#define CODES(X)                                                                                   \
-    X(OK, CRUMPLE_OK)                                                                              \
-    X(MISSED, CRUMPLE_USAGE)                                                                       \
-    X(USAGE, CRUMPLE_USAGE)                                                                        \
-    X(IO, CRUMPLE_IO)                                                                              \
-    X(SYNTAX, CRUMPLE_SYNTAX)                                                                      \
-    X(TYPE, CRUMPLE_TYPE)                                                                          \
-    X(RANGE, CRUMPLE_RANGE)                                                                        \
-    X(KEY, CRUMPLE_KEY)                                                                            \
-    X(MISSING, CRUMPLE_MISSING)                                                                    \
-    X(DUPLICATE, CRUMPLE_DUPLICATE)                                                                \
-    X(NAME, CRUMPLE_NAME)                                                                          \
-    X(MODEL, CRUMPLE_MODEL)                                                                        \
-    X(OVERLAP, CRUMPLE_OVERLAP)                                                                    \
-    X(NO_CONTACT, CRUMPLE_NO_CONTACT)                                                              \
-    X(SOLVER, CRUMPLE_SOLVER)                                                                      \
-    X(MEMORY, CRUMPLE_MEMORY)                                                                      \
-    X(INTERRUPTED, CRUMPLE_INTERRUPTED)                                                            \
-    X(EXPENSIVE, CRUMPLE_EXPENSIVE)
-
 static const int codes[CR_ERR_COUNT] = {
-#define X(own, code) [CR_ERR_##own] = (code),
-    CODES(X)
-#undef X
+    [CR_ERR_OK] = CRUMPLE_OK,
+    [CR_ERR_MISSED] = CRUMPLE_USAGE,
+    [CR_ERR_USAGE] = CRUMPLE_USAGE,
+    [CR_ERR_IO] = CRUMPLE_IO,
+    [CR_ERR_SYNTAX] = CRUMPLE_SYNTAX,
+    [CR_ERR_TYPE] = CRUMPLE_TYPE,
+    [CR_ERR_RANGE] = CRUMPLE_RANGE,
+    [CR_ERR_KEY] = CRUMPLE_KEY,
+    [CR_ERR_MISSING] = CRUMPLE_MISSING,
+    [CR_ERR_DUPLICATE] = CRUMPLE_DUPLICATE,
+    [CR_ERR_NAME] = CRUMPLE_NAME,
+    [CR_ERR_MODEL] = CRUMPLE_MODEL,
+    [CR_ERR_OVERLAP] = CRUMPLE_OVERLAP,
+    [CR_ERR_NO_CONTACT] = CRUMPLE_NO_CONTACT,
+    [CR_ERR_SOLVER] = CRUMPLE_SOLVER,
+    [CR_ERR_MEMORY] = CRUMPLE_MEMORY,
+    [CR_ERR_INTERRUPTED] = CRUMPLE_INTERRUPTED,
+    [CR_ERR_EXPENSIVE] = CRUMPLE_EXPENSIVE,
 };
 
 const char *crumple_error_word(int code) {
@@ -61,6 +55,17 @@ int cr_lib_error(enum cr_err code, const struct cr_error *err, crumple_error *ou
     memcpy(out, &full, size);
     out->size = size;
     return full.code;
+}
+
+char *cr_lib_text(enum cr_err code, struct cr_str *text, size_t *length) {
+    if (code != CR_ERR_OK || text->failed) {
+        cr_str_fini(text);
+        return NULL;
+    }
+    if (length != NULL) {
+        *length = text->len;
+    }
+    return text->s;
 }
 
 crumple_options cr_lib_options(const crumple_options *given) {

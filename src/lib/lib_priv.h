@@ -12,8 +12,8 @@
 #include <stdatomic.h>
 
 struct crumple {
-    atomic_int
-        users; /* the caller until it closes, and each result, whose grids lie in the models */
+    /* the caller until it closes, and each result, whose grids lie in the models */
+    atomic_int users;
     struct cr_model_lib *models;
     struct cr_irf_set *irf;
     struct cr_crush_rules rules; /* of measured deformations */
@@ -32,6 +32,9 @@ struct crumple_result {
 /* Code and error of the library for those of the program; err NULL: of code alone. Returns the
  * code. */
 int cr_lib_error(enum cr_err code, const struct cr_error *err, crumple_error *out);
+
+/* A text for the caller, who frees it, and its length (nullable); NULL after an error. */
+char *cr_lib_text(enum cr_err code, struct cr_str *text, size_t *length);
 
 /* The options with what an older caller does not know of left at its default. */
 crumple_options cr_lib_options(const crumple_options *given);

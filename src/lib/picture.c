@@ -39,20 +39,8 @@ static enum cr_err draw(const struct cr_result *r, double time, struct cr_str *o
 
 char *crumple_svg(const crumple_result *result, double time, size_t *length) {
     struct cr_str out = {0};
-    locale_t own = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-    if (own == (locale_t)0) {
-        return NULL;
-    }
-    locale_t callers = uselocale(own);
+    locale_t callers = uselocale(result->lib->c_locale);
     enum cr_err code = draw(result->result, time, &out);
     uselocale(callers);
-    freelocale(own);
-    if (code != CR_ERR_OK || out.failed) {
-        cr_str_fini(&out);
-        return NULL;
-    }
-    if (length != NULL) {
-        *length = out.len;
-    }
-    return out.s;
+    return cr_lib_text(code, &out, length);
 }

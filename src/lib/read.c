@@ -12,22 +12,10 @@ char *crumple_json(const crumple_result *result, unsigned flags, size_t *length)
                                         .resolved = (flags & CRUMPLE_RESOLVED) != 0,
                                         .pretty = (flags & CRUMPLE_PRETTY) != 0};
     struct cr_str text = {0};
-    locale_t own = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-    if (own == (locale_t)0) {
-        return NULL;
-    }
-    locale_t callers = uselocale(own);
+    locale_t callers = uselocale(result->lib->c_locale);
     enum cr_err code = cr_result_json(result->result, &opts, &text, NULL);
     uselocale(callers);
-    freelocale(own);
-    if (code != CR_ERR_OK || text.failed) {
-        cr_str_fini(&text);
-        return NULL;
-    }
-    if (length != NULL) {
-        *length = text.len;
-    }
-    return text.s;
+    return cr_lib_text(code, &text, length);
 }
 
 void crumple_free(void *text) {

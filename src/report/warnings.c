@@ -41,6 +41,11 @@ static const struct {
      "as rigid; check the units, B is too small or A too large",
      "%: eigene Steifigkeiten A, B lassen: % bis zu einer EES von % km/h unverformt, wo Versuche 8 "
      "bis 20 nennen: das wirkt starr; Einheiten prüfen, B ist zu klein oder A zu groß"},
+    {"%: its own B lets an EES of 50 km/h crush the % by no more than % m, where tests say 0.3 to "
+     "0.6: it acts as rigid; check the units, B is too large",
+     "%: die eigene Steifigkeit B lässt eine EES von 50 km/h so wenig eindrücken: %, höchstens % "
+     "m, "
+     "wo Versuche 0,3 bis 0,6 nennen: das wirkt starr; Einheiten prüfen, B ist zu groß"},
     {"%: EES % km/h is above the % km/h of the tests behind the models",
      "%: EES % km/h liegt über % km/h der Versuche hinter den Modellen"},
     {"%: crushed over % % of its %: structures behind that depth are an assumption of the model; "

@@ -13,8 +13,8 @@ static const double nothing = 1e-9;
 
 /* share of a shallow crush that springs back: walls at 23 to 40 km/h of share/validation/data */
 static const double shallow = 0.4;
-/* crush that leaves nothing, m: walls at 8 km/h and rear ends of cars struck below 13 km/h */
-static const double elastic_depth = 0.11;
+/* crush that leaves nothing, m: of fronts on a wall at 8 km/h [LOW-SPEED] */
+static const double elastic_depth = 0.053;
 
 double cr_deform_residual(double dynamic, double springback) {
     if (!(dynamic > 0)) {

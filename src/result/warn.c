@@ -24,6 +24,8 @@ static const double pole_lo = 28 / 3.6, pole_hi = 34 / 3.6;
 /* up to 16 to 20 km/h walls leave fronts without residual crush, the highest of what is published
  * [FRONT-START]; with a margin */
 static const double unhurt_hi = 25 / 3.6;
+/* EES over depth, 1/s: fronts have 20 to 27 against a wall [WALL-RATE]; with a margin of four */
+static const double slope_hi = 100;
 static const double ees_hi = 65 / 3.6;
 /* restitution as measured [RESTITUTION-SPEED] */
 static const double restitution_hi = 0.4;
@@ -162,19 +164,27 @@ static void check_contact(struct cr_result *r, const struct cr_contact *c) {
 }
 
 /* Own A, B hide the energy A^2/2B per width before residual crush begins: with a small B that is
- * more than any crash has, and the face is rigid. */
+ * more than any crash has, and the face is rigid. With a great B nothing crushes it. */
 static void check_stiffness(struct cr_result *r, const struct cr_participant *p) {
     static const char *const name[] = {"front", "side", "rear"};
     for (int i = 0; i < CR_MODEL_ENDS && p->model.kind == CR_MODEL_STIFFNESS; i++) {
         const struct cr_stiffness *s = &p->model.face[i];
         double width = i == CR_MODEL_SIDE ? p->length : p->width;
-        double unhurt = s->b > 0 ? s->a * sqrt(width / (s->b * (p->kerb_mass + CR_TEST_LOAD))) : 0;
+        double mass = p->kerb_mass + CR_TEST_LOAD, slope = sqrt(s->b * width / mass);
+        double unhurt = s->b > 0 ? s->a * sqrt(width / (s->b * mass)) : 0;
         if (unhurt > unhurt_hi) {
             cr_result_warn(r, "stiffness",
                            "%s: its own A, B leave the %s uncrushed up to an EES of %.0f km/h, "
                            "where tests say 8 to 20: it acts as rigid; check the units, B is too "
                            "small or A too large",
                            p->id, name[i], cr_kmh(unhurt));
+        }
+        if (slope > slope_hi) {
+            cr_result_warn(r, "stiffness",
+                           "%s: its own B lets an EES of 50 km/h crush the %s by no more than %.2f "
+                           "m, where tests say 0.3 to 0.6: it acts as rigid; check the units, B "
+                           "is too large",
+                           p->id, name[i], cr_mps(50) / slope);
         }
     }
 }

@@ -421,7 +421,7 @@ static enum cr_err make_partial(struct making *m, int i, struct range meet,
  * another vehicle, which comes in at the height of a bumper: with it the fronts and flanks of cars
  * that struck each other, and flanks struck by a barrier on wheels, are crushed as deeply as they
  * were (validation.md). A whole flank would be right only if what it drags along cost nothing. */
-static const double flank_share = 0.55;
+static const double flank_share = 0.56;
 
 static const double *weaker(struct making *m, const struct cr_grid *g, const double *energy) {
     size_t n = (size_t)g->nx * (size_t)g->ny;

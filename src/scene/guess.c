@@ -140,11 +140,14 @@ enum cr_err cr_scene_from_car(struct cr_participant *p, const struct cr_model_li
         return code;
     }
     bool heavy = !isnan(p->mass) && !isnan(p->load); /* these two say the kerb mass */
+    bool light = p->mass < car->curb;                /* lighter than the row with all in it */
     const struct {
         const char *key;
         double value;
     } value[] = {
-        {"kerb_mass_kg", heavy ? p->mass - p->load : car->curb},
+        {"kerb_mass_kg", heavy   ? p->mass - p->load
+                         : light ? p->mass
+                                 : car->curb},
         {"load_kg", isnan(p->mass) ? CR_CAR_DRIVER : (double)NAN},
         {"length_m", car->length},
         {"width_m", car->width},

@@ -236,6 +236,10 @@ CR_MUST_CHECK enum cr_err cr_scene_save(const struct cr_scene *scene, const char
 CR_MUST_CHECK enum cr_err cr_scene_set(struct cr_scene *scene, const char *key, const char *value,
                                        struct cr_error *err);
 
+/* Of mass, kerb mass and load two say the third. Where one of three that were given has been
+ * varied ("A.mass_kg"), another follows: the load of a mass, the mass of the other two. */
+void cr_scene_mass_follows(struct cr_scene *scene, const char *key);
+
 /* A number of the scene that has a tolerance. */
 struct cr_uncertain {
     char key[CR_NAME_MAX + 64]; /* "A.speed_kmh", "restitution", "B.position_m.0" */

@@ -444,6 +444,25 @@ int cr_scene_uncertain(const struct cr_scene *scene, struct cr_uncertain *out, i
     return n;
 }
 
+void cr_scene_mass_follows(struct cr_scene *scene, const char *key) {
+    static const char *const name[] = {"mass_kg", "kerb_mass_kg", "load_kg"};
+    const char *dot = strchr(key, '.');
+    int rows, varied = -1;
+    for (int i = 0; i < 3 && dot != NULL; i++) {
+        varied = strcmp(dot + 1, name[i]) == 0 ? i : varied;
+    }
+    for (int i = 0; i < scene->n && varied >= 0; i++) {
+        struct cr_participant *p = &scene->part[i];
+        bool its = strlen(p->id) == (size_t)(dot - key) && strncmp(p->id, key, dot - key) == 0;
+        if (its && !isnan(p->mass) && !isnan(p->kerb_mass) && !isnan(p->load)) {
+            const struct cr_key *row =
+                cr_scene_key_find(CR_KEYS_PARTICIPANT, name[varied == 0 ? 2 : 0], CR_FOR_VEHICLE);
+            *number_at(row, 0, p) = NAN;
+            p->given &= ~((uint64_t)1 << (row - cr_scene_keys(CR_KEYS_PARTICIPANT, &rows)));
+        }
+    }
+}
+
 void cr_scene_vary(struct cr_scene *scene, const struct cr_uncertain *what, double si) {
     int rows;
     enum cr_key_table table = what->part >= 0 ? CR_KEYS_PARTICIPANT : CR_KEYS_SETTINGS;
@@ -459,4 +478,5 @@ void cr_scene_vary(struct cr_scene *scene, const struct cr_uncertain *what, doub
         const bool automatic = false;
         memcpy((char *)base + key->aux, &automatic, sizeof automatic);
     }
+    cr_scene_mass_follows(scene, what->key);
 }

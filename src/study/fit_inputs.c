@@ -87,6 +87,7 @@ enum cr_err cr_fit_scene_make(const struct cr_study *study, const double *value,
         char text[40];
         snprintf(text, sizeof text, "%.17g", cr_unit_from_si(study->in[i].unit, value[i]));
         code = cr_scene_set(out, study->in[i].key, text, err);
+        cr_scene_mass_follows(out, study->in[i].key);
     }
     cr_study_settle(out);
     if (code != CR_ERR_OK) {

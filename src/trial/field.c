@@ -58,13 +58,23 @@ void cr_field_spread(struct cr_field_table *field, const struct cr_crush_rules *
     }
 }
 
-/* less of a front's width than this is an offset */
-static const double offset_width = 0.6;
+/* a corner, 25 to 40 % and 40 to 60 % of a front's width, and what is no offset */
+static const double bands[CR_FIELD_BANDS + 1] = {0, 0.25, 0.4, 0.6, INFINITY};
+
+double cr_field_band(int band) {
+    return bands[band];
+}
 
 static bool is_of_kind(const struct cr_field_row *row, int kind) {
     const struct cr_crush_car *car = &row->what.car[0];
+    double share = car->m.direct / car->p->width;
+    bool front = car->m.face == CR_FACE_FRONT;
     if (kind == CR_FIELD_OFFSET) {
-        return car->m.face == CR_FACE_FRONT && car->m.direct < offset_width * car->p->width;
+        return front && share < bands[CR_FIELD_BANDS - 1];
+    }
+    if (kind >= CR_FIELD_BAND) {
+        const double *band = &bands[kind - CR_FIELD_BAND];
+        return front && share >= band[0] && share < band[1];
     }
     return kind < 0 || (int)row->kind == kind;
 }

@@ -24,8 +24,11 @@ enum cr_field_kind {
 #undef X
         CR_FIELD_KINDS
 };
-/* Across the kinds: fronts met over less than 0.6 of their width; a kind for cr_field_result. */
-enum { CR_FIELD_OFFSET = CR_FIELD_KINDS };
+/* Across the kinds, kinds for cr_field_result: fronts met over less than 0.6 of their width, and
+ * fronts by the share of their width that was met, in CR_FIELD_BANDS of them. */
+enum { CR_FIELD_OFFSET = CR_FIELD_KINDS, CR_FIELD_BAND, CR_FIELD_BANDS = 4 };
+/* From which share of the width on a band begins; that of CR_FIELD_BANDS is where the last ends. */
+double cr_field_band(int band);
 const char *cr_field_kind_word(enum cr_field_kind kind);
 
 enum { CR_FIELD_FOLDS = 5, CR_FIELD_RULES = 16 };

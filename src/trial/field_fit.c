@@ -7,7 +7,6 @@
 
 #if HAVE_NLOPT
 #include <nlopt.h>
-#endif
 
 /* rise and level of the three ends, and the oblique factor */
 enum { PARAMETERS = 2 * CR_MODEL_ENDS + 1 };
@@ -78,7 +77,6 @@ static double loss(const struct cr_field_table *field, int without) {
     return n > 0 ? sum / n : 0;
 }
 
-#if HAVE_NLOPT
 struct search {
     struct cr_field_table *field;
     struct cr_crush_rules rules;
@@ -133,7 +131,6 @@ enum cr_err cr_field_fit(struct cr_field_table *field, int without, struct cr_cr
 #else
 enum cr_err cr_field_fit(struct cr_field_table *field, int without, struct cr_crush_rules *rules,
                          struct cr_error *err) {
-    (void)loss, (void)unpack, (void)most;
     (void)field, (void)without, (void)rules;
     cr_err_set(err, CR_ERR_USAGE, "this build has no NLopt, which the fit of the rules needs");
     cr_err_hint(err, "install libnlopt-dev, then ./bootstrap build");

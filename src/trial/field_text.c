@@ -33,6 +33,16 @@ static enum cr_err say_groups(const struct cr_field_table *field, struct cr_str 
         code = cr_field_result(field, CR_FIELD_OFFSET, -1, &r, err);
         say_row(out, "front < 60 % wide", &r);
     }
+    for (int b = 0; b < CR_FIELD_BANDS && code == CR_ERR_OK; b++) {
+        char name[32];
+        double to = cr_field_band(b + 1);
+        code = cr_field_result(field, CR_FIELD_BAND + b, -1, &r, err);
+        snprintf(name, sizeof name, isfinite(to) ? "  %.0f to %.0f %%" : "  %.0f %% and more",
+                 100 * cr_field_band(b), 100 * to);
+        if (code == CR_ERR_OK && r.own.n > 0) {
+            say_row(out, name, &r);
+        }
+    }
     for (int t = 0; t < CR_TYPES && code == CR_ERR_OK; t++) {
         code = cr_field_result(field, -1, t, &r, err);
         if (code == CR_ERR_OK && r.own.n > 0) {
@@ -205,6 +215,15 @@ enum cr_err cr_field_json(const struct cr_field_table *field, const struct cr_fi
     if (code == CR_ERR_OK) {
         code = cr_field_result(field, CR_FIELD_OFFSET, -1, &r, err);
         add_summary(summary, "front-offset", &r);
+    }
+    cJSON *bands = cr_tree_array(root, "front_by_width");
+    for (int b = 0; b < CR_FIELD_BANDS && code == CR_ERR_OK; b++) {
+        cJSON *band = cJSON_CreateObject();
+        cr_tree_push(bands, band);
+        cr_tree_number(band, "from_share", cr_field_band(b));
+        cr_tree_put(band, "to_share", number(cr_field_band(b + 1)));
+        code = cr_field_result(field, CR_FIELD_BAND + b, -1, &r, err);
+        add_summary(band, "delta_v", &r);
     }
     cJSON *types = cr_tree_object(root, "types");
     for (int t = 0; t < CR_TYPES && code == CR_ERR_OK; t++) {

@@ -98,6 +98,11 @@ has "two results of one scene are not" "$status:$errs" \
     '^3:.*other: error: scene [0-9]+ is in .*part2'
 head -c 3000 "$tmp/part2" >"$tmp/short"
 refused "a part that was cut" 3 'short:[0-9]+:1: error: the last line is cut' merge "$tmp/short"
+for index in 1e300 -1; do
+    head -n 1 "$tmp/part2" | sed "s/\"index\":[0-9]*/\"index\":$index/" >"$tmp/beyond"
+    refused "an index of $index" 3 'beyond:1:1: error: an index that none can have' \
+        merge "$tmp/beyond"
+done
 refused "a part that is none" 3 's.jsonl:1:1: error: this is no result' merge "$tmp/s.jsonl"
 refused "a part that is not there" 2 'nowhere: error: cannot open' merge "$tmp/nowhere"
 run merge "$tmp/part1" "$tmp/part2" "$tmp/part3" "$tmp/part4" --summary

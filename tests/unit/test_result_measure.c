@@ -337,6 +337,33 @@ static void limits_of_validity_are_named(void **state) {
     assert_true(has_warning("struck at the rear"));
 }
 
+/* A 92 kN/m and B 429 kN/m2 are those of a mid-size front; B in other units makes it rigid */
+static void own_stiffness_that_is_rigid_is_told(void **state) {
+    (void)state;
+    static const struct {
+        double a, b;
+        const char *told;
+    } rows[] = {
+        {92e3, 429e3, NULL},
+        {92e3, 429, "uncrushed up to an EES of"},
+        {92e3, 429e6, "by no more than 0.02 m"},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        make(0, constant, 0.1);
+        struct cr_participant *p = &result->resolved.part[0];
+        result->warnings = 0;
+        p->kerb_mass = 1400;
+        p->length = 4.6;
+        p->width = 1.75;
+        p->model.kind = CR_MODEL_STIFFNESS;
+        p->model.face[CR_MODEL_FRONT].a = rows[i].a;
+        p->model.face[CR_MODEL_FRONT].b = rows[i].b;
+        cr_result_check(result);
+        assert_int_equal(has_warning("acts as rigid"), rows[i].told != NULL);
+        assert_true(rows[i].told == NULL || has_warning(rows[i].told));
+    }
+}
+
 /* the number and the limit it is beyond never read the same */
 static void warnings_do_not_contradict_themselves(void **state) {
     (void)state;
@@ -392,6 +419,7 @@ int main(void) {
         TEST(pdof_is_clockwise_from_ahead),
         TEST(warnings_have_a_last_place),
         TEST(limits_of_validity_are_named),
+        TEST(own_stiffness_that_is_rigid_is_told),
         TEST(warnings_do_not_contradict_themselves),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

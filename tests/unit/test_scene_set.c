@@ -185,12 +185,42 @@ static void test_tables_hold_together(void **state) {
     }
 }
 
+/* of mass, kerb mass and load two say the third: which of them follows when one is varied */
+static void test_a_mass_that_is_varied(void **state) {
+    (void)state;
+    static const struct {
+        const char *key, *value;
+        double mass, kerb, load;
+    } rows[] = {
+        {"A.mass_kg", "1800", 1800, 1400, NAN},
+        {"A.kerb_mass_kg", "1500", NAN, 1500, 200},
+        {"A.load_kg", "300", NAN, 1400, 300},
+        {"A.speed_kmh", "30", 1600, 1400, 200},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct cr_scene s;
+        start(&s);
+        set(&s, "A.mass_kg", "1600");
+        set(&s, "A.kerb_mass_kg", "1400");
+        set(&s, "A.load_kg", "200");
+        set(&s, rows[i].key, rows[i].value);
+        cr_scene_mass_follows(&s, rows[i].key);
+        const double now[3] = {s.part[0].mass, s.part[0].kerb_mass, s.part[0].load};
+        const double want[3] = {rows[i].mass, rows[i].kerb, rows[i].load};
+        for (int k = 0; k < 3; k++) {
+            assert_true(now[k] == want[k] || (isnan(now[k]) && isnan(want[k])));
+        }
+        cr_scene_fini(&s);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_settings_by_name),
         cmocka_unit_test(test_participants_by_name),
         cmocka_unit_test(test_what_cannot_be_set_leaves_the_scene_alone),
         cmocka_unit_test(test_what_was_set_is_written),
+        cmocka_unit_test(test_a_mass_that_is_varied),
         cmocka_unit_test(test_tables_hold_together),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
