@@ -201,16 +201,8 @@ int cr_cli_catalogue(int argc, char **argv) {
     int format = TEXT, operands;
     const char *path = NULL;
     const struct cr_option table[] = {
-        {.name = "format",
-         .letter = 'f',
-         .arg = FORMATS,
-         .number = &format,
-         .help = "form (text); of import: what FILE is"},
-        {.name = "output",
-         .letter = 'o',
-         .arg = "FILE",
-         .text = &path,
-         .help = "write to FILE, whole or not at all"},
+        CR_OPTION_WORD("format", 'f', FORMATS, &format, "form (text); of import: what FILE is"),
+        CR_CLI_OUTPUT_OPTION(&path),
     };
     const struct cr_usage usage = {.word = "catalogue",
                                    .operands = "[WORD ...] | import FILE",

@@ -140,34 +140,15 @@ int cr_cli_damage(int argc, char **argv) {
     struct cr_error err = {0};
     struct options opt = {.format = 0};
     const struct cr_option table[] = {
-        {.name = "format",
-         .letter = 'f',
-         .arg = FORMATS,
-         .number = &opt.format,
-         .help = "form of the result (text)"},
-        {.name = "picture",
-         .letter = 'p',
-         .flag = &opt.picture,
-         .help = "the outline over the voxels, from above and from the side"},
-        {.name = "solved",
-         .letter = 's',
-         .arg = "SCENE.json",
-         .text = &opt.solved,
-         .help = "beside what is left of them when that scene is solved"},
-        {.name = "output",
-         .letter = 'o',
-         .arg = "FILE",
-         .text = &opt.out,
-         .help = "write to FILE, whole or not at all"},
+        CR_OPTION_WORD("format", 'f', FORMATS, &opt.format, "form of the result (text)"),
+        CR_OPTION_FLAG("picture", 'p', &opt.picture,
+                       "the outline over the voxels, from above and from the side"),
+        CR_OPTION_TEXT("solved", 's', "SCENE.json", &opt.solved,
+                       "beside what is left of them when that scene is solved"),
+        CR_CLI_OUTPUT_OPTION(&opt.out),
         CR_CLI_LOOK_OPTIONS(&opt.look),
     };
-    const struct cr_usage usage = {.word = "damage",
-                                   .operands = "FILE.json|FILE.csv",
-                                   .about = about,
-                                   .option = table,
-                                   .options = sizeof table / sizeof *table,
-                                   .least = 1,
-                                   .most = 1};
+    const struct cr_usage usage = CR_USAGE("damage", "FILE.json|FILE.csv", about, table, 1, 1);
     int operands, status = cr_cli_options(&usage, argc, argv, &operands);
     if (status >= 0) {
         return status;

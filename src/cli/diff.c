@@ -83,13 +83,7 @@ int cr_cli_diff(int argc, char **argv) {
     struct options opt = {.budget = CR_CLI_BUDGET};
     const struct cr_option table[] = {CR_CLI_UNITS_OPTION(&opt.units),
                                       CR_CLI_BUDGET_OPTIONS(&opt.budget)};
-    const struct cr_usage usage = {.word = "diff",
-                                   .operands = "A.json B.json",
-                                   .about = about,
-                                   .option = table,
-                                   .options = sizeof table / sizeof *table,
-                                   .least = 2,
-                                   .most = 2};
+    const struct cr_usage usage = CR_USAGE("diff", "A.json B.json", about, table, 2, 2);
     struct cr_error err = {0};
     bool same = false;
     int operands, status = cr_cli_options(&usage, argc, argv, &operands);

@@ -101,41 +101,22 @@ static enum cr_err run(char **word, int n, const struct options *opt, struct cr_
     return code;
 }
 
-#define NUMBER(n, to, least, most, text)                                                           \
-    { .name = n, .arg = "N", .number = &(to), .lo = least, .hi = most, .help = text }
-
 int cr_cli_fit(int argc, char **argv) {
     struct options opt = {.starts = 3, .solves = 400, .seed = 1, .budget = CR_CLI_BUDGET};
     const struct cr_option table[] = {
-        NUMBER("starts", opt.starts, 1, 20, "local searches, from the best of a coarse look (3)"),
-        NUMBER("solves", opt.solves, 20, 100000, "most solves in all (400)"),
-        NUMBER("seed", opt.seed, 1, 2147483647, "of the coarse look (1)"),
-        {.name = "format",
-         .letter = 'f',
-         .arg = FORMATS,
-         .number = &opt.format,
-         .help = "form of the findings (text)"},
-        {.name = "output",
-         .letter = 'o',
-         .arg = "FILE",
-         .text = &opt.out,
-         .help = "write to FILE, whole or not at all"},
-        {.name = "quiet", .letter = 'q', .flag = &opt.quiet, .help = "no progress"},
-        {.name = "set",
-         .letter = 's',
-         .arg = "KEY=VALUE",
-         .values = &opt.set,
-         .help = "override a value of the scene"},
+        CR_OPTION_NUMBER("starts", 0, &opt.starts, 1, 20,
+                         "local searches, from the best of a coarse look (3)"),
+        CR_OPTION_NUMBER("solves", 0, &opt.solves, 20, 100000, "most solves in all (400)"),
+        CR_OPTION_NUMBER("seed", 0, &opt.seed, 1, 2147483647, "of the coarse look (1)"),
+        CR_OPTION_WORD("format", 'f', FORMATS, &opt.format, "form of the findings (text)"),
+        CR_CLI_OUTPUT_OPTION(&opt.out),
+        CR_OPTION_FLAG("quiet", 'q', &opt.quiet, "no progress"),
+        CR_OPTION_VALUES("set", 's', "KEY=VALUE", &opt.set, "override a value of the scene"),
         CR_CLI_BUDGET_OPTIONS(&opt.budget),
         CR_CLI_LOOK_OPTIONS(&opt.look),
     };
-    const struct cr_usage usage = {.word = "fit",
-                                   .operands = "SCENE.json KEY ... to EVIDENCE ...",
-                                   .about = about,
-                                   .option = table,
-                                   .options = sizeof table / sizeof *table,
-                                   .least = 1,
-                                   .most = -1};
+    const struct cr_usage usage =
+        CR_USAGE("fit", "SCENE.json KEY ... to EVIDENCE ...", about, table, 1, -1);
     struct cr_error err = {0};
     int operands, status = cr_cli_options(&usage, argc, argv, &operands);
     if (status >= 0) {

@@ -81,12 +81,6 @@ static int run(struct options *o, char *const *path, int n) {
     return status;
 }
 
-/* an option with a text as its value */
-#define TEXT(n, c, a, field, h)                                                                    \
-    { .name = n, .letter = c, .arg = a, .text = &(field), .help = h }
-#define WORD(n, c, a, field, h)                                                                    \
-    { .name = n, .letter = c, .arg = a, .number = &(field), .help = h }
-
 int cr_cli_import(int argc, char **argv) {
     struct options o = {.point = 0};
     cr_import_init(&o.import);
@@ -94,22 +88,18 @@ int cr_cli_import(int argc, char **argv) {
     o.import.take = take;
     o.import.failed = failed;
     const struct cr_option table[] = {
-        WORD("format", 'f', cr_import_formats(), o.import.format, "instead of recognising it"),
-        TEXT("case", 0, "ID,ID", o.list, "only these cases"),
-        TEXT("map", 0, "FILE", o.import.map,
-             "names of columns; vehicles and objects: what the file lacks (JSON)"),
-        WORD("reference", 0, "auto|" CR_POINTS, o.point,
-             "point of a vehicle that places are of (auto: as the format has it)"),
-        TEXT("before", 0, "TIME", o.before, "what is kept before the outlines meet (2s)"),
-        TEXT("output", 'o', "FILE", o.out, "write to FILE, whole or not at all"),
+        CR_OPTION_WORD("format", 'f', cr_import_formats(), &o.import.format,
+                       "instead of recognising it"),
+        CR_OPTION_TEXT("case", 0, "ID,ID", &o.list, "only these cases"),
+        CR_OPTION_TEXT("map", 0, "FILE", &o.import.map,
+                       "names of columns; vehicles and objects: what the file lacks (JSON)"),
+        CR_OPTION_WORD("reference", 0, "auto|" CR_POINTS, &o.point,
+                       "point of a vehicle that places are of (auto: as the format has it)"),
+        CR_OPTION_TEXT("before", 0, "TIME", &o.before,
+                       "what is kept before the outlines meet (2s)"),
+        CR_CLI_OUTPUT_OPTION(&o.out),
     };
-    const struct cr_usage usage = {.word = "import",
-                                   .operands = "FILE ...",
-                                   .about = about,
-                                   .option = table,
-                                   .options = sizeof table / sizeof *table,
-                                   .least = 1,
-                                   .most = -1};
+    const struct cr_usage usage = CR_USAGE("import", "FILE ...", about, table, 1, -1);
     int operands, status = cr_cli_options(&usage, argc, argv, &operands);
     if (status >= 0) {
         return status;

@@ -173,52 +173,35 @@ static enum cr_err run(const char *path, const struct options *opt, struct cr_er
     return code;
 }
 
-#define NUMBER(n, l, to, least, most, text)                                                        \
-    { .name = n, .letter = l, .arg = "N", .number = &(to), .lo = least, .hi = most, .help = text }
-#define CHOICE(n, l, words, to, text)                                                              \
-    { .name = n, .letter = l, .arg = words, .number = &(to), .help = text }
-#define TEXT(n, l, what, to, help_text)                                                            \
-    { .name = n, .letter = l, .arg = what, .text = &(to), .help = help_text }
-#define FLAG(n, l, to, help_text)                                                                  \
-    { .name = n, .letter = l, .flag = &(to), .help = help_text }
-
 int cr_cli_mc(int argc, char **argv) {
     struct options opt = {.draws = 2000, .seed = 1, .budget = CR_CLI_BUDGET};
     const struct cr_option table[] = {
-        NUMBER("draws", 'n', opt.draws, 10, 1000000, "how many scenes are drawn (2000)"),
-        NUMBER("seed", 0, opt.seed, 1, 2147483647,
-               "of the generator; the same seed gives the same bytes (1)"),
-        CHOICE("sampling", 0, SAMPLINGS, opt.sampling, "latin hypercube or Sobol sequence (latin)"),
-        CHOICE("grid", 0, GRIDS, opt.grid,
-               "own: all on the scene's voxels; auto: many on coarse ones where that serves"),
-        FLAG("no-scatter", 0, opt.no_scatter, "the stiffness of the vehicles does not vary"),
-        NUMBER("jobs", 'j', opt.jobs, 1, 256, "threads (one per processor)"),
-        TEXT("plot", 0, "A.RESULT", opt.plot, "result of histogram and ranked inputs (ees)"),
-        {.name = "picture",
-         .letter = 'p',
-         .arg = "[CHART=]FILE",
-         .values = &opt.pictures,
-         .help = "draw FILE.svg, .pdf or .png; CHART is histogram (default) or tornado"},
-        CHOICE("format", 'f', FORMATS, opt.format,
-               "form of the result (text); csv: a row per draw"),
-        TEXT("output", 'o', "FILE", opt.out, "write to FILE, whole or not at all"),
-        FLAG("quiet", 'q', opt.quiet, "no progress"),
-        {.name = "set",
-         .letter = 's',
-         .arg = "KEY=VALUE",
-         .values = &opt.set,
-         .help = "override a value, also by one with a tolerance (A.speed_kmh=56+-3)"},
+        CR_OPTION_NUMBER("draws", 'n', &opt.draws, 10, 1000000, "how many scenes are drawn (2000)"),
+        CR_OPTION_NUMBER("seed", 0, &opt.seed, 1, 2147483647,
+                         "of the generator; the same seed gives the same bytes (1)"),
+        CR_OPTION_WORD("sampling", 0, SAMPLINGS, &opt.sampling,
+                       "latin hypercube or Sobol sequence (latin)"),
+        CR_OPTION_WORD("grid", 0, GRIDS, &opt.grid,
+                       "own: all on the scene's voxels; auto: many on coarse ones where that "
+                       "serves"),
+        CR_OPTION_FLAG("no-scatter", 0, &opt.no_scatter,
+                       "the stiffness of the vehicles does not vary"),
+        CR_OPTION_NUMBER("jobs", 'j', &opt.jobs, 1, 256, "threads (one per processor)"),
+        CR_OPTION_TEXT("plot", 0, "A.RESULT", &opt.plot,
+                       "result of histogram and ranked inputs (ees)"),
+        CR_OPTION_VALUES("picture", 'p', "[CHART=]FILE", &opt.pictures,
+                         "draw FILE.svg, .pdf or .png; CHART is histogram (default) or tornado"),
+        CR_OPTION_WORD("format", 'f', FORMATS, &opt.format,
+                       "form of the result (text); csv: a row per draw"),
+        CR_CLI_OUTPUT_OPTION(&opt.out),
+        CR_OPTION_FLAG("quiet", 'q', &opt.quiet, "no progress"),
+        CR_OPTION_VALUES("set", 's', "KEY=VALUE", &opt.set,
+                         "override a value, also by one with a tolerance (A.speed_kmh=56+-3)"),
         CR_CLI_UNITS_OPTION(&opt.units),
         CR_CLI_BUDGET_OPTIONS(&opt.budget),
         CR_CLI_LOOK_OPTIONS(&opt.look),
     };
-    const struct cr_usage usage = {.word = "mc",
-                                   .operands = "SCENE.json",
-                                   .about = about,
-                                   .option = table,
-                                   .options = sizeof table / sizeof *table,
-                                   .least = 1,
-                                   .most = 1};
+    const struct cr_usage usage = CR_USAGE("mc", "SCENE.json", about, table, 1, 1);
     struct cr_error err = {0};
     int operands, status = cr_cli_options(&usage, argc, argv, &operands);
     if (status >= 0) {

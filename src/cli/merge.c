@@ -266,26 +266,13 @@ static void merge_fini(struct merge *m) {
 
 static int read_options(int argc, char **argv, struct options *opt, int *operands) {
     const struct cr_option table[] = {
-        {.name = "output",
-         .letter = 'o',
-         .arg = "FILE",
-         .text = &opt->out,
-         .help = "write to FILE, whole or not at all"},
-        {.name = "scenes",
-         .arg = "N",
-         .number = &opt->scenes,
-         .lo = 1,
-         .hi = 1000000000,
-         .help = "number of scenes of the whole stack, to notice that the last ones are missing"},
+        CR_CLI_OUTPUT_OPTION(&opt->out),
+        CR_OPTION_NUMBER(
+            "scenes", 0, &opt->scenes, 1, 1000000000,
+            "number of scenes of the whole stack, to notice that the last ones are missing"),
         CR_SINK_OPTIONS(&opt->sink),
     };
-    const struct cr_usage usage = {.word = "merge",
-                                   .operands = "PART ...",
-                                   .about = about,
-                                   .option = table,
-                                   .options = sizeof table / sizeof *table,
-                                   .least = 1,
-                                   .most = -1};
+    const struct cr_usage usage = CR_USAGE("merge", "PART ...", about, table, 1, -1);
     return cr_cli_options(&usage, argc, argv, operands);
 }
 

@@ -329,9 +329,6 @@ static enum cr_err models(const char *name, const struct options *opt, struct cr
     return code;
 }
 
-#define TEXT(word, value, to, what)                                                                \
-    { .name = word, .arg = value, .text = to, .help = what }
-
 /* for completion: "sedan|sedan/1|...|suv/12" */
 static void list_names(char *buf, size_t size) {
     size_t n = 0;
@@ -348,23 +345,22 @@ static void list_names(char *buf, size_t size) {
 int cr_cli_models(int argc, char **argv) {
     struct options opt = {.view = VIEW_ALL};
     const struct cr_option table[] = {
-        {.name = "view", .arg = VIEWS, .number = &opt.view, .help = "which picture (all)"},
-        TEXT("at", "Y", &opt.at, "where a slice is cut, m left of the centre line (0)"),
-        TEXT("to", "FILE", &opt.to, "export to FILE.json or FILE.csv instead of drawing"),
-        {.name = "flat", .flag = &opt.flat, .help = "the 2D model that the solver uses"},
+        CR_OPTION_WORD("view", 0, VIEWS, &opt.view, "which picture (all)"),
+        CR_OPTION_TEXT("at", 0, "Y", &opt.at,
+                       "where a slice is cut, m left of the centre line (0)"),
+        CR_OPTION_TEXT("to", 0, "FILE", &opt.to,
+                       "export to FILE.json or FILE.csv instead of drawing"),
+        CR_OPTION_FLAG("flat", 0, &opt.flat, "the 2D model that the solver uses"),
         {.name = "voxel",
          .arg = "MM",
          .number = &opt.voxel_mm,
          .lo = 5,
          .hi = 100,
          .help = "edge of the voxels, mm (50; with --flat 25)"},
-        TEXT("crash", "SCENE.json", &opt.crash, "solve this scene, show a vehicle of it deformed"),
-        TEXT("id", "ID", &opt.id, "which vehicle of the scene (the first)"),
-        {.name = "format",
-         .letter = 'f',
-         .arg = "text|json",
-         .number = &opt.format,
-         .help = "form of the list (text)"},
+        CR_OPTION_TEXT("crash", 0, "SCENE.json", &opt.crash,
+                       "solve this scene, show a vehicle of it deformed"),
+        CR_OPTION_TEXT("id", 0, "ID", &opt.id, "which vehicle of the scene (the first)"),
+        CR_OPTION_WORD("format", 'f', "text|json", &opt.format, "form of the list (text)"),
         CR_CLI_LOOK_OPTIONS(&opt.look),
     };
     char names[CR_TYPES * 13 * 24];

@@ -31,6 +31,22 @@ struct cr_option {
     int lo, hi;
 };
 
+/* Rows of a table of options, by what they take. letter 0: none; `to` points to where the value
+ * goes. A number lies in lo..hi; a word is one of "a|b|c" and comes as its index. */
+#define CR_OPTION_NUMBER(long_name, short_name, to, least, most, text)                             \
+    {                                                                                              \
+        .name = long_name, .letter = short_name, .arg = "N", .number = to, .lo = least,            \
+        .hi = most, .help = text                                                                   \
+    }
+#define CR_OPTION_WORD(long_name, short_name, words, to, text)                                     \
+    { .name = long_name, .letter = short_name, .arg = words, .number = to, .help = text }
+#define CR_OPTION_TEXT(long_name, short_name, what, to, text_of_help)                              \
+    { .name = long_name, .letter = short_name, .arg = what, .text = to, .help = text_of_help }
+#define CR_OPTION_VALUES(long_name, short_name, what, to, text)                                    \
+    { .name = long_name, .letter = short_name, .arg = what, .values = to, .help = text }
+#define CR_OPTION_FLAG(long_name, short_name, to, text)                                            \
+    { .name = long_name, .letter = short_name, .flag = to, .help = text }
+
 struct cr_usage {
     const char *word;     /* "run" */
     const char *operands; /* as the help shows them: "SCENE.json" */
@@ -41,10 +57,17 @@ struct cr_usage {
     const char *candidates; /* "a|b|c": operands that completion offers; NULL: files */
 };
 
+/* The usage of a word whose operands are files and whose options are an array. */
+#define CR_USAGE(name, files, text, table, fewest, greatest)                                       \
+    {                                                                                              \
+        .word = name, .operands = files, .about = text, .option = table,                           \
+        .options = sizeof table / sizeof *table, .least = fewest, .most = greatest                 \
+    }
+
 /* Parse argv (argv[0] is the word itself). Options and operands may be mixed, "--" ends the
- * options,
- * "-" is an operand. The operands are moved to argv[1] ... argv[*operands]. *help is set when -h or
- * --help was met, which ends the parsing. Errors: USAGE with the nearest spelling or the range. */
+ * options, "-" is an operand. The operands are moved to argv[1] ... argv[*operands]. *help is set
+ * when -h or --help was met, which ends the parsing. Errors: USAGE with the nearest spelling or the
+ * range. */
 CR_MUST_CHECK enum cr_err cr_options_parse(const struct cr_usage *usage, int argc, char **argv,
                                            int *operands, bool *help, struct cr_error *err);
 

@@ -54,11 +54,7 @@ static enum cr_err show(const char *name, const char *to, struct cr_error *err) 
 int cr_cli_schema(int argc, char **argv) {
     const char *to = NULL;
     const struct cr_option table[] = {
-        {.name = "output",
-         .letter = 'o',
-         .arg = "FILE",
-         .text = &to,
-         .help = "write to FILE, whole or not at all"},
+        CR_CLI_OUTPUT_OPTION(&to),
     };
     const struct cr_usage usage = {.word = "schema",
                                    .operands = "[NAME]",

@@ -56,6 +56,10 @@ void cr_cli_close(struct cr_cli_shared *shared);
 /* Non-zero once ^C was pressed (process/signals.h); has the shape of cr_context.cancel. */
 int cr_cli_cancelled(void *unused);
 
+/* --output: a row for an option table; cr_cli_emit writes there. */
+#define CR_CLI_OUTPUT_OPTION(to)                                                                   \
+    CR_OPTION_TEXT("output", 'o', "FILE", to, "write to FILE, whole or not at all")
+
 /* --result-version: a row for an option table */
 #define CR_CLI_VERSION_OPTION(v)                                                                   \
     {                                                                                              \

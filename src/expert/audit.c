@@ -70,19 +70,11 @@ static enum cr_err audit(char **argv, int n, const struct options *opt, bool *sa
 
 int cr_expert_audit(int argc, char **argv) {
     struct options opt = {.budget = CR_CLI_BUDGET};
-    const struct cr_option table[] = {{.name = "set",
-                                       .letter = 's',
-                                       .arg = "KEY=VALUE",
-                                       .values = &opt.set,
-                                       .help = "what was overridden when the result was made"},
-                                      CR_CLI_BUDGET_OPTIONS(&opt.budget)};
-    const struct cr_usage usage = {.word = "audit",
-                                   .operands = "RESULT.json [SCENE.json]",
-                                   .about = about,
-                                   .option = table,
-                                   .options = sizeof table / sizeof *table,
-                                   .least = 1,
-                                   .most = 2};
+    const struct cr_option table[] = {
+        CR_OPTION_VALUES("set", 's', "KEY=VALUE", &opt.set,
+                         "what was overridden when the result was made"),
+        CR_CLI_BUDGET_OPTIONS(&opt.budget)};
+    const struct cr_usage usage = CR_USAGE("audit", "RESULT.json [SCENE.json]", about, table, 1, 2);
     struct cr_error err = {0};
     bool same = false;
     int operands, status = cr_cli_options(&usage, argc, argv, &operands);

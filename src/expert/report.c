@@ -402,47 +402,32 @@ enum cr_err cr_expert_order(const struct cr_report_order *o, struct cr_error *er
 
 /* ---- at the command line ---- */
 
-#define TEXT(word, value, to, what)                                                                \
-    { .name = word, .arg = value, .text = to, .help = what }
-#define NUMBER(word, least, most, to, what)                                                        \
-    { .name = word, .arg = "N", .number = to, .lo = least, .hi = most, .help = what }
-
 static int run(struct options *opt, int argc, char **argv) {
     const struct cr_option table[] = {
-        {.name = "output",
-         .letter = 'o',
-         .arg = "FILE",
-         .text = &opt->out,
-         .help = "FILE.html or FILE.pdf, whole or not at all"},
+        CR_OPTION_TEXT("output", 'o', "FILE", &opt->out,
+                       "FILE.html or FILE.pdf, whole or not at all"),
         CR_CLI_BUDGET_OPTIONS(&opt->budget),
-        {.name = "lang", .arg = LANGS, .number = &opt->lang, .help = "language (en)"},
-        {.name = "paper", .arg = PAPERS, .number = &opt->paper, .help = "size of a PDF (a4)"},
+        CR_OPTION_WORD("lang", 0, LANGS, &opt->lang, "language (en)"),
+        CR_OPTION_WORD("paper", 0, PAPERS, &opt->paper, "size of a PDF (a4)"),
         CR_CLI_UNITS_OPTION(&opt->units),
-        TEXT("title", "TEXT", &opt->head.title, "heading"),
-        TEXT("case", "TEXT", &opt->head.case_no, "case number"),
-        TEXT("order", "TEXT", &opt->head.order, "order number"),
-        TEXT("author", "TEXT", &opt->head.author, "who answers for it"),
-        TEXT("date", "DATE", &opt->head.date, "date to be printed; none otherwise"),
-        TEXT("question", "TEXT", &opt->head.question, "what the report is to answer"),
-        NUMBER("draws", 0, 100000, &opt->draws, "draws for the intervals (300); 0: none"),
-        NUMBER("seed", 0, 1000000000, &opt->seed, "of the draws (1)"),
-        NUMBER("jobs", 0, 256, &opt->jobs, "threads for the draws (0: one per processor)"),
-        TEXT("damage", "FILE", &opt->damage, "what was measured (as of crumple damage), beside it"),
-        {.name = "no-tests", .flag = &opt->no_tests, .help = "without crash tests for comparison"},
-        {.name = "quiet", .letter = 'q', .flag = &opt->quiet, .help = "do not tell how far it is"},
-        {.name = "set",
-         .letter = 's',
-         .arg = "KEY=VALUE",
-         .values = &opt->set,
-         .help = "override a setting or value"},
+        CR_OPTION_TEXT("title", 0, "TEXT", &opt->head.title, "heading"),
+        CR_OPTION_TEXT("case", 0, "TEXT", &opt->head.case_no, "case number"),
+        CR_OPTION_TEXT("order", 0, "TEXT", &opt->head.order, "order number"),
+        CR_OPTION_TEXT("author", 0, "TEXT", &opt->head.author, "who answers for it"),
+        CR_OPTION_TEXT("date", 0, "DATE", &opt->head.date, "date to be printed; none otherwise"),
+        CR_OPTION_TEXT("question", 0, "TEXT", &opt->head.question, "what the report is to answer"),
+        CR_OPTION_NUMBER("draws", 0, &opt->draws, 0, 100000,
+                         "draws for the intervals (300); 0: none"),
+        CR_OPTION_NUMBER("seed", 0, &opt->seed, 0, 1000000000, "of the draws (1)"),
+        CR_OPTION_NUMBER("jobs", 0, &opt->jobs, 0, 256,
+                         "threads for the draws (0: one per processor)"),
+        CR_OPTION_TEXT("damage", 0, "FILE", &opt->damage,
+                       "what was measured (as of crumple damage), beside it"),
+        CR_OPTION_FLAG("no-tests", 0, &opt->no_tests, "without crash tests for comparison"),
+        CR_OPTION_FLAG("quiet", 'q', &opt->quiet, "do not tell how far it is"),
+        CR_OPTION_VALUES("set", 's', "KEY=VALUE", &opt->set, "override a setting or value"),
     };
-    const struct cr_usage usage = {.word = "report",
-                                   .operands = "SCENE.json|RESULT.json",
-                                   .about = about,
-                                   .option = table,
-                                   .options = sizeof table / sizeof *table,
-                                   .least = 1,
-                                   .most = 1};
+    const struct cr_usage usage = CR_USAGE("report", "SCENE.json|RESULT.json", about, table, 1, 1);
     struct cr_error err = {0};
     struct cr_str command = {0};
     int operands;

@@ -20,7 +20,7 @@ bool cr_scene_is_extra(const char *name) {
     return strncmp(name, "x_", 2) == 0;
 }
 
-enum cr_err cr_scene_check_twice(struct cr_reader *r, const cJSON *object, const cJSON *member) {
+static enum cr_err check_twice(struct cr_reader *r, const cJSON *object, const cJSON *member) {
     for (const cJSON *m = object->child; m != member; m = m->next) {
         if (strcmp(m->string, member->string) == 0) {
             return cr_scene_fail(r, CR_ERR_DUPLICATE, "key \"%.60s\" stands here twice",
@@ -101,8 +101,15 @@ enum cr_err cr_scene_object_read(struct cr_reader *r, struct cr_members *to, con
     return code;
 }
 
-static enum cr_err read_member(struct cr_reader *r, struct cr_members *to, const cJSON *m,
-                               const char *prefix) {
+/* Where a member of an object goes: what it is read into, and what its name begins with there. */
+struct inner {
+    struct cr_members *to;
+    const char *prefix;
+};
+
+static enum cr_err read_member(struct cr_reader *r, const cJSON *m, void *user) {
+    struct cr_members *to = ((struct inner *)user)->to;
+    const char *prefix = ((struct inner *)user)->prefix;
     char full[64];
     int n;
     const struct cr_key *row = cr_scene_keys(to->table, &n);
@@ -125,24 +132,28 @@ static enum cr_err read_member(struct cr_reader *r, struct cr_members *to, const
     return unknown_key(r, to, m->string, prefix, full);
 }
 
-enum cr_err cr_scene_members_read(struct cr_reader *r, struct cr_members *to, const cJSON *json,
-                                  const char *prefix) {
+enum cr_err cr_scene_members_each(struct cr_reader *r, const cJSON *json, cr_scene_take_fn take,
+                                  void *user) {
     int members = 0;
-    for (const cJSON *m = json->child; m != NULL; m = m->next) {
+    enum cr_err code = CR_ERR_OK;
+    for (const cJSON *m = json->child; m != NULL && code == CR_ERR_OK; m = m->next) {
         if (++members > CR_MEMBER_MAX) {
             return cr_scene_fail(r, CR_ERR_RANGE, "object with more than %d keys", CR_MEMBER_MAX);
         }
         size_t up = cr_scene_enter(r, m->string);
-        enum cr_err code = cr_scene_check_twice(r, json, m);
+        code = check_twice(r, json, m);
         if (code == CR_ERR_OK) {
-            code = read_member(r, to, m, prefix);
+            code = take(r, m, user);
         }
         cr_scene_leave(r, up);
-        if (code != CR_ERR_OK) {
-            return code;
-        }
     }
-    return CR_ERR_OK;
+    return code;
+}
+
+enum cr_err cr_scene_members_read(struct cr_reader *r, struct cr_members *to, const cJSON *json,
+                                  const char *prefix) {
+    struct inner inner = {to, prefix};
+    return cr_scene_members_each(r, json, read_member, &inner);
 }
 
 static enum cr_err read_waypoint(struct cr_reader *r, const cJSON *json, int i,

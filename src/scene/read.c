@@ -177,7 +177,8 @@ static enum cr_err unknown_top(struct cr_reader *r, const char *name) {
     return CR_ERR_KEY;
 }
 
-static enum cr_err read_top(struct cr_reader *r, const cJSON *m, struct cr_scene *scene) {
+static enum cr_err read_top(struct cr_reader *r, const cJSON *m, void *user) {
+    struct cr_scene *scene = user;
     if (cr_scene_is_extra(m->string)) {
         return cr_scene_keep_extra(r, m);
     }
@@ -214,22 +215,11 @@ static enum cr_err read_scene(struct cr_reader *r, const cJSON *json, struct cr_
         return cr_scene_fail(r, CR_ERR_TYPE, "a scene is an object, got %s",
                              cr_scene_describe(json, got, sizeof got));
     }
-    int members = 0;
-    for (const cJSON *m = json->child; m != NULL; m = m->next) {
-        if (++members > CR_MEMBER_MAX) {
-            return cr_scene_fail(r, CR_ERR_RANGE, "object with more than %d keys", CR_MEMBER_MAX);
-        }
-        size_t up = cr_scene_enter(r, m->string);
-        enum cr_err code = cr_scene_check_twice(r, json, m);
-        if (code == CR_ERR_OK) {
-            code = read_top(r, m, scene);
-        }
-        cr_scene_leave(r, up);
-        if (code != CR_ERR_OK) {
-            return code;
-        }
+    enum cr_err code = cr_scene_members_each(r, json, read_top, scene);
+    if (code != CR_ERR_OK) {
+        return code;
     }
-    enum cr_err code = need_top(r, json, "crumple", "a scene begins with { \"crumple\": 1");
+    code = need_top(r, json, "crumple", "a scene begins with { \"crumple\": 1");
     if (code == CR_ERR_OK && !r->draft) {
         code = need_top(r, json, "participants", "at least two stand in the array");
     }

@@ -36,6 +36,13 @@ struct cr_members {
     void *base;     /* a scene, settings, participant or waypoint */
     uint64_t given; /* bit i: row i of the table was given */
 };
+/* Hand the members of an object to `take`, one by one, with the reader at the place of each; the
+ * first error ends it. Errors: RANGE for too many, DUPLICATE for a key that stands there twice,
+ * those of `take`. */
+typedef enum cr_err (*cr_scene_take_fn)(struct cr_reader *r, const struct cJSON *member,
+                                        void *user);
+CR_MUST_CHECK enum cr_err cr_scene_members_each(struct cr_reader *r, const struct cJSON *object,
+                                                cr_scene_take_fn take, void *user);
 /* All members of an object by a table, with those of inner objects, whose keys begin with `prefix`
  * ("cg.", "" for the outer one). */
 CR_MUST_CHECK enum cr_err cr_scene_members_read(struct cr_reader *r, struct cr_members *to,
@@ -43,11 +50,9 @@ CR_MUST_CHECK enum cr_err cr_scene_members_read(struct cr_reader *r, struct cr_m
 /* The same for a value that must be an object, with x_ keys of its own. */
 CR_MUST_CHECK enum cr_err cr_scene_object_read(struct cr_reader *r, struct cr_members *to,
                                                const struct cJSON *json, const char *prefix);
-/* An x_ key, and its copy among those that are kept; a key that stands in the object before. */
+/* Whether a name is that of an x_ key; and the copy of its value among those that are kept. */
 bool cr_scene_is_extra(const char *name);
 CR_MUST_CHECK enum cr_err cr_scene_keep_extra(struct cr_reader *r, const struct cJSON *member);
-CR_MUST_CHECK enum cr_err cr_scene_check_twice(struct cr_reader *r, const struct cJSON *object,
-                                               const struct cJSON *member);
 
 /* JSON value of a key -> its field in *base (a scene, settings, participant or waypoint); nothing
  * is changed when it fails. */

@@ -153,10 +153,8 @@ static enum cr_err calibrate(struct cr_calibration *f, const char *dir, const ch
 
 int cr_trial_calibrate(int argc, char **argv) {
     const char *write_to = NULL;
-    const struct cr_option option[] = {{.name = "write",
-                                        .arg = "DIR",
-                                        .text = &write_to,
-                                        .help = "put the result into the recipes of this folder"}};
+    const struct cr_option option[] = {CR_OPTION_TEXT(
+        "write", 0, "DIR", &write_to, "put the result into the recipes of this folder")};
     const struct cr_usage usage = {
         .word = "calibrate",
         .operands = "",

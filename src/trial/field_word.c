@@ -142,11 +142,7 @@ static enum cr_err calibrate(const char *table, struct cr_str *out, struct cr_er
 
 int cr_trial_calibrate_damage(int argc, char **argv) {
     const char *path = NULL;
-    const struct cr_option table[] = {{.name = "output",
-                                       .letter = 'o',
-                                       .arg = "FILE",
-                                       .text = &path,
-                                       .help = "write to FILE, whole or not at all"}};
+    const struct cr_option table[] = {CR_CLI_OUTPUT_OPTION(&path)};
     const struct cr_usage usage = {.word = "calibrate-damage",
                                    .operands = "[TABLE.csv]",
                                    .about = about,
