@@ -48,6 +48,14 @@ update-manual: crumple-manual$(EXEEXT)
 	$(SHELL) $(srcdir)/tests/lib_manual.sh $(srcdir)/src/lib/crumple.h >$(srcdir)/man/libcrumple.3
 .PHONY: update-manual
 
+# static analysis of each file by clang-tidy (.clang-tidy) and gcc -fanalyzer, an hour; what they say is to be judged
+analyze: config.h
+	for file in $(srcdir)/src/*/*.c; do \
+	    clang-tidy --quiet $$file -- -std=c11 $(DEFS) $(DEFAULT_INCLUDES) $(AM_CPPFLAGS); \
+	    gcc -std=c11 -O1 -fanalyzer $(DEFS) $(DEFAULT_INCLUDES) $(AM_CPPFLAGS) -c -o /dev/null $$file; \
+	done
+.PHONY: analyze
+
 # what each file is for, in its own words
 map:
 	cd $(srcdir) && $(SHELL) tests/map.sh

@@ -151,13 +151,13 @@ static void look_ahead(struct cr_solver *s) {
     }
 }
 
-/* Is any contact open? What an elastic phase has taken it must give back, be it only rubbing. */
+/* Is any contact open? What began beside one that counts goes on to its end; what only rubs later,
+ * when there is a state to go back to, does not count. */
 static bool in_contact(const struct cr_solver *s) {
     bool open = false;
     for (int p = 0; p < s->cs->n * (s->cs->n - 1) / 2; p++) {
         const struct cr_touch *t = &s->touch[p];
-        bool elastic = t->record >= 0 && s->contact[t->record].phase != CR_PHASE_PLASTIC;
-        open = open || elastic || (t->record >= 0 && !t->rubbing);
+        open = open || (t->record >= 0 && (!t->rubbing || isnan(s->t_free)));
     }
     return open;
 }
