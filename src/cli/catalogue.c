@@ -110,6 +110,18 @@ static enum cr_err write_cars(const struct cr_catalogue *c, const int *found, in
                                 : cr_err_set(err, CR_ERR_MEMORY, "no memory for the list");
 }
 
+/* what was meant may be near */
+static enum cr_err none(const struct cr_catalogue *c, const char *words, struct cr_error *err) {
+    const struct cr_car *car;
+    struct cr_error near = {0};
+    cr_err_set(err, CR_ERR_MISSED, "no car fits '%.80s'", words);
+    if (cr_catalogue_find(c, words, &car, &near) != CR_ERR_OK &&
+        strncmp(near.hint, "did you mean", 12) == 0) {
+        cr_err_hint(err, "%.*s", (int)strcspn(near.hint, "?") + 1, near.hint);
+    }
+    return CR_ERR_MISSED;
+}
+
 static enum cr_err list(const char *words, int format, const char *path, struct cr_error *err) {
     struct cr_cli_shared shared = {0};
     struct cr_str text = {0};
@@ -121,7 +133,7 @@ static enum cr_err list(const char *words, int format, const char *path, struct 
         found = calloc((size_t)cr_catalogue_cars(c) + 1, sizeof *found);
         n = found != NULL ? cr_catalogue_search(c, words, found) : 0;
         code = found == NULL ? cr_err_set(err, CR_ERR_MEMORY, "no memory for the list")
-               : n == 0      ? cr_err_set(err, CR_ERR_MISSED, "no car fits '%.80s'", words)
+               : n == 0      ? none(c, words, err)
                              : write_cars(c, found, n, format, &text, err);
     }
     code = code == CR_ERR_OK ? cr_cli_emit(path, &text, err) : code;
@@ -167,10 +179,11 @@ static enum cr_err import(const char *file, int form, const char *path, struct c
 static enum cr_err choose(char *const *word, int n, int format, const char *path,
                           struct cr_error *err) {
     struct cr_str words = {0};
-    if (n == 2 && strcmp(word[0], "import") == 0) {
-        return format >= REGISTER
+    if (n > 0 && strcmp(word[0], "import") == 0) {
+        return format >= REGISTER && n == 2
                    ? import(word[1], format - REGISTER, path, err)
-                   : cr_err_set(err, CR_ERR_USAGE, "import needs --format=%s", CR_CATALOGUE_FORMS);
+                   : cr_err_set(err, CR_ERR_USAGE, "import needs --format=%s and one FILE",
+                                CR_CATALOGUE_FORMS);
     }
     if (format >= REGISTER) {
         return cr_err_set(err, CR_ERR_USAGE, "--format=%s is for: catalogue import FILE",

@@ -88,6 +88,11 @@ has "a text for a mass has its place" "$errs" "text.csv:2:18: error: 'heavy'"
 run catalogue import "$tmp/rdw.csv"
 same "no format: status 2" "$status" 2
 has "names them" "$errs" 'import needs --format=cvs.rdw.eea'
+run catalogue import --format=rdw
+same "no file: status 2" "$status" 2
+run catalogue volkswagn golf
+same "no car: status 1" "$status" 1
+has "the nearest is named" "$errs" "no car fits 'volkswagn golf' .did you mean 'volkswagen'"
 run catalogue --format=rdw golf
 same "a register is no form of a list" "$status" 2
 finish
