@@ -17,6 +17,7 @@ static const struct {
 };
 
 /* Texts quote files and input: they are made fit to show here, where all of them pass. */
+CR_PRINTF(3, 0)
 static void fill(char *to, size_t size, const char *fmt, va_list ap) {
     char raw[1024];
     vsnprintf(raw, sizeof raw, fmt, ap);

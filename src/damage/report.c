@@ -79,7 +79,9 @@ static void say_measured(const struct cr_crush_car *car, struct cr_str *out) {
     cr_str_addf(out, " +- %.0f cm", 100 * m->depth_tol);
     if (m->z_lo > 0 || isfinite(m->z_hi)) {
         cr_str_addf(out, ", struck from %.2f m up", m->z_lo);
-        cr_str_addf(out, isfinite(m->z_hi) ? " to %.2f m" : "", m->z_hi);
+        if (isfinite(m->z_hi)) {
+            cr_str_addf(out, " to %.2f m", m->z_hi);
+        }
     }
     cr_str_add(out, "\n");
 }

@@ -168,7 +168,7 @@ enum cr_err cr_voxels_substitute(const struct cr_voxels *v, const struct cr_mode
     g.x0 = q->dims.cg_behind_front_axle + q->dims.front_overhang - g.nx * g.h;
     g.y0 = -half * g.h;
     struct cr_arena scratch = {0};
-    struct columns sum = {NULL}, to = {NULL};
+    struct columns sum = {0}, to = {0};
     bool same = same_grid(v, q, &g);
     if (!take_columns(same ? arena : &scratch, v->nx, v->ny, &sum) ||
         (!same && !take_columns(arena, g.nx, g.ny, &to))) {

@@ -18,6 +18,7 @@ void cr_document_fini(struct cr_document *doc) {
     *doc = (struct cr_document){0};
 }
 
+CR_PRINTF(2, 0)
 static const char *vtext(struct cr_document *doc, const char *fmt, va_list args, bool comma) {
     va_list again;
     va_copy(again, args);

@@ -23,7 +23,7 @@ static struct cr_picture_source source_of(const struct cr_paper *p) {
                                                .selected = -1},
                                       .body = -1,
                                       .quantity = CR_QUANTITIES,
-                                      .words = {p->s->lang == CR_LANG_DE ? german : NULL}};
+                                      .words = {.say = p->s->lang == CR_LANG_DE ? german : NULL}};
 }
 
 static enum cr_err draw(struct cr_paper *p, enum cr_picture picture,
