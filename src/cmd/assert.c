@@ -193,7 +193,7 @@ struct column {
 
 static void compare_one(struct cr_session *s, const struct cr_measure *m, int part, double test,
                         struct column *c, double *worst) {
-    char measured[32], got[32], line[160];
+    char measured[32], got[32], line[CR_NAME_MAX + 160];
     double x = cr_measure_shown(m, &s->result->of[part]);
     snprintf(line, sizeof line, "%-4s %-24s %9s %9s %-5s", s->result->resolved.part[part].id,
              m->name, cr_measure_text(m, test, measured, sizeof measured),

@@ -121,7 +121,7 @@ void cr_picture_title(const struct cr_picture_source *s, double time, char *buf,
 
 static enum cr_err plan(const struct cr_picture_source *s, double time, struct cr_canvas **out,
                         struct cr_error *err) {
-    char title[160];
+    char title[CR_NAME_MAX + 160];
     const struct cr_result *r = s->result;
     struct cr_figure_plan p = {.compiled = r != NULL ? r->compiled : s->compiled,
                                .scene = r != NULL ? &r->resolved : s->scene,
@@ -187,7 +187,7 @@ void cr_picture_profile_span(const struct cr_result *r, int body, double *from, 
 static enum cr_err damage(const struct cr_picture_source *s, struct cr_canvas **out,
                           struct cr_error *err) {
     static const char *const faces[CR_FACES] = {"front", "left side", "rear", "right side"};
-    int body;
+    int body = 0;
     enum cr_err code = vehicle_of(s, &body, err);
     if (code != CR_ERR_OK) {
         return code;
@@ -203,7 +203,7 @@ static enum cr_err damage(const struct cr_picture_source *s, struct cr_canvas **
                                .depth = of->profile,
                                .outline_n = of->outline_n,
                                .outline = of->outline};
-    char title[120];
+    char title[CR_NAME_MAX + 120];
     p.centre = cr_vec2(g->x0 + p.length / 2, g->y0 + p.width / 2);
     cr_picture_profile_span(s->result, body, &p.from, &p.to);
     if (s->measured != NULL && s->measured->face == of->face) {
@@ -225,7 +225,7 @@ static enum cr_err damage(const struct cr_picture_source *s, struct cr_canvas **
 static enum cr_err model(const struct cr_picture_source *s, enum cr_project view,
                          struct cr_canvas **out, struct cr_error *err) {
     struct cr_body_voxels v;
-    int body;
+    int body = 0;
     enum cr_err code = vehicle_of(s, &body, err);
     if (code == CR_ERR_OK) {
         code = cr_project_body(s->models, s->result, body, &v, err);
@@ -272,8 +272,8 @@ static void risk_line(const struct cr_picture_source *s, int body, int k, struct
 static enum cr_err risk(const struct cr_picture_source *s, struct cr_canvas **out,
                         struct cr_error *err) {
     struct risk_curves c;
-    char title[160];
-    int body, n = 0;
+    char title[CR_NAME_MAX + 160];
+    int body = 0, n = 0;
     enum cr_err code = vehicle_of(s, &body, err);
     if (code != CR_ERR_OK) {
         return code;
@@ -314,7 +314,7 @@ static enum cr_err risk(const struct cr_picture_source *s, struct cr_canvas **ou
 
 static enum cr_err overview_plan(const struct cr_picture_source *s, double time, struct cr_box at,
                                  struct cr_canvas *canvas, struct cr_error *err) {
-    char title[160];
+    char title[CR_NAME_MAX + 160];
     struct cr_figure_plan p = {.compiled = s->result->compiled,
                                .scene = &s->result->resolved,
                                .result = s->result,

@@ -70,7 +70,7 @@ static enum cr_err number_of(struct cr_xosc *x, const char *text, double *out,
                              struct cr_error *err);
 
 static enum cr_err value_of_name(void *user, const char *name, double *out, struct cr_error *err) {
-    const char *text;
+    const char *text = NULL;
     enum cr_err code = lookup(user, name, &text, err);
     return code == CR_ERR_OK ? number_of(user, text, out, err) : code;
 }

@@ -133,7 +133,7 @@ int cr_repl_main(int argc, char **argv, const char *data_dir, const char *cars_d
     struct cr_repl_options o;
     struct cr_error err;
     char state_dir[1024] = "";
-    struct cr_session *s;
+    struct cr_session *s = NULL;
     int status = cr_repl_read_options(argc, argv, &o);
     if (status != 0) {
         return status;

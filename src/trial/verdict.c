@@ -118,9 +118,8 @@ static bool is_in(const struct cr_test *t, enum cr_test_class class, const char 
         return front || strcmp(group, everything) == 0 || strcmp(group, t->group) == 0 ||
                strcmp(group, t->name) == 0;
     }
-    int n = groups_of(t, own);
     bool in = strcmp(group, "all") == 0;
-    for (int i = 0; i < n; i++) {
+    for (int i = groups_of(t, own) - 1; i >= 0; i--) {
         in = in || strcmp(group, own[i]) == 0;
     }
     return in;

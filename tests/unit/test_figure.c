@@ -144,7 +144,7 @@ static void test_plan_is_to_scale(void **state) {
     check_near((b[0] - a[0]) / k, 0.5 * (5.0 + 3.6), 0.002);
     check_near((a[1] - b[1]) / k, 0.9, 0.002);
     /* the firm outline of A is as long and wide as A */
-    const char *data;
+    const char *data = NULL;
     static double at[4000][2];
     assert_true(find_path(svg, "stroke=\"#0072b2\" stroke-width=\"1.2\"", 0, &data));
     int n = points_of(data, at, 4000);
@@ -189,7 +189,7 @@ static void test_plan_of_a_wall(void **state) {
     render_double_wall(&d);
     struct cr_picture_source source = source_of(&d);
     char *svg = picture(CR_PICTURE_AFTER, &source);
-    const char *data;
+    const char *data = NULL;
     double at[8][2];
     assert_true(find_path(svg, "fill=\"#e6e6e6\"", 0, &data));
     assert_true(points_of(data, at, 8) >= 4);
@@ -209,7 +209,7 @@ static void test_plot_is_to_scale(void **state) {
     char *svg = picture(CR_PICTURE_PULSE, &source);
     double low[2], high[2], t20[2], t40[2];
     static double at[600][2];
-    const char *data;
+    const char *data = NULL;
     assert_true(find_text(svg, "200", 0, low) && find_text(svg, "400", 0, high));
     assert_true(find_text(svg, "20", 0, t20) && find_text(svg, "40", 0, t40));
     /* the first is the line of the legend */
@@ -236,7 +236,7 @@ static void test_histogram(void **state) {
     struct cr_canvas *c = cr_canvas_new(300, 200);
     cr_figure_histogram(c, (struct cr_box){0, 0, 300, 200}, &h, NULL);
     char *svg = svg_of(c);
-    const char *data;
+    const char *data = NULL;
     double at[16][2], ten[2], median[2];
     assert_true(find_path(svg, "fill=\"#a5d785\"", 0, &data));
     assert_int_equal(points_of(data, at, 16), 12); /* three bars; no bar for nothing */
@@ -261,7 +261,7 @@ static void test_tornado(void **state) {
     cr_figure_tornado(c, (struct cr_box){0, 0, 400, 200}, &t, NULL);
     char *svg = svg_of(c);
     double p46[2], p50[2], low[2][2], at[2][5][2];
-    const char *data;
+    const char *data = NULL;
     assert_true(find_text(svg, "46", 0, p46) && find_text(svg, "50", 0, p50));
     double k = (p50[0] - p46[0]) / 4;
     for (int i = 0; i < 2; i++) { /* pale: the lower end of the input */
@@ -288,7 +288,7 @@ static void test_scatter(void **state) {
     cr_figure_scatter(c, (struct cr_box){0, 0, 400, 300}, &s, NULL);
     char *svg = svg_of(c);
     double at[2][5][2], line[2][2];
-    const char *data;
+    const char *data = NULL;
     for (int i = 0; i < 2; i++) {
         assert_true(find_path(svg, "stroke=\"#d55e00\"", i, &data));
         assert_int_equal(points_of(data, at[i], 5), 4); /* squares */
@@ -388,7 +388,7 @@ static void test_damage(void **state) {
     source.measured = &taken;
     char *svg = picture(CR_PICTURE_DAMAGE, &source);
     double at[3][2], own[6][2], face[2][2];
-    const char *data;
+    const char *data = NULL;
     assert_true(find_path(svg, "stroke=\"#0072b2\" stroke-width=\"1.4\"", 0, &data));
     assert_int_equal(points_of(data, own, 6), 6);
     assert_true(find_path(svg, "stroke=\"#d55e00\" stroke-width=\"1.4\"", 0, &data));

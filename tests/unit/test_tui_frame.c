@@ -54,9 +54,9 @@ static void test_one_write(void **state) {
     (void)state;
     char first[64], again[64], empty[64];
     struct pretended t = terminal(false);
-    snprintf(first, sizeof first, "%s", drawn(&t, "\033[1;1Hhello", 0));
-    snprintf(again, sizeof again, "%s", drawn(&t, "x", 1));
-    snprintf(empty, sizeof empty, "%s", drawn(&t, "", 2));
+    snprintf(first, sizeof first, "%.63s", drawn(&t, "\033[1;1Hhello", 0));
+    snprintf(again, sizeof again, "%.63s", drawn(&t, "x", 1));
+    snprintf(empty, sizeof empty, "%.63s", drawn(&t, "", 2));
     fputs("direct", t.curses); /* outside of a frame nothing is held back */
     fflush(t.curses);
     char direct[16] = "";
@@ -75,7 +75,7 @@ static void test_who_does_not_answer_is_not_waited_for(void **state) {
     (void)state;
     char first[64];
     struct pretended t = terminal(true);
-    snprintf(first, sizeof first, "%s", drawn(&t, "hello", 0));
+    snprintf(first, sizeof first, "%.63s", drawn(&t, "hello", 0));
     int waits = cr_frame_wait(0) + cr_frame_awaits(0);
     end(&t);
     assert_string_equal(first, "\033[?2026hhello\033[?2026l");
