@@ -216,7 +216,7 @@ enum cr_err cr_cmd_compare_evidence(struct cr_call *call, struct cr_error *err) 
     struct cr_fit_evidence evidence = {.n = 0};
     struct cr_str text = {0};
     const char *absent = NULL;
-    double found[CR_FIT_TARGETS], within = cr_cmd_number(call, "within", INFINITY), worst = 0;
+    double found[CR_FIT_TARGETS] = {0}, within = cr_cmd_number(call, "within", INFINITY), worst = 0;
     enum cr_err code = cr_session_need_whole(call->s, err);
     if (code == CR_ERR_OK) {
         code = read_evidence(call, &evidence, err);
