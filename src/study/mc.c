@@ -20,12 +20,6 @@ const char *cr_sampling_word(enum cr_sampling sampling) {
     return sampling == CR_SAMPLING_SOBOL ? "sobol" : "latin";
 }
 
-static int measures(void) {
-    int n;
-    cr_measures(&n);
-    return n;
-}
-
 /* Inputs of one group follow one dimension, a "-" in front of the name turns it round. */
 static const char *group_name(const struct cr_study_input *in) {
     return in->group[0] == '-' ? in->group + 1 : in->group;
@@ -114,7 +108,7 @@ static void *take(void *user) {
 }
 
 static double *results_of(const struct cr_mc *mc, double *all, int draw_index, int part) {
-    return all + ((long)draw_index * mc->participants + part) * measures();
+    return all + ((long)draw_index * mc->participants + part) * cr_mc_measures();
 }
 
 static enum cr_err set_voxel(struct cr_scene *scene, double voxel, struct cr_error *err) {
@@ -211,7 +205,8 @@ static enum cr_err solve_nominal(struct cr_mc *mc, const struct cr_context *ctx,
         }
         size_t n = (size_t)mc->opts.draws;
         mc->input = calloc(n * (size_t)mc->study.n, sizeof *mc->input);
-        mc->result = calloc(n * (size_t)mc->participants * (size_t)measures(), sizeof *mc->result);
+        mc->result =
+            calloc(n * (size_t)mc->participants * (size_t)cr_mc_measures(), sizeof *mc->result);
         if (mc->nominal == NULL || mc->input == NULL || mc->result == NULL ||
             !cr_mc_grid_open(mc)) {
             code = cr_err_set(err, CR_ERR_MEMORY, "no memory for the draws");

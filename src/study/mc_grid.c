@@ -22,7 +22,7 @@ static const double share_most = 0.2, value_most = 0.01;
  * middle */
 static const double sd_of_median = 1.4826;
 
-static int measures(void) {
+int cr_mc_measures(void) {
     int n;
     cr_measures(&n);
     return n;
@@ -43,7 +43,7 @@ static double middle(double *x, int n, double *scatter) {
 }
 
 bool cr_mc_grid_open(struct cr_mc *mc) {
-    size_t results = (size_t)mc->participants * (size_t)measures();
+    size_t results = (size_t)mc->participants * (size_t)cr_mc_measures();
     bool finer = mc->own_voxel < 0.8 * coarse && !mc->opts.own_grid;
     for (int i = 0; i < mc->study.n; i++) {
         finer = finer && strcmp(mc->study.in[i].key, "voxel_mm") != 0;
@@ -63,7 +63,8 @@ bool cr_mc_grid_open(struct cr_mc *mc) {
 static bool compare(struct cr_mc *mc, int part, int measure) {
     const struct cr_measure *m = &cr_measures(&(int){0})[measure];
     double difference[BOTH], own[BOTH], scatter, spread;
-    long results = (long)mc->participants * measures(), at = (long)part * measures() + measure;
+    long results = (long)mc->participants * cr_mc_measures(),
+         at = (long)part * cr_mc_measures() + measure;
     double nominal = cr_measure_get(m, &mc->nominal[part]);
     int n = 0;
     for (int i = 0; i < mc->both; i++) {
@@ -87,7 +88,7 @@ static bool compare(struct cr_mc *mc, int part, int measure) {
 void cr_mc_grid_choose(struct cr_mc *mc) {
     bool serves = true;
     for (int p = 0; p < mc->participants; p++) {
-        for (int k = 0; k < measures(); k++) {
+        for (int k = 0; k < cr_mc_measures(); k++) {
             const struct cr_measure *m = &cr_measures(&(int){0})[k];
             bool same = compare(mc, p, k);
             bool asked = strcmp(m->name, "ees") == 0 || strcmp(m->name, "delta_v") == 0;
@@ -98,9 +99,9 @@ void cr_mc_grid_choose(struct cr_mc *mc) {
 }
 
 void cr_mc_grid_shift(struct cr_mc *mc) {
-    long results = (long)mc->participants * measures();
+    long results = (long)mc->participants * cr_mc_measures();
     for (long i = mc->both * results; mc->voxel > mc->own_voxel && i < mc->done * results; i++) {
-        const struct cr_measure *m = &cr_measures(&(int){0})[i % measures()];
+        const struct cr_measure *m = &cr_measures(&(int){0})[i % cr_mc_measures()];
         /* an angle has no scale on which a grid could make it greater */
         mc->result[i] += m->dim != CR_DIM_ANGLE ? mc->grid[i % results].shift : 0;
     }

@@ -4,6 +4,8 @@
 
 #include "study/study.h"
 
+/* how many results each participant has */
+int cr_mc_measures(void);
 /* x - y of a result, the short way round where it is an angle */
 double cr_mc_difference(const struct cr_measure *m, double x, double y);
 

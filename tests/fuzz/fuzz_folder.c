@@ -2,11 +2,11 @@
  * EV5 file or an ERG description with what lies beside it, a scenario with its catalogue. Behind a
  * line "=== N" stands the file of that number. What comes out of import is a scene that reads or an
  * error object; a curve of it is finite over rising times. */
+#include "scene.h"
 #include "scratch.h"
 
 #include "import/import.h"
 #include "result/signal.h"
-#include "scene/scene.h"
 
 #include <math.h>
 #include <string.h>
@@ -24,19 +24,6 @@ static const char *const names[] = {"participant_data.csv",
                                     "t.xosc",
                                     "vehicles.xosc"};
 enum { NAMES = sizeof names / sizeof names[0] };
-
-static enum cr_err take(void *user, const struct cr_str *line, struct cr_error *err) {
-    struct cr_scene scene;
-    (void)user;
-    if (strncmp(line->s, "{\"crumple_result\"", 17) != 0) {
-        if (cr_scene_parse(line->s, line->len, "scene", &scene, err) != CR_ERR_OK) {
-            fprintf(stderr, "%s: %s\n", err->where, err->text);
-            abort();
-        }
-        cr_scene_fini(&scene);
-    }
-    return CR_ERR_OK;
-}
 
 static void read_curve(void) {
     const struct cr_signal_pick pick = {.object = 1};

@@ -1,25 +1,11 @@
 /* Any bytes as a file of the format that it has by its content, and of one of the others: scenes
  * that can be read, or errors with a text. */
+#include "scene.h"
 #include "scratch.h"
 
 #include "import/import.h"
-#include "scene/scene.h"
 
 #include <string.h>
-
-/* what comes out is a scene that reads, or an error object */
-static enum cr_err take(void *user, const struct cr_str *line, struct cr_error *err) {
-    struct cr_scene scene;
-    (void)user;
-    if (strncmp(line->s, "{\"crumple_result\"", 17) != 0) {
-        if (cr_scene_parse(line->s, line->len, "scene", &scene, err) != CR_ERR_OK) {
-            fprintf(stderr, "%s: %s\n", err->where, err->text);
-            abort();
-        }
-        cr_scene_fini(&scene);
-    }
-    return CR_ERR_OK;
-}
 
 static void failed(void *user, const struct cr_error *why) {
     (void)user;
