@@ -82,8 +82,7 @@ enum cr_err cr_draw_uniform(const struct cr_mc_opts *opts, int dims, double *u,
 }
 
 double cr_draw_value(const struct cr_study_input *in, double u) {
-    static const double z_95 = 1.959963984540054; /* half holds 95 % of a normal distribution */
-    double x = 0;                                 /* in half widths */
+    double x = 0; /* in half widths */
     switch (in->spread) {
     case CR_SPREAD_UNIFORM:
         x = 2 * u - 1;
@@ -92,7 +91,7 @@ double cr_draw_value(const struct cr_study_input *in, double u) {
         x = u < 0.5 ? sqrt(2 * u) - 1 : 1 - sqrt(2 * (1 - u));
         break;
     default:
-        x = gsl_cdf_ugaussian_Pinv(u) / z_95;
+        x = gsl_cdf_ugaussian_Pinv(u) / CR_Z_95;
         break;
     }
     double value = in->factor ? in->value * exp(x * in->half) : in->value + x * in->half;

@@ -4,6 +4,9 @@
 
 #include "study/study.h"
 
+/* the 97.5 % point of a standard normal distribution: how many deviations a half width has */
+#define CR_Z_95 1.959963984540054
+
 /* n draws of `dims` independent uniform numbers, 0 < u < 1, into u[n * dims]. Errors: USAGE
  * without GSL, RANGE for more dimensions than Sobol's sequence has, MEMORY. */
 CR_MUST_CHECK enum cr_err cr_draw_uniform(const struct cr_mc_opts *opts, int dims, double *u,

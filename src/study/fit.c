@@ -17,8 +17,6 @@
 #include <gsl/gsl_linalg.h>
 #include <nlopt.h>
 
-/* tolerances hold 95 % of a normal distribution */
-static const double z_95 = 1.959963984540054;
 /* residual of a place without a result, in standard deviations: worse than any with one */
 static const double nothing = 1e3;
 
@@ -61,7 +59,7 @@ static bool residuals(struct search *s, const double *x, double *found, double *
     for (int k = 0; k < fit->evidence.n; k++) {
         const struct cr_fit_target *t = &fit->evidence.target[k];
         found[k] = code == CR_ERR_OK ? cr_fit_found(result, t) : (double)NAN;
-        out[k] = isfinite(found[k]) ? (found[k] - t->value) * z_95 / t->half : nothing;
+        out[k] = isfinite(found[k]) ? (found[k] - t->value) * CR_Z_95 / t->half : nothing;
     }
     cr_result_free(result);
     return code == CR_ERR_OK;
@@ -197,7 +195,8 @@ static double sum_at(struct search *s, const double *way, double step) {
  * derivatives of what voxels give are too rough for the ways that are nearly free. */
 static double free_way(struct search *s, const double *way) {
     static const double steps[] = {0.005, 0.01, 0.02, 0.04, 0.08, 0.16, 0.32, 0.64};
-    double limit = s->best + z_95 * z_95 * fmax(1, s->fit->misfit * s->fit->misfit), widest = 0;
+    double limit = s->best + CR_Z_95 * CR_Z_95 * fmax(1, s->fit->misfit * s->fit->misfit),
+           widest = 0;
     for (int sign = -1; sign <= 1; sign += 2) {
         double before = 0, reached = s->best;
         for (size_t k = 0; k < sizeof steps / sizeof steps[0]; k++) {
