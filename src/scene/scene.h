@@ -52,8 +52,7 @@ enum cr_spread {
 enum { CR_TOLERANCE_MAX = 16, CR_GROUP_MAX = 24 };
 
 /* What is assumed of a vehicle by a rule from which cars are known to differ, and what moves no
- * outline: a position is that of the CG. X(NAME, key, what the factor is called by which it differs)
- */
+ * outline: a position is that of the CG. X(NAME, key, name of the factor by which it differs) */
 #define CR_RULED_LIST(X)                                                                           \
     X(MASS, "kerb_mass_kg", "kerb_mass_factor")                                                    \
     X(TRACK, "track_m", "track_factor")                                                            \

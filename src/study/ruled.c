@@ -1,5 +1,5 @@
-/* What rules assume of the vehicles of a scene as inputs of a study: each is drawn about its rule in
- * the scene that is solved, so that it follows a mass or a length that is drawn too. */
+/* What rules assume of the vehicles of a scene as inputs of a study: each is drawn about its rule
+ * in the scene that is solved, so that it follows a mass or a length that is drawn too. */
 #include "study/draw.h"
 
 #include "scene/keys.h"

@@ -60,9 +60,9 @@ CR_MUST_CHECK enum cr_err cr_scatter_read(const char *data_dir, struct cr_scatte
 CR_MUST_CHECK enum cr_err cr_study_open(const struct cr_scene *scene,
                                         const struct cr_scatter *scatter, struct cr_study *out,
                                         struct cr_error *err);
-/* Beside the inputs that it has: what rules assume of the vehicles of the scene, as little as that is
- * known. What was given is not drawn. Errors: those of study->make and of cr_scene_resolve, RANGE
- * for more than CR_STUDY_INPUTS. */
+/* Beside the inputs that it has: what rules assume of the vehicles of the scene, as little as that
+ * is known. What was given is not drawn. Errors: those of study->make and of cr_scene_resolve,
+ * RANGE for more than CR_STUDY_INPUTS. */
 CR_MUST_CHECK enum cr_err cr_study_add_ruled(struct cr_study *study,
                                              const struct cr_scatter *scatter,
                                              const struct cr_model_lib *lib, struct cr_error *err);

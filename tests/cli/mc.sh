@@ -112,7 +112,8 @@ refused "a picture in another form" 2 'ends in .svg, .pdf or .png' mc "$demo" -p
 
 wall_scene >"$tmp/plain.json"
 run mc "$demo" --draws 10 -p "tornado=$tmp/few.svg"
-has "no tornado of too few draws" "$status:$errs" '^3:.*10 draws are too few for effects of 8 inputs'
+has "no tornado of too few draws" "$status:$errs" \
+    '^3:.*10 draws are too few for effects of 8 inputs'
 refused "nothing varies" 3 'nothing varies.*56\+-3km/h' mc "$tmp/plain.json" --no-scatter
 refused "a result that is none" 2 'no such result' mc "$demo" --draws 10 --plot A.colour
 refused "too few draws" 2 'draws' mc "$demo" --draws 3

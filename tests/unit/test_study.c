@@ -188,7 +188,8 @@ static void tolerances_are_read_and_written(void **state) {
     struct cr_uncertain u[4];
     struct cr_error err = {0};
     struct cr_str text = {0};
-    assert_int_equal(cr_scene_parse(uncertain_text, strlen(uncertain_text), "t", &scene, &err), CR_ERR_OK);
+    assert_int_equal(cr_scene_parse(uncertain_text, strlen(uncertain_text), "t", &scene, &err),
+                     CR_ERR_OK);
     assert_int_equal(cr_scene_uncertain(&scene, u, 4), 3);
     assert_string_equal(u[0].key, "restitution");
     assert_int_equal(u[0].how.spread, CR_SPREAD_UNIFORM);
@@ -223,7 +224,8 @@ static void tolerances_are_read_and_written(void **state) {
 static void refuse(const char *key, const char *value, enum cr_err code, const char *says) {
     struct cr_scene scene;
     struct cr_error err = {0};
-    assert_int_equal(cr_scene_parse(uncertain_text, strlen(uncertain_text), "t", &scene, &err), CR_ERR_OK);
+    assert_int_equal(cr_scene_parse(uncertain_text, strlen(uncertain_text), "t", &scene, &err),
+                     CR_ERR_OK);
     assert_int_equal(cr_scene_set(&scene, key, value, &err), code);
     if (strstr(err.text, says) == NULL) {
         fail_msg("'%s' does not say '%s'", err.text, says);
@@ -247,7 +249,8 @@ static void a_study_has_the_scatter_of_types(void **state) {
     struct cr_study study;
     struct cr_error err = {0};
     const struct cr_scatter scatter = {.energy = {[CR_TYPE_SUV] = 0.3}};
-    assert_int_equal(cr_scene_parse(uncertain_text, strlen(uncertain_text), "t", &scene, &err), CR_ERR_OK);
+    assert_int_equal(cr_scene_parse(uncertain_text, strlen(uncertain_text), "t", &scene, &err),
+                     CR_ERR_OK);
     assert_int_equal(cr_study_open(&scene, NULL, &study, &err), CR_ERR_OK);
     assert_int_equal(study.n, 3);
     assert_int_equal(cr_study_open(&scene, &scatter, &study, &err), CR_ERR_OK);
