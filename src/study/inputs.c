@@ -1,8 +1,9 @@
-/* Which inputs of a scene vary, and the scene that has drawn values in their place. */
-#include "study/draw.h"
+/* Finds which inputs of a scene vary, and makes the scene that has drawn values in their place. */
+#include "study/study.h"
 
 #include "base/file.h"
 #include "base/json.h"
+#include "base/stats.h"
 #include "scene/keys.h"
 
 #include <cjson/cJSON.h>

@@ -1,7 +1,8 @@
-/* What rules assume of the vehicles of a scene as inputs of a study: each is drawn about its rule
- * in the scene that is solved, so that it follows a mass or a length that is drawn too. */
-#include "study/draw.h"
+/* Adds what rules assume of the vehicles of a scene to the inputs of a study: each is drawn about
+ * its rule in the scene that is solved, so that it follows a mass or a length that is drawn too. */
+#include "study/study.h"
 
+#include "base/stats.h"
 #include "scene/keys.h"
 
 #include <math.h>
