@@ -41,7 +41,8 @@ scene <- jsonlite::fromJSON(file.path(Sys.getenv("SRC"), "share/scenes/wall-56.j
 at <- function(v) { scene$participants[[1]]$speed_kmh <<- v; scene }
 r <- crumple_solve(at(40), set = "restitution=0")
 stopifnot(abs(crumple_value(r, "A.delta_v_kmh") - 40) < 0.5, length(r$trace$t_s) > 10,
-          r$contacts[[1]]$restitution == 0, r$participants$A$ees_kmh == crumple_value(r, "A.ees_kmh"),
+          r$contacts[[1]]$restitution == 0,
+          r$participants$A$ees_kmh == crumple_value(r, "A.ees_kmh"),
           crumple_value(r, "A.injury.gidas-mais2.probability") > 0,
           is.na(crumple_value(r, "A.colour")))
 d <- crumple_solve_many(list(at(30), at(40), list(crumple = 1)), c("A.ees_kmh", "A.cdc"))
@@ -61,7 +62,8 @@ own$participants[[1]]$model <- list(file = "own.json")
 folder <- file.path(Sys.getenv("TMP"), "R & more")
 dir.create(folder)
 writeLines(jsonlite::toJSON(own, auto_unbox = TRUE, digits = NA), file.path(folder, "scene.json"))
-system2(Sys.getenv("CRUMPLE"), c("models", "compact/12", "--flat", "--to", shQuote(file.path(folder, "own.json"))))
+to <- shQuote(file.path(folder, "own.json"))
+system2(Sys.getenv("CRUMPLE"), c("models", "compact/12", "--flat", "--to", to))
 there <- crumple_solve(file.path(folder, "scene.json"))
 many <- crumple_solve_many(list(file.path(folder, "scene.json")), "A.ees_kmh")
 stopifnot(identical(many$A.ees_kmh, crumple_value(there, "A.ees_kmh")), is.na(many$error))
