@@ -221,6 +221,11 @@ static enum cr_err read_case(struct road *r, struct cr_error *err) {
     if (code == CR_ERR_OK && !(r->step > 0)) {
         code = cr_xml_fault(r->shown, r->root, err, CR_ERR_RANGE, "timeStepSize must be above 0");
     }
+    const char *version = cr_xml_attr(r->root, "commonRoadVersion");
+    if (version == NULL || !one_of(version, "2018b 2020a")) {
+        cr_import_note(r->im, "version \"%.20s\" of CommonRoad is not known: read as 2020a",
+                       version != NULL ? version : "");
+    }
     cr_import_point(r->im, CR_POINT_CENTRE);
     for (const struct cr_xml_node *o = r->root->child; o != NULL && code == CR_ERR_OK;
          o = o->next) {
