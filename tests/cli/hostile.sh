@@ -158,7 +158,7 @@ quiet "such a name of a result in diff" "$crumple" diff result.json "$ugly.resul
 run audit other.json
 has "and the difference is told" "$out" "differs first"
 
-# a line of 30 KB is not echoed whole: what is wrong stays with its caret below, in a hundred columns
+# a line of 30 KB is not echoed whole: what is wrong stays, with its caret below
 awk 'BEGIN { printf "list "; while (n++ < 30000) printf "x"; print "" }' >long.crumple
 awk 'BEGIN { while (n++ < 3000) printf "list; "; print "bogus" }' >many.crumple
 for line in long:6 many:18001; do

@@ -15,7 +15,7 @@
 static inline const char *scratch_dir(void);
 
 static inline char *scratch_path(const char *name) {
-    static char path[128];
+    static char path[400];
     snprintf(path, sizeof path, "%s/%s", scratch_dir(), name);
     return path;
 }
