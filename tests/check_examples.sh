@@ -113,7 +113,8 @@ update() {
 # runs COMMAND PROGRAM: what it prints is what is shown, up to a tenth of its numbers
 runs() {
     (cd "$tmp" && CRUMPLE_DATA=$SRC CRUMPLE_LIBRARY=$BUILD/libcrumple.so.0 LD_LIBRARY_PATH=$BUILD \
-        PYTHONPATH=$SRC/bindings PYTHONDONTWRITEBYTECODE=1 sh -c "$1") >"$tmp/got" 2>&1 <"$tmp/pole.json"
+        PYTHONPATH=$SRC/bindings PYTHONDONTWRITEBYTECODE=1 sh -c "$1") \
+        >"$tmp/got" 2>&1 <"$tmp/pole.json"
     report $? "README.md: the program in $2 runs"
     [ "$(wc -l <"$tmp/program.$2")" -le 10 ]
     report $? "it has ten lines at most"
