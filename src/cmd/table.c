@@ -275,10 +275,8 @@ static const struct cr_arg explain_args[] = {
 };
 
 static const struct cr_arg compare_args[] = {
-    OPTION(
-        "FILE", CR_VALUE_FILE, .words = ".json|.csv|.EV5|.mme|.zip|.nnn",
-        .help =
-            "measured values, a curve, a crash test (its folder, or channel .001 ...), a result"),
+    OPTION("FILE", CR_VALUE_FILE, .words = ".json|.csv|.EV5|.mme|.zip|.nnn",
+           .help = "measured values, a curve, a crash test (or its folder), or another result"),
     REST("EVIDENCE=VALUE ...", CR_VALUE_TEXT,
          .help = "in place of a file, as fit takes it: rest.A=12,3m, dv.B=43+-4km/h, "
                  "crush.A=12,14,20,22,18,10cm ..."),

@@ -1,7 +1,7 @@
 /* Any bytes as a folder of files that belong together: tables of a PCM, ISO-MME with a channel, an
  * EV5 file or an ERG description with what lies beside it, a scenario with its catalogue, a table
- * with the user's map of it. Behind a line "=== N" stands the file of that number. What comes out of import is a scene that reads or an
- * error object; a curve of it is finite over rising times. */
+ * with the user's map of it. Behind a line "=== N" stands the file of that number. What comes out
+ * of import is a scene that reads or an error object; a curve of it is finite over rising times. */
 #include "scene.h"
 #include "scratch.h"
 
@@ -48,7 +48,7 @@ static void read_curve(void) {
 
 /* the folder, or with a map the table alone, which is what maps are for */
 static void import_all(const struct cr_model_lib *models, bool mapped) {
-    char table[128], map[128];
+    char table[400], map[400];
     const char *path = mapped ? table : scratch_dir();
     struct cr_import_count count = {0};
     struct cr_error err = {0};
