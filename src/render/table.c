@@ -41,8 +41,6 @@ static double at_rest_or_none(const struct cr_outcome *o, double x) {
 OF(get_mass, cr_result_mass(s->result, s->body))
 OF(get_ees, cr_kmh(s->of->ees))
 OF(get_delta_v, cr_kmh(s->of->delta_v))
-OF(get_impacts, s->of->impacts)
-OF(get_net, cr_kmh(s->of->delta_v_net))
 OF(get_forward, cr_kmh(s->of->delta_v_body.x))
 OF(get_left, cr_kmh(s->of->delta_v_body.y))
 OF(get_world_x, cr_kmh(s->of->delta_v_world.x))
@@ -83,6 +81,14 @@ OF(now_area, s->now.crushed)
 OF(now_ees, cr_kmh(sqrt(2 * fmax(s->now.energy, 0) / get_mass(s))))
 OF(now_delta_v, cr_kmh(cr_vec2_len(cr_vec2_sub(s->now.vel, s->outcome->before.vel))))
 #undef OF
+
+static double get_net(const struct source *s) {
+    return cr_kmh(s->of->delta_v_net);
+}
+
+static double get_impacts(const struct source *s) {
+    return s->of->impacts;
+}
 
 static void put_type(const struct source *s, char *buf, int size) {
     const struct cr_participant *part = &s->result->resolved.part[s->body];
