@@ -1,8 +1,9 @@
-/* GIDAS and IGLAD pre-crash matrices (PCM) of both generations: an SQLite database, or a folder of
- * CSV files named like the tables, as mdb-export makes them of an Access file. */
+/* Reads the pre-crash matrices (PCM) of the accident databases GIDAS and IGLAD, of both
+ * generations: an SQLite database, or a folder of CSV files named like the tables, as mdb-export
+ * makes them of an Access file. */
 #include "config.h"
 
-#include "import/import_priv.h"
+#include "import/reader.h"
 
 #include <string.h>
 
@@ -16,7 +17,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Columns by their names in version 5 and before. X(NAME, table, v5, before, needed) */
+/* Columns by their names in version 5 and before: X(NAME, table, v5, before, needed). */
 #define PCM_COLUMNS(X)                                                                             \
     X(CASE, "participant_data", "CASEID", "FALL", true)                                            \
     X(PART, "participant_data", "PARTID", "BETNR", true)                                           \
@@ -61,7 +62,7 @@ struct pcm {
     struct cr_import *im;
     sqlite3 *db;
     int old;                 /* 1: the generation before version 5 */
-    const char *of[COLUMNS]; /* expression that gives the column, "NULL" if it is not there */
+    const char *of[COLUMNS]; /* the SQL that gives the column, "NULL" if it is not there */
     sqlite3_stmt *parts, *rows;
     bool more_parts, more_rows; /* a row is at hand */
     char slip[160];             /* a column that is read under another name; "": none */
@@ -150,7 +151,8 @@ static enum cr_err find_columns(struct pcm *m, struct cr_error *err) {
     return code;
 }
 
-/* Both streams go through the cases in one order, numbered, so that each table is sorted once. */
+/* Opens the streams of participants and of rows. Both go through the cases in one order, numbered,
+ * so that each table is sorted once. */
 static enum cr_err open_streams(struct pcm *m, struct cr_error *err) {
     struct cr_str parts = {0}, rows = {0};
     const char *id = m->of[CASE];
@@ -206,7 +208,7 @@ static const char *text(sqlite3_stmt *row, int column) {
     return s != NULL ? (const char *)s : "";
 }
 
-/* column of the participants' stream; of the rows' */
+/* The value of a column in the stream of participants, and in that of rows. */
 static double of_part(const struct pcm *m, int column) {
     return number(m->parts, 1 + column - CASE);
 }
@@ -214,7 +216,8 @@ static double of_row(const struct pcm *m, int column) {
     return number(m->rows, 1 + column - D_CASE);
 }
 
-/* Texts of the columns from `first` to before `end` of a stream are numbers all the same. */
+/* Checks that what is text in the columns from `first` to before `end` of a stream reads as
+ * numbers. */
 static enum cr_err check_numbers(const struct pcm *m, int first, int end, const char *id,
                                  struct cr_error *err) {
     sqlite3_stmt *row = first < D_CASE ? m->parts : m->rows;
@@ -306,8 +309,8 @@ static enum cr_err row_step(struct pcm *m, struct cr_error *err) {
     return cr_sql_step(m->im, m->db, m->rows, &m->more_rows, err);
 }
 
-/* All of case n: its participants, then its rows. A fault of the case is kept in *sick, so that the
- * streams go on to the next. */
+/* Reads all of case n: its participants, then its rows. A fault of the case is kept in *sick, so
+ * that the streams go on to the next. */
 static enum cr_err read_case(struct pcm *m, long long n, bool wanted, struct cr_error *sick,
                              struct cr_error *err) {
     enum cr_err code = CR_ERR_OK;
