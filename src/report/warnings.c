@@ -32,11 +32,6 @@ static const struct {
      "and EES are extrapolated",
      "%: Annäherung % km/h liegt außerhalb von % bis % km/h der Versuche (%) hinter den Modellen: "
      "Tiefe und EES sind extrapoliert"},
-    {"%: its mass as crashed, % kg, is less than its kerb mass, % kg: a car weighs that much when "
-     "it "
-     "is empty; check the two",
-     "%: Masse im Unfall, % kg, unter dem Leergewicht, % kg: so viel wiegt ein Auto schon leer; "
-     "beide prüfen"},
     {"% with %: restitution % is above the % of measured crashes; set \"restitution\" lower or "
      "\"auto\"",
      "% mit %: Stoßziffer % liegt über % gemessener Kollisionen; \"restitution\" kleiner oder "
