@@ -89,7 +89,7 @@ static const char *const others[] = {"IXX",      "IYY", "AX",    "AY",    "AZ", 
                                      "Y",        "Z",   "VZ",    "POSZ",  "ZPOS", "POSPHI",
                                      "POSTHETA", "PHI", "THETA", "PITCH", "ROLL"};
 
-/* whether a column is one of those that are known, by either generation */
+/* Tells whether a column is one of those that are known, of either generation. */
 static bool is_known(const char *name) {
     bool known = false;
     for (int i = 0; i < COLUMNS; i++) {
@@ -104,7 +104,7 @@ static bool is_known(const char *name) {
     return known;
 }
 
-/* A column that is not there, and need not be, may be there under a misspelt name: the user is told
+/* Looks for a column that is not there, and need not be, under a misspelt name: the user is told
  * so, else a mass would be assumed beside one that was given. */
 static enum cr_err find_slip(struct pcm *m, int column, struct cr_error *err) {
     const char *name = columns[column].name[m->old];

@@ -11,7 +11,8 @@
 
 /* 49 CFR 563.8 allows 10 %, and delta-v is recorded in steps of 1 km/h [EDR-ACCURACY]. */
 static const double half_share = 0.1, half_least = 1 / 3.6;
-/* s: a trigger comes with the first milliseconds of the pulse, or late in a soft one */
+/* The times in s at which a recorder may have triggered, and the steps in which they are tried: a
+ * trigger comes with the first milliseconds of the pulse, or late in a soft one. */
 static const double earliest = -0.02, latest = 0.05, step = 1e-4;
 
 /* The change of velocity since the first contact, m/s, at the ends of the samples of a pulse. */

@@ -154,8 +154,8 @@ struct cr_context {
     bool keep;          /* a solve that was cancelled after the first contact leaves what it has */
 };
 
-/* cr_solver_new for a resolved scene and the case made of it: an error names bodies that overlap at
- * the start by their ids, and says which to move how far. */
+/* Calls cr_solver_new for a resolved scene and the case made of it; an error names bodies that
+ * overlap at the start by their ids, and says which to move how far. */
 CR_MUST_CHECK enum cr_err cr_result_solver(const struct cr_scene *scene, const struct cr_case *cs,
                                            struct cr_solver **out, struct cr_error *err);
 

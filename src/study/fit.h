@@ -89,11 +89,12 @@ CR_MUST_CHECK enum cr_err cr_fit_range(const char *text, enum cr_dim dim,
  * those of cr_scene_get and cr_fit_range, TYPE for a key that is no number. */
 CR_MUST_CHECK enum cr_err cr_fit_scene_input(const struct cr_scene *scene, const char *text,
                                              struct cr_study_input *out, struct cr_error *err);
-/* study->make of a study of such inputs. Errors: those of cr_scene_copy and cr_scene_set. */
+/* The study->make of a study of such inputs: a copy of the scene with the values set. Errors: those
+ * of cr_scene_copy and cr_scene_set. */
 CR_MUST_CHECK enum cr_err cr_fit_scene_make(const struct cr_study *study, const double *value,
                                             struct cr_scene *out, struct cr_error *err);
 
-/* Add what was found to out, in lines and as JSON. Errors: MEMORY. */
+/* Add what was found to out, one in lines, the other as JSON. Errors: MEMORY. */
 CR_MUST_CHECK enum cr_err cr_fit_text(const struct cr_fit *fit, struct cr_str *out,
                                       struct cr_error *err);
 CR_MUST_CHECK enum cr_err cr_fit_json(const struct cr_fit *fit, struct cr_str *out,

@@ -14,7 +14,7 @@
 
 static const char factor_key[] = ".model.energy_factor";
 
-/* the standard deviations of a table, by type, "other" for those without a row */
+/* Reads the standard deviations of a table by type; "other" is that of types without a row. */
 static enum cr_err read_table(const cJSON *json, const char *name, const char *path,
                               double sd[CR_TYPES], struct cr_error *err) {
     const cJSON *table = cJSON_GetObjectItemCaseSensitive(json, name);

@@ -302,7 +302,7 @@ void cr_mc_free(struct cr_mc *mc) {
 
 /* ---- statistics ---- */
 
-/* with fewer draws lines follow the chance of these draws, not the inputs */
+/* With fewer draws for each independent input, fitted lines follow the chance of these draws. */
 enum { DRAWS_PER_EFFECT = 3 };
 
 static void make_histogram(const double *sorted, int n, struct cr_mc_stats *out) {

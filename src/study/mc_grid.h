@@ -7,7 +7,7 @@
 
 /* How many results each participant has. */
 int cr_mc_measures(void);
-/* x - y of a result, the short way round where it is an angle. */
+/* Gives x - y of a result, the short way round where it is an angle. */
 double cr_mc_difference(const struct cr_measure *m, double x, double y);
 
 /* Decides before the first draw how many are solved on both grids, and makes room for them. False

@@ -17,10 +17,10 @@ static const struct {
 #undef X
 };
 
-/* from half to twice the rule's value: farther out there are no cars */
+/* Draws lie from half to twice the rule's value, because there are no cars farther out. */
 static const double least = 0.5, most = 2;
 
-/* standard deviation of the logarithm of what was assumed; 0 where none is known */
+/* Standard deviation of the logarithm of what was assumed; 0 where none is known. */
 static double log_sd(const struct cr_scene *full, const struct cr_assumed *assumed, int part,
                      enum cr_ruled what, const struct cr_scatter *scatter) {
     const struct cr_participant *p = &full->part[part];

@@ -15,7 +15,7 @@
 
 #include <stdbool.h>
 
-/* six for each of 16 vehicles that nobody measured, and tolerances */
+/* How many inputs may vary: six for each of 16 vehicles that nobody measured, and tolerances. */
 enum { CR_STUDY_INPUTS = 128 };
 
 /* An input that varies. */
