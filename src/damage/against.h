@@ -5,8 +5,8 @@
 #include "damage/crush.h"
 #include "result/result.h"
 
-/* Residual depths that a solve leaves on participant `body` at the stations of m, against those that
- * were measured. */
+/* Residual depths that a solve leaves on participant `body` at the stations of m, against those
+ * that were measured. */
 void cr_crush_against(const struct cr_result *result, int body, const struct cr_measured *m,
                       struct cr_crush_against *out);
 /* The same as lines for the participant `id`. */

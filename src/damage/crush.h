@@ -31,8 +31,8 @@ struct cr_measured {
     double z_lo, z_hi;            /* heights that were struck, m; 0 and INFINITY: all */
     bool guessed; /* Nothing was measured: the depth is the one at which the vehicle takes as much
                      energy as such partners took in real crashes. */
-    /* Tolerances that hold 95 %: of all depths together, of length and offset (m), of the PDOF (rad)
-     * and of the mass (kg). */
+    /* Tolerances that hold 95 %: of all depths together, of length and offset (m), of the PDOF
+     * (rad) and of the mass (kg). */
     double depth_tol, length_tol, offset_tol, pdof_tol, mass_tol;
 };
 /* Nothing measured, with the usual tolerances: 3 cm, 5 cm, 5 cm, 20 degrees. */
@@ -56,7 +56,8 @@ CR_MUST_CHECK enum cr_err cr_crush_stations_read(const char *text, struct cr_mea
                                                  struct cr_error *err);
 CR_MUST_CHECK enum cr_err cr_crush_outline_read(const char *text, struct cr_measured *m,
                                                 struct cr_error *err);
-/* The PDOF square to a face, rad clockwise from ahead: 0 for the front, 90 degrees for the right. */
+/* The PDOF square to a face, rad clockwise from ahead: 0 for the front, 90 degrees for the
+ * right. */
 double cr_crush_square(enum cr_face face);
 /* Words of faces: front, left, rear, right; -1 if there is none. */
 const char *cr_crush_face_word(enum cr_face face);
@@ -114,8 +115,8 @@ struct cr_crush_car {
     struct cr_grid grid;                    /* dynamic, of the heights struck */
     const struct cr_crush_against *against; /* borrowed; NULL: no solve beside it */
 };
-/* A vehicle with the voxels of its damaged face (25 mm, in the arena) and with what was not given of
- * the measurement filled in. Errors: those of cr_crush_check and of the models. */
+/* A vehicle with the voxels of its damaged face (25 mm, in the arena) and with what was not given
+ * of the measurement filled in. Errors: those of cr_crush_check and of the models. */
 CR_MUST_CHECK enum cr_err cr_crush_open(const struct cr_model_lib *lib,
                                         const struct cr_participant *p,
                                         const struct cr_measured *measured, struct cr_arena *arena,

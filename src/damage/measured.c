@@ -1,5 +1,5 @@
-/* Reads what was measured of a damaged car as it is typed: depths, an outline, heights; and sets the
- * tolerance of its mass. */
+/* Reads what was measured of a damaged car as it is typed: depths, an outline, heights; and sets
+ * the tolerance of its mass. */
 #include "damage/crush.h"
 
 #include "scene/keys.h"

@@ -175,8 +175,8 @@ static enum cr_err take_damage(struct reader *r, const cJSON *json, struct cr_me
                                         "front, left, rear or right");
 }
 
-/* The vehicles as a scene, so that they are read and resolved as those of any scene. It must have two
- * participants; where they stand has no effect. */
+/* The vehicles as a scene, so that they are read and resolved as those of any scene. It must have
+ * two participants; where they stand has no effect. */
 static cJSON *as_scene(const cJSON *vehicles) {
     cJSON *root = cJSON_CreateObject(), *list = cr_tree_array(root, "participants");
     cr_tree_number(root, "crumple", 1);

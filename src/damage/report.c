@@ -1,5 +1,5 @@
-/* Reports what follows from a measured outline, from energy to delta-v, in lines and as JSON, with an
- * interval to each number. */
+/* Reports what follows from a measured outline, from energy to delta-v, in lines and as JSON, with
+ * an interval to each number. */
 #include "damage/crush.h"
 
 #include "base/json.h"
@@ -125,7 +125,8 @@ enum cr_err cr_crush_text(const struct cr_crush_case *what, const struct cr_crus
         cr_str_add(out, "one vehicle alone: delta-v needs its partner (another vehicle or an "
                         "object)\n");
     }
-    /* Two partners press on each other with one force: a ratio far from 1 tells of a wrong outline. */
+    /* Two partners press on each other with one force: a ratio far from 1 tells of a wrong
+     * outline. */
     double balance = impact->of[CR_DAMAGE_BALANCE].best;
     if (what->n == 2 && (balance > 2.5 || balance < 0.4)) {
         cr_str_addf(out,

@@ -20,7 +20,8 @@ static const struct spread amount = {false, -INFINITY, INFINITY};
 static const struct spread positive = {false, 0, INFINITY};
 static const struct spread share = {false, 0, 0.95};
 
-/* All numbers that get an interval, counted through: those of each car, then those of the impact. */
+/* All numbers that get an interval, counted through: those of each car, then those of the
+ * impact. */
 enum { NUMBERS = CR_DAMAGE_NUMBERS * CR_CRUSH_CARS + CR_DAMAGE_SHARED };
 
 static struct cr_crush_value *number(struct cr_crush_impact *impact, int k) {

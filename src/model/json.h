@@ -1,6 +1,6 @@
 /* Reads checked values out of the JSON of recipes, barriers and voxel models. The first fault is
- * kept, with its JSON pointer; after it all calls return harmless values, so that only the end needs
- * a check. */
+ * kept, with its JSON pointer; after it all calls return harmless values, so that only the end
+ * needs a check. */
 #ifndef CR_MODEL_JSON_H
 #define CR_MODEL_JSON_H
 

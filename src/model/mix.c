@@ -11,8 +11,8 @@
 
 #include <string.h>
 
-/* Energies with 1/E = cos^2 / E_long + sin^2 / E_lat, in scratch; where a direction has no share the
- * other field itself is returned. */
+/* Energies with 1/E = cos^2 / E_long + sin^2 / E_lat, in scratch; where a direction has no share
+ * the other field itself is returned. */
 static const double *in_series(const struct cr_model_fields *f, const double share[2],
                                double *scratch) {
     const double *along = f->energy[0], *across = f->energy[1];

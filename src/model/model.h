@@ -99,7 +99,8 @@ const struct cr_dims *cr_model_dims(const struct cr_model_lib *lib, enum cr_type
                                     double *mass_kg);
 
 /* What is assumed of a vehicle of a type where the scene does not say it: offset and rise per kg of
- * its mass, and the share of the height from which its front and rear have material that crushes. */
+ * its mass, and the share of the height from which its front and rear have material that
+ * crushes. */
 struct cr_model_rules {
     double cg_height, cg_height_per_kg; /* m, m/kg */
     double track, track_per_kg;         /* m, m/kg */

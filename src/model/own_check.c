@@ -1,5 +1,5 @@
-/* What both file formats of voxel models share: the names of the header's numbers, and the checks of
- * all that is read. */
+/* What both file formats of voxel models share: the names of the header's numbers, and the checks
+ * of all that is read. */
 #include "config.h"
 
 #include "model/model_priv.h"

@@ -163,8 +163,8 @@ static enum cr_err take_row(struct csv *c, const struct cr_csv *csv, const int c
     return CR_ERR_OK;
 }
 
-/* Faults are told in words of our own: the file need not be a model, and what it holds must not come
- * out by an error (hide_words in own.c). */
+/* Faults are told in words of our own: the file need not be a model, and what it holds must not
+ * come out by an error (hide_words in own.c). */
 static enum cr_err read_rows(struct csv *c) {
     static const char *const names[COLUMNS] = {"ix", "iy", "iz", "fill", "energy_J"};
     const struct cr_csv_opts opts = {

@@ -180,8 +180,8 @@ static double share_of(double part, double whole) {
     return whole > 0 ? part / whole : 0;
 }
 
-/* Makes one row: its fill, its lateral energy, and the weights of the longitudinal one, whose energy
- * is known when all rows have their weight. */
+/* Makes one row: its fill, its lateral energy, and the weights of the longitudinal one, whose
+ * energy is known when all rows have their weight. */
 static void make_row(struct work *w, int j, const struct half_grid *g) {
     const double *const *l = (const double *const *)w->line;
     size_t at = (size_t)j * (size_t)w->nx;
@@ -219,8 +219,8 @@ static void take_work(struct work *w, int plan_ny, bool ranged, struct cr_arena 
     w->sum = cr_arena_take_raw(scratch, nx + (size_t)w->half, 8);
 }
 
-/* Turns rows of the left half that are counted from the front into rows along x, and mirrors them to
- * the right half. */
+/* Turns rows of the left half that are counted from the front into rows along x, and mirrors them
+ * to the right half. */
 static void mirror(const struct work *w, double *grid) {
     size_t nx = (size_t)w->nx;
     for (int j = 0; j < w->half; j++) {

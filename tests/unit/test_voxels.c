@@ -155,7 +155,8 @@ static void test_coarse_model_spread_evenly(void **state) {
     cr_arena_free(&arena);
 }
 
-/* A name that would end a quoted text or a line is cut there, so that what is written can be read. */
+/* A name that would end a quoted text or a line is cut there, so that what is written can be
+ * read. */
 static void test_name_can_be_written_again(void **state) {
     static const char text[] =
         "{\"crumple_voxels\": 1, \"name\": \"front\\\"B\\n\", \"edge_m\": 1, \"count\": [4, 2], "
