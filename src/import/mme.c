@@ -329,14 +329,7 @@ static enum cr_err use_channel(void *user, const char *path, const char *name,
                                struct cr_error *err) {
     const struct measured *m = user;
     struct cr_mme_channel ch;
-    char *text;
-    size_t len;
-    enum cr_err code = cr_file_read_regular(path, &text, &len, err);
-    if (code != CR_ERR_OK) {
-        return code;
-    }
-    code = cr_mme_channel(text, path, &ch, err);
-    free(text);
+    enum cr_err code = cr_mme_channel_load(path, &ch, err);
     const struct cr_unit *unit =
         code == CR_ERR_OK ? cr_unit_spelled(ch.unit, CR_DIM_ACCELERATION) : NULL;
     bool x = cr_mme_is_accel(ch.code, 'X');
@@ -393,8 +386,6 @@ static enum cr_err read_case(struct test *t, struct cr_error *err) {
 
 enum cr_err cr_import_mme_read(struct cr_import *im, struct cr_error *err) {
     struct cr_error why;
-    char *text = NULL;
-    size_t len;
     struct test *t = calloc(1, sizeof *t);
     if (t == NULL) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for a test");
@@ -402,9 +393,7 @@ enum cr_err cr_import_mme_read(struct cr_import *im, struct cr_error *err) {
     t->im = im;
     cr_import_format(im, "ISO-MME");
     enum cr_err code = find_file(t, err);
-    code = code == CR_ERR_OK ? cr_file_read_regular(t->file, &text, &len, err) : code;
-    code = code == CR_ERR_OK ? cr_mme_parse(text, t->file, &t->mme, err) : code;
-    free(text);
+    code = code == CR_ERR_OK ? cr_mme_load(t->file, &t->mme, err) : code;
     if (code == CR_ERR_OK) {
         const char *title = cr_mme_get(&t->mme, "Title", NULL);
         code = cr_import_begin(im, "", title != NULL ? title : "mme", err);

@@ -190,7 +190,6 @@ static bool has_profile(const struct cr_result *r, int b) {
 
 static enum cr_err profile_line(const struct cr_page *page, int b, double most,
                                 struct cr_error *err) {
-    static const char *const faces[CR_FACES] = {"front", "left", "rear", "right"};
     const struct cr_severity *of = &page->result->of[b];
     struct cr_cells c;
     enum cr_err code = cr_cells_new(page->width, 1, &c, err);
@@ -198,7 +197,8 @@ static enum cr_err profile_line(const struct cr_page *page, int b, double most,
         return code;
     }
     char text[CR_NAME_MAX + 16];
-    snprintf(text, sizeof text, "%s %s", page->result->resolved.part[b].id, faces[of->face]);
+    snprintf(text, sizeof text, "%s %s", page->result->resolved.part[b].id,
+             cr_render_face(of->face));
     cr_cells_print(&c, 1, 0, 16, cr_render_role_of(b), text);
     for (int i = 0; i < CR_PROFILE; i++) {
         int level = (int)ceil(of->profile[i] / most * 8 - 1e-9);

@@ -1,6 +1,8 @@
 /* Numbers and words as all tables show them. */
 #include "render/table.h"
 
+#include "result/cdc.h"
+
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
@@ -16,8 +18,7 @@ void cr_render_number(double x, int decimals, char *buf, int size) {
 }
 
 const char *cr_render_face(enum cr_face face) {
-    static const char *const words[CR_FACES] = {"front", "left", "rear", "right"};
-    return face < CR_FACES ? words[face] : "-";
+    return face < CR_FACES ? cr_face_word(face) : "-";
 }
 
 /* a mark for this name that is not among the n given */

@@ -1,4 +1,4 @@
-/* Histogram and tornado of a study's draws, as vectors. */
+/* Draws histogram and tornado of a study's draws, as vectors. */
 #include "study/charts.h"
 
 #include <math.h>
@@ -8,7 +8,7 @@
 
 enum { WIDTH = 500, MARGIN = 10, HISTOGRAM_H = 210, TORNADO_H = 82, BAR_H = 22, BARS_MOST = 12 };
 
-/* one chart: of which result of whom */
+/* What one chart shows: a result of a participant. */
 struct subject {
     const struct cr_mc *mc;
     int body;
@@ -17,7 +17,7 @@ struct subject {
     const struct cr_figure_words *words;
 };
 
-/* a value in the units of the words, and their name */
+/* A value in the unit that the words choose. */
 static double shown(const struct subject *s, double si) {
     double x = cr_unit_from_si(cr_measure_unit(s->m), si);
     cr_measure_in(s->m, s->words != NULL ? s->words->units : CR_UNITS_SI, &x, NULL);
@@ -90,7 +90,7 @@ static struct cr_canvas *tornado(const struct subject *s) {
     return c;
 }
 
-/* the charts below each other; they are given up */
+/* Puts the charts below each other on one canvas, NULL without memory; the charts are freed. */
 static struct cr_canvas *stack(struct cr_canvas **part, int n) {
     double h = 0, y = 0;
     for (int i = 0; i < n; i++) {

@@ -1,8 +1,9 @@
-/* Which inputs of a scene vary, and the scene that has drawn values in their place. */
+/* Finds which inputs of a scene vary, and makes the scene that has drawn values in their place. */
 #include "study/study.h"
 
 #include "base/file.h"
 #include "base/json.h"
+#include "base/stats.h"
 #include "scene/keys.h"
 
 #include <cjson/cJSON.h>
@@ -65,9 +66,6 @@ static bool varies_already(const struct cr_study *study, const char *key) {
     return false;
 }
 
-/* the 97.5 % point of a standard normal distribution */
-static const double z_95 = 1.959963984540054;
-
 static enum cr_err add_scatter(const struct cr_scene *scene, const struct cr_scatter *scatter,
                                struct cr_study *out, struct cr_error *err) {
     for (int i = 0; i < scene->n; i++) {
@@ -85,7 +83,7 @@ static enum cr_err add_scatter(const struct cr_scene *scene, const struct cr_sca
         struct cr_study_input *in = &out->in[out->n++];
         *in = (struct cr_study_input){.unit = cr_unit_find("", CR_DIM_NUMBER),
                                       .value = p->model.energy_factor,
-                                      .half = z_95 * scatter->energy[p->type],
+                                      .half = CR_Z_95 * scatter->energy[p->type],
                                       .lo = 0.1,
                                       .hi = 10,
                                       .factor = true};

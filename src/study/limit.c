@@ -1,5 +1,5 @@
-/* The budget of time of each solve of a study, by the processor time of its thread: a loaded
- * machine takes no draw's time away. */
+/* Keeps the budget of time of each solve of a study. The processor time of its thread counts, so
+ * that a loaded machine takes no draw's time away. */
 #include "study/limit.h"
 
 #include "process/clock.h"

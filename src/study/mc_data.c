@@ -1,4 +1,4 @@
-/* mc as JSON and as CSV, a row per draw. */
+/* Writes the draws of mc and their statistics as JSON, and as CSV with a row per draw. */
 #include "study/study.h"
 
 #include "base/json.h"

@@ -1,4 +1,5 @@
-/* The report of mc in lines: inputs, results with their quantiles, histogram, ranked effects. */
+/* Writes the report of mc in lines: inputs, results with their quantiles, histogram, ranked effects
+ * of the inputs. */
 #include "study/study.h"
 
 #include "study/draw.h"
@@ -10,7 +11,7 @@
 
 enum { BAR = 30, NAME_COLUMNS = 34 };
 
-/* what all lines are told with */
+/* What all lines need: the draws, and the form of the text. */
 struct teller {
     const struct cr_mc *mc;
     enum cr_units units;
@@ -26,7 +27,7 @@ static double shown(const struct teller *t, const struct cr_measure *m, double s
 }
 
 static void say_number(const struct teller *t, const struct cr_measure *m, double si, int columns) {
-    struct cr_measure as = *m; /* with the decimals that say as much in these units */
+    struct cr_measure as = *m; /* its decimals become those of the shown unit */
     char buf[40];
     cr_measure_in(m, t->units, NULL, &as.decimals);
     if (isnan(si)) {
@@ -36,7 +37,7 @@ static void say_number(const struct teller *t, const struct cr_measure *m, doubl
     }
 }
 
-/* "A.ees_kmh", the key of the files; in other units "A.ees mph" */
+/* Writes "A.ees_kmh", the key in files; in other units "A.ees mph". */
 static void name_of(const struct teller *t, int part, const struct cr_measure *m, char *buf,
                     size_t size) {
     const char *unit = cr_measure_in(m, t->units, NULL, NULL);
@@ -45,7 +46,7 @@ static void name_of(const struct teller *t, int part, const struct cr_measure *m
              own ? "" : unit);
 }
 
-/* on which voxels, where many draws were asked for */
+/* Tells on which voxels the draws were solved, if there was a choice. */
 static void say_grid(const struct teller *t) {
     const struct cr_mc *mc = t->mc;
     double own = 1e3 * mc->own_voxel;
@@ -76,7 +77,7 @@ static void say_inputs(const struct cr_mc *mc, struct cr_str *out) {
     }
 }
 
-/* what the table shows of each participant */
+/* The measures that the table shows of each participant. */
 static const char *const in_table[] = {
     "ees", "delta_v", "pdof", "deformation_max", "acceleration_max", "speed_after"};
 
@@ -183,7 +184,7 @@ static enum cr_err say_one(const struct teller *t, int part, int measure, struct
     cr_str_addf(out, "%s\n", name);
     say_histogram(t, &s, m);
     say_effects(t, &s, m);
-    /* three standard errors and a tenth of the spread: what more draws would still change */
+    /* Converged: more draws would move mean and outer points by a small part of the spread only. */
     bool settled = 3 * s.mean_error < 0.1 * s.sd && s.moved < 0.3 * s.sd;
     cr_str_addf(out, "  mean +- %.2g, outer points moved by %.2g from half of the draws: %s\n",
                 1.96 * shown(t, m, s.mean_error), shown(t, m, s.moved),

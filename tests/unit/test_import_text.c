@@ -126,6 +126,13 @@ static void channel_integral(void **state) {
     cr_channel_fini(&ch);
     assert_int_equal(cr_channel_pairs("0 1 2\n", "c", &ch, &err), CR_ERR_SYNTAX);
     cr_channel_fini(&ch);
+    /* a long line is cut in the message, not left out */
+    char line[80];
+    memset(line, 'x', sizeof line - 1);
+    line[sizeof line - 1] = '\0';
+    assert_int_equal(cr_channel_pairs(line, "c", &ch, &err), CR_ERR_SYNTAX);
+    assert_int_equal(strlen(err.text), strlen("no sample: \"\"") + 60);
+    cr_channel_fini(&ch);
 }
 
 static void xml_begins(void **state) {
