@@ -1,4 +1,4 @@
-/* Evenly sampled curves of a crash as ISO-MME channels and as a gnuplot pair. */
+/* Writes evenly sampled curves of a crash as ISO-MME channels and as a gnuplot pair. */
 #include "config.h"
 
 #include "figure/forms.h"
@@ -12,8 +12,8 @@
 #include <string.h>
 
 enum { CURVES = 5 };
-/* what is sampled, with its ISO-MME quantity and direction; sign: from x forward, y left, z up to
- * SAE J211 */
+/* The curves with quantity and direction of their ISO-MME codes; sign leads from x forward, y left,
+ * z up to SAE J211. */
 static const struct {
     const char *iso, *unit, *word;
     double sign;
@@ -22,7 +22,7 @@ static const struct {
     {"VE0Y", "m/s", "vy", -1},    {"AV0Z", "rad/s", "yaw rate", -1},
 };
 
-/* Values of a curve at the middle of the samples of a pulse, in the vehicle's frame. */
+/* The value of a curve in the middle of sample k of a pulse, in the vehicle's frame. */
 static double sample(const struct cr_result *r, int body, const struct cr_pulse *p, int curve,
                      int k) {
     if (curve < 2) {

@@ -1,4 +1,5 @@
-/* German for every English text of the report and its pictures, sorted by the English. */
+/* The German for every English text of the report and its pictures, sorted by the English, because
+ * cr_words searches by halves. */
 #ifndef CR_REPORT_GERMAN_H
 #define CR_REPORT_GERMAN_H
 
