@@ -27,7 +27,9 @@ static const char about[] =
     "Solves one scene for many draws of the inputs that have a tolerance, and tells how the\n"
     "results scatter and which input they depend on. A tolerance stands in the scene as\n"
     "{\"value\": 56, \"tolerance\": 3, \"distribution\": \"normal\"}, or is set here:\n"
-    "--set A.speed_kmh=56+-3. The stiffness of each vehicle varies as its type does.\n"
+    "--set A.speed_kmh=56+-3. The stiffness of each vehicle varies as its type does, and\n"
+    "what a rule assumes of it (an unknown mass, track, centre of gravity, yaw inertia) as\n"
+    "cars differ from that rule; what was given is taken as it is.\n"
     "Exit status as of crumple run.\n";
 
 static int tell(void *user, int done, int draws) {
@@ -143,6 +145,9 @@ static enum cr_err solve(const struct cr_scene *scene, const struct options *opt
     if (code == CR_ERR_OK) {
         code = cr_study_open(scene, opt->no_scatter ? NULL : &scatter, &study, err);
     }
+    if (code == CR_ERR_OK && !opt->no_scatter) {
+        code = cr_study_add_ruled(&study, &scatter, ctx->models, err);
+    }
     if (code == CR_ERR_OK) {
         code = cr_mc_run(&study, &how, ctx, &mc, err);
     }
@@ -185,7 +190,7 @@ int cr_cli_mc(int argc, char **argv) {
                        "own: all on the scene's voxels; auto: many on coarse ones where that "
                        "serves"),
         CR_OPTION_FLAG("no-scatter", 0, &opt.no_scatter,
-                       "the stiffness of the vehicles does not vary"),
+                       "neither stiffness nor what rules assume varies: tolerances alone"),
         CR_OPTION_NUMBER("jobs", 'j', &opt.jobs, 1, 256, "threads (one per processor)"),
         CR_OPTION_TEXT("plot", 0, "A.RESULT", &opt.plot,
                        "result of histogram and ranked inputs (ees)"),

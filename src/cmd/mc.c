@@ -242,5 +242,8 @@ enum cr_err cr_cmd_mc(struct cr_call *call, struct cr_error *err) {
     study.make = make;
     study.user = &d;
     code = read_inputs(call, &study, &d, err);
+    if (code == CR_ERR_OK && varies) {
+        code = cr_study_add_ruled(&study, &scatter, s->models, err);
+    }
     return code == CR_ERR_OK ? draw(call, &study, &plot, err) : code;
 }

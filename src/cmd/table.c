@@ -326,7 +326,7 @@ static const struct cr_arg mc_args[] = {
     KEY("grid", CR_VALUE_WORD, .words = "auto|own", .def = "auto",
         .help = "own: all on the scene's voxels; auto: many on coarse ones"),
     KEY("scatter", CR_VALUE_SWITCH, .words = "on|off", .def = "on",
-        .help = "the stiffness of each vehicle varies too, as cars of its type differ"),
+        .help = "stiffness and what rules assume vary too, as cars of the type differ"),
     KEY("plot", CR_VALUE_TEXT, .def = "ees of all",
         .help = "result of the histogram and the ranked inputs: A.ees, B.delta_v ..."),
     KEY("jobs", CR_VALUE_COUNT, .lo = 1, .hi = 256, .def = "one per processor",

@@ -122,6 +122,9 @@ static enum cr_err draw(struct work *w, struct cr_error *err) {
         code = cr_study_open(&w->scene, &scatter, &study, err);
     }
     if (code == CR_ERR_OK) {
+        code = cr_study_add_ruled(&study, &scatter, w->shared.ctx.models, err);
+    }
+    if (code == CR_ERR_OK) {
         code = cr_mc_run(&study, &how, &w->shared.ctx, &w->mc, err);
     }
     if (code == CR_ERR_USAGE) {

@@ -100,9 +100,11 @@ static void drawn_inputs(struct cr_paper *p) {
                                ? cr_doc_text(p->doc, "\u00b1 %.0f %%", 100 * in->half)
                                : cr_doc_text(p->doc, "\u00b1 %.4g %s",
                                              cr_unit_from_si(in->unit, in->half), in->unit->name);
-        ROW(p, in->key,
-            cr_doc_text(p->doc, "%.6g %s", cr_unit_from_si(in->unit, in->value), in->unit->name),
-            half, in->group);
+        const char *middle =
+            in->of[0] != '\0' ? cr_doc_text(p->doc, "1 (%.4g %s)", in->assumed, in->of_unit->name)
+                              : cr_doc_text(p->doc, "%.6g %s", cr_unit_from_si(in->unit, in->value),
+                                            in->unit->name);
+        ROW(p, in->key, middle, half, in->group);
     }
 }
 
@@ -113,7 +115,8 @@ static enum cr_err draws(struct cr_paper *p, struct cr_error *err) {
     cr_doc_addf(p->doc, CR_BLOCK_TEXT,
                 W(p,
                   "%d draws (%s, seed %lu), %d without a result. The scatter of stiffness within "
-                  "a vehicle type, known from the calibration, is an input."),
+                  "a vehicle type, known from the calibration, is an input, and so is that of "
+                  "measured cars about the rules that assumed what was not given."),
                 mc->done, cr_sampling_word(mc->opts.sampling), mc->opts.seed, mc->failed);
     drawn_inputs(p);
     cr_doc_table(p->doc, 10);

@@ -113,7 +113,7 @@ enum cr_err cr_mc_chart(const struct cr_mc *mc, enum cr_mc_chart chart,
     struct cr_canvas *part[CR_BODY_MAX] = {NULL};
     int measures, n = 0;
     const struct cr_measure *m = &cr_measures(&measures)[plot->measure];
-    bool failed = false;
+    bool failed = false, few = false;
     *out = NULL;
     for (int i = 0; i < mc->participants && !failed; i++) {
         struct subject s = {.mc = mc, .body = i, .m = m, .words = words};
@@ -121,12 +121,18 @@ enum cr_err cr_mc_chart(const struct cr_mc *mc, enum cr_mc_chart chart,
             continue;
         }
         failed = cr_mc_stats(mc, i, plot->measure, &s.st, NULL) != CR_ERR_OK;
-        if (failed || !(s.st.hi > s.st.lo) || (chart == CR_MC_TORNADO && s.st.effects == 0)) {
+        bool scatters = !failed && s.st.hi > s.st.lo;
+        few = few || (scatters && s.st.effects == 0);
+        if (!scatters || (chart == CR_MC_TORNADO && few)) {
             continue;
         }
         part[n] = chart == CR_MC_TORNADO ? tornado(&s) : histogram(&s);
         failed = part[n] == NULL;
         n += !failed;
+    }
+    if (n == 0 && few) {
+        return cr_err_set(err, CR_ERR_MISSING, "%d draws are too few for effects of %d inputs",
+                          mc->done, mc->dims);
     }
     if (n == 0 && !failed) {
         return cr_err_set(err, CR_ERR_MISSING, "%s does not scatter: there is nothing to draw",

@@ -302,6 +302,9 @@ void cr_mc_free(struct cr_mc *mc) {
 
 /* ---- statistics ---- */
 
+/* with fewer draws lines follow the chance of these draws, not the inputs */
+enum { DRAWS_PER_EFFECT = 3 };
+
 static void make_histogram(const double *sorted, int n, struct cr_mc_stats *out) {
     out->lo = sorted[0];
     out->hi = sorted[n - 1];
@@ -356,8 +359,7 @@ enum cr_err cr_mc_stats(const struct cr_mc *mc, int participant, int measure,
     double *y = malloc((size_t)(mc->done + 1) * sizeof *y);
     double *z = malloc((size_t)(mc->done + 1) * (size_t)mc->dims * sizeof *z);
     enum cr_err code = CR_ERR_OK;
-    *out = (struct cr_mc_stats){.nominal = cr_measure_get(m, &mc->nominal[participant]),
-                                .effects = mc->dims};
+    *out = (struct cr_mc_stats){.nominal = cr_measure_get(m, &mc->nominal[participant])};
     if (y == NULL || z == NULL) {
         code = cr_err_set(err, CR_ERR_MEMORY, "no memory for the statistics");
         goto out;
@@ -372,7 +374,8 @@ enum cr_err cr_mc_stats(const struct cr_mc *mc, int participant, int measure,
     out->mean_error = out->n > 1 ? hypot(out->sd / sqrt(out->n), moved) : (double)NAN;
     struct cr_regression lines = {
         .x = z, .y = y, .n = out->n, .dims = mc->dims, .b = out->effect, .r2 = (double)NAN};
-    code = cr_draw_regress(&lines, err);
+    out->effects = out->n >= DRAWS_PER_EFFECT * mc->dims ? mc->dims : 0;
+    code = out->effects > 0 ? cr_draw_regress(&lines, err) : CR_ERR_OK;
     out->explained = lines.r2;
     out->moved = out->n > 3 ? outer_move(y, out->n) : (double)NAN; /* sorts y */
     for (int q = 0; q < CR_MC_QUANTILES; q++) {

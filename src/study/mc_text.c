@@ -67,8 +67,12 @@ static void say_inputs(const struct cr_mc *mc, struct cr_str *out) {
         const struct cr_study_input *in = &mc->study.in[i];
         cr_str_addf(out, "  %-*s ", NAME_COLUMNS, in->key);
         if (in->factor) {
-            cr_str_addf(out, "%.4g times or by exp(%.2g), scatter of the type\n", in->value,
-                        in->half);
+            cr_str_addf(out, "%.4g times or by exp(%.2g), scatter of ", in->value, in->half);
+            if (in->of[0] != '\0') {
+                cr_str_addf(out, "its rule, %.4g %s\n", in->assumed, in->of_unit->name);
+            } else {
+                cr_str_add(out, "the type\n");
+            }
             continue;
         }
         cr_str_addf(out, "%.6g +- %.4g %s %s%s%s\n", cr_unit_from_si(in->unit, in->value),
@@ -154,6 +158,10 @@ static void say_effects(const struct teller *t, const struct cr_mc_stats *s,
     struct ranked rank[CR_STUDY_INPUTS];
     for (int d = 0; d < s->effects; d++) {
         rank[d] = (struct ranked){d, isnan(s->effect[d]) ? -1 : fabs(s->effect[d])};
+    }
+    if (s->effects == 0) {
+        cr_str_addf(out, "  effects of %d inputs: take more draws\n", t->mc->dims);
+        return;
     }
     qsort(rank, (size_t)s->effects, sizeof *rank, larger_first);
     cr_str_addf(out, "  effect of + one tolerance, %s; lines explain %.0f %% of the variance\n",

@@ -15,7 +15,8 @@
 
 #include <stdbool.h>
 
-enum { CR_STUDY_INPUTS = 40 };
+/* six for each of 16 vehicles that nobody measured, and tolerances */
+enum { CR_STUDY_INPUTS = 128 };
 
 /* An input that varies. */
 struct cr_study_input {
@@ -26,6 +27,13 @@ struct cr_study_input {
     enum cr_spread spread;
     bool factor;              /* draws are value * exp(x): half is that of x */
     char group[CR_GROUP_MAX]; /* inputs of one group vary together; "" for none */
+    /* of a factor on what a rule assumed: its key ("A.track_m"; "" of others), the value in the
+     * unit of that key, whose, and what */
+    char of[CR_NAME_MAX + 64];
+    double assumed;
+    const struct cr_unit *of_unit;
+    int part;
+    enum cr_ruled what;
 };
 
 struct cr_study {
@@ -39,9 +47,11 @@ struct cr_study {
     const struct cr_scene *scene; /* as given; borrowed */
 };
 
-/* How much cars of one type differ. */
+/* How much cars differ from what the program takes for those of their type, standard deviations of
+ * the logarithm (share/study/scatter.json). */
 struct cr_scatter {
-    double energy[CR_TYPES]; /* standard deviation of the logarithm of the energy at a depth */
+    double energy[CR_TYPES];             /* at a depth */
+    double off_rule[CR_RULED][CR_TYPES]; /* none of an assumed mass: its rule says it */
 };
 /* Reads it from study/scatter.json of the data folder. Errors: IO, those of cr_json_check, MODEL
  * for a type without a number. */
@@ -53,6 +63,12 @@ CR_MUST_CHECK enum cr_err cr_scatter_read(const char *data_dir, struct cr_scatte
 CR_MUST_CHECK enum cr_err cr_study_open(const struct cr_scene *scene,
                                         const struct cr_scatter *scatter, struct cr_study *out,
                                         struct cr_error *err);
+/* Adds what rules assume of the vehicles of the scene, as little as that is known. What was given
+ * is not drawn. Errors: those of study->make and of cr_scene_resolve, RANGE for more than
+ * CR_STUDY_INPUTS. */
+CR_MUST_CHECK enum cr_err cr_study_add_ruled(struct cr_study *study,
+                                             const struct cr_scatter *scatter,
+                                             const struct cr_model_lib *lib, struct cr_error *err);
 /* The make of such a study: a copy of study->scene in which the inputs have these values. Errors:
  * MEMORY. */
 CR_MUST_CHECK enum cr_err cr_study_make(const struct cr_study *study, const double *value,
@@ -94,7 +110,8 @@ struct cr_mc_stats {
     double moved;      /* how far the 2.5 and 97.5 % points moved from half of the draws to all */
     double lo, hi;     /* range of the histogram */
     int bin[CR_MC_BINS];
-    int effects;                    /* dimensions that vary; a group is one */
+    int effects;                    /* dimensions that vary; a group is one. 0: there are too few
+                                       draws to tell them apart */
     double effect[CR_STUDY_INPUTS]; /* effect of + one tolerance, by regression over all draws */
     double explained;               /* R2 of that regression */
 };
