@@ -73,7 +73,7 @@ static void say_result(struct cr_session *s) {
     }
     cr_str_add(&line, ", delta-v");
     for (int i = 0; i < r->solution->bodies; i++) {
-        if (cr_render_moves(r, i)) {
+        if (cr_result_moves(r, i)) {
             double delta_v = cr_kmh(r->of[i].delta_v);
             cr_units_shown(s->units, "km/h", &delta_v, NULL);
             cr_str_addf(&line, " %s %.1f", r->resolved.part[i].id, delta_v);
@@ -302,7 +302,7 @@ static void say_steps_short(struct cr_session *s) {
         struct cr_str line = {0};
         cr_str_addf(&line, "%4d %7.2f ms", k + 1, 1e3 * (sol->t[k] - sol->t_contact));
         for (int i = 0; i < sol->bodies; i++) {
-            if (cr_render_moves(s->result, i)) {
+            if (cr_result_moves(s->result, i)) {
                 cr_str_addf(&line, "  %s %5.1f km/h %5.1f g %6.1f kJ",
                             s->result->resolved.part[i].id, cr_kmh(cr_vec2_len(x[i].vel)),
                             cr_vec2_len(x[i].acc) / CR_G, 1e-3 * x[i].energy);

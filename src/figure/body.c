@@ -7,7 +7,7 @@
 #include <stdio.h>
 
 enum { ABOVE = 18, BELOW = 22, BARE = -2, DEFORMED = -1 };
-static const double ees_top = 100; /* km/h, as in the scene */
+static const double ees_top = CR_EES_TOP;
 
 /* The points per m at which a plane of w x h m fits a box. */
 static double scale(double w, double h, struct cr_box at) {

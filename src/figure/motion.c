@@ -16,7 +16,7 @@ void cr_form_motion(const struct cr_result *r, enum cr_axes_of axes, double step
     cr_str_add(out, "t_s,id,x_m,y_m,heading_deg,vx_m_s,vy_m_s,yaw_rate_deg_s\n");
     for (int k = 0; k <= n; k++) {
         for (int body = 0; body < r->resolved.n; body++) {
-            if (!cr_render_moves(r, body)) {
+            if (!cr_result_moves(r, body)) {
                 continue;
             }
             struct cr_sample s = cr_render_state(r->compiled, r, body, k * step);

@@ -178,6 +178,11 @@ CR_MUST_CHECK enum cr_err cr_result_measure(struct cr_result *result, const stru
 CR_MUST_CHECK enum cr_err cr_irf_load(const char *dir, struct cr_irf_set **out,
                                       struct cr_error *err);
 void cr_irf_free(struct cr_irf_set *set);
+/* Checks that the words of the setting "injury", with commas between, are names of functions,
+ * "auto" (those that their file marks as default; all where none is) or "all". Errors: NAME. */
+CR_MUST_CHECK enum cr_err cr_irf_check(const struct cr_irf_set *set, const char *words,
+                                       struct cr_error *err);
+
 /* SHA-256 of all files of the set. */
 const char *cr_irf_hash(const struct cr_irf_set *set);
 

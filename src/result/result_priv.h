@@ -13,11 +13,6 @@ struct cr_irf_case {
     bool vehicle_partner;         /* the main partner is a vehicle */
 };
 
-/* Checks that the words of the setting "injury", with commas between, are names of functions,
- * "auto" (those that their file marks as default; all where none is) or "all". Errors: NAME. */
-CR_MUST_CHECK enum cr_err cr_irf_check(const struct cr_irf_set *set, const char *words,
-                                       struct cr_error *err);
-
 /* Fills severity->injury with the probabilities of the chosen functions that apply to the case, at
  * most CR_INJURY_MAX. */
 void cr_irf_apply(const struct cr_irf_set *set, const struct cr_irf_case *what,

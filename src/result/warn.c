@@ -62,7 +62,8 @@ static const char *beside(double x, double limit, char buf[16]) {
     return buf;
 }
 
-/* Tells of a mass that nobody gave, because everything else follows it. */
+/* Tells of a mass that nobody gave, because everything else follows it, and of one that contradicts
+ * another. */
 static void check_mass(struct cr_result *r) {
     for (int i = 0; i < r->resolved.n; i++) {
         double spread = r->assumed.mass_spread[i];
@@ -71,6 +72,13 @@ static void check_mass(struct cr_result *r) {
                            "%s: mass assumed, %.0f kg +- %.0f %% (one standard deviation): EES and "
                            "delta-v follow it",
                            r->resolved.part[i].id, r->resolved.part[i].mass, 100 * spread);
+        }
+        const struct cr_participant *p = &r->resolved.part[i];
+        if (p->kerb_mass > p->mass + 0.5) { /* what is written without decimals may be rounded */
+            cr_result_warn(r, "mass-below-kerb",
+                           "%s: its mass as crashed, %.0f kg, is less than its kerb mass, %.0f kg: "
+                           "a car weighs that much when it is empty; check the two",
+                           p->id, p->mass, p->kerb_mass);
         }
     }
 }

@@ -202,6 +202,21 @@ static enum cr_err say_one(const struct teller *t, int part, int measure, struct
     return CR_ERR_OK;
 }
 
+bool cr_mc_plot_find(const struct cr_scene *scene, const char *text, struct cr_mc_plot *plot) {
+    const char *dot = strchr(text, '.');
+    size_t len = dot != NULL ? (size_t)(dot - text) : 0;
+    int names;
+    const struct cr_measure *m = cr_measure_find(dot != NULL ? dot + 1 : text);
+    *plot = (struct cr_mc_plot){.participant = -1,
+                                .measure = m != NULL ? (int)(m - cr_measures(&names)) : -1};
+    for (int p = 0; p < scene->n && dot != NULL; p++) {
+        if (strlen(scene->part[p].id) == len && strncmp(text, scene->part[p].id, len) == 0) {
+            plot->participant = p;
+        }
+    }
+    return m != NULL && (dot == NULL || plot->participant >= 0);
+}
+
 enum cr_err cr_mc_text(const struct cr_mc *mc, const struct cr_mc_plot *plot,
                        const struct cr_mc_words *words, struct cr_str *out, struct cr_error *err) {
     const struct teller t = {mc, words->units, words->ascii, out};

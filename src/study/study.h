@@ -162,6 +162,8 @@ struct cr_mc_plot {
     int participant; /* -1: all */
     int measure;     /* index into cr_measures */
 };
+/* The result that "A.ees", or "ees" for all, names among those of a scene; false: none. */
+bool cr_mc_plot_find(const struct cr_scene *scene, const char *text, struct cr_mc_plot *plot);
 struct cr_mc_words {
     enum cr_units units;
     bool ascii; /* no character above 126 */

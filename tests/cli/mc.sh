@@ -115,7 +115,8 @@ run mc "$demo" --draws 10 -p "tornado=$tmp/few.svg"
 has "no tornado of too few draws" "$status:$errs" \
     '^3:.*10 draws are too few for effects of 8 inputs'
 refused "nothing varies" 3 'nothing varies.*56\+-3km/h' mc "$tmp/plain.json" --no-scatter
-refused "a result that is none" 2 'no such result' mc "$demo" --draws 10 --plot A.colour
+refused "a result that is none, before anything is drawn" 2 'no such result' \
+    mc "$demo" --draws 1000000 --plot A.colour
 refused "too few draws" 2 'draws' mc "$demo" --draws 3
 refused "a tolerance of another unit" 3 'kg' mc "$demo" --set A.speed_kmh=56+-3kg
 wall_scene '' '"yaw_rate_deg_s": {"value": 0, "tolerance": -5}' >"$tmp/bad.json"

@@ -82,20 +82,22 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         exit(3);
     }
     snprintf(path, sizeof path, "%s/Channel", scratch_dir());
-    mkdir(scratch_dir(), 0700);
     mkdir(path, 0700);
     size_t part;
+    bool put[NAMES] = {false};
     for (int file; (file = next_part(&data, &size, &part)) >= 0;) {
         scratch_put(names[file], data, part);
+        put[file] = true;
         data += part < size ? part + 1 : part;
         size -= part < size ? part + 1 : part;
     }
     import_all(models);
     read_curve();
     for (int i = 0; i < NAMES; i++) {
-        scratch_remove(names[i]);
+        if (put[i]) {
+            scratch_remove(names[i]);
+        }
     }
     rmdir(path);
-    rmdir(scratch_dir());
     return 0;
 }
