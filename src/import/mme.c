@@ -1,6 +1,6 @@
-/* Crash tests in ISO-MME (ISO/TS 13499): a folder with TEST.mme, which says what met what, and the
- * channels in Channel/. A test of one vehicle before a fixed barrier or pole, or of two vehicles
- * front to front, becomes a scene; what was measured goes with it as x_expect. */
+/* Reads crash tests in ISO-MME (ISO/TS 13499): a folder with TEST.mme, which says what met what,
+ * and the channels in Channel/. A test of one vehicle before a fixed barrier or pole, or of two
+ * vehicles front to front, becomes a scene; what was measured goes with it as x_expect. */
 #include "import/reader.h"
 #include "result/mme.h"
 
@@ -20,9 +20,9 @@
 #include <strings.h>
 
 enum { OBJECTS = 9 };
-static const double before = 0.2;       /* s before the outlines meet, about */
-static const double pole = 0.254;       /* m, of the usual rigid pole */
-static const double whole_crash = 0.05; /* s that a channel must reach beyond 0 */
+static const double before = 0.2;       /* s that the scene has before the outlines meet, about */
+static const double pole = 0.254;       /* diameter of the usual rigid pole, m */
+static const double whole_crash = 0.05; /* s that a channel must reach beyond 0 to hold the crash */
 
 struct object {
     int number;
@@ -71,7 +71,7 @@ bool cr_import_mme_is(const struct cr_import_head *head) {
     return n > 0;
 }
 
-/* the folder, or its .mme itself */
+/* Finds the .mme of a folder, or takes the .mme that is given itself. */
 static enum cr_err find_file(struct test *t, struct cr_error *err) {
     struct dirent **entry;
     if (ends(t->im->path, ".mme") && cr_file_check_regular(t->im->path, NULL) == CR_ERR_OK) {
@@ -112,7 +112,8 @@ static bool says(const char *text, const char *word) {
     return false;
 }
 
-/* "13.92", m/s; "50.1 km/h". Errors: TYPE, NAME, with the line. */
+/* Reads a value with its unit, "50.1 km/h", or without, "13.92", in SI. Errors: TYPE, NAME, with
+ * the line. */
 static enum cr_err quantity(const struct test *t, const char *key, int number, enum cr_dim dim,
                             double *out, struct cr_error *err) {
     int line = 0;
@@ -196,7 +197,7 @@ static enum cr_err add_vehicle(struct test *t, struct object *o, struct cr_error
     return code;
 }
 
-/* "length, width", m or mm */
+/* Takes length and width of a test object; numbers of mm are told from m by their size. */
 static void take_size(const struct test *t, struct object *o) {
     char first[32];
     const char *text = of_object(t, "Dimensions test object", o->number, NULL);
@@ -216,8 +217,9 @@ static void take_size(const struct test *t, struct object *o) {
 
 /* ---- what meets what ---- */
 
-/* m from the CG to the barrier: no car of the types is longer than 6 m or wider than 2.1 m.
- * Sideways the tyres brake (in the test the car is carried), so there it begins close. */
+/* Distance in m from the CG to the barrier. Of a car of unknown size it is that of the largest: no
+ * type is longer than 6 m or wider than 2.1 m. Sideways it begins close, because the tyres would
+ * brake the car, which is carried in the test. */
 static double gap(const struct object *o) {
     double width = isnan(o->p->width) ? 2.1 : o->p->width;
     if (o->side == 'L' || o->side == 'I') {

@@ -135,6 +135,17 @@ static void channel_integral(void **state) {
     cr_channel_fini(&ch);
 }
 
+/* A recorder's table is known by its header, however long it is. */
+static void long_headers_of_recorders(void **state) {
+    char text[1200] = "Time (sec),Speed vehicle indicated (mph),";
+    (void)state;
+    for (size_t n = strlen(text); n < sizeof text - 1; n++) {
+        const struct cr_import_head head = {.text = text, .len = n};
+        assert_true(cr_import_edr_is(&head));
+        text[n] = 'x';
+    }
+}
+
 static void xml_begins(void **state) {
     static const char *const yes[] = {
         "<a>", "<a/>", "\xef\xbb\xbf<?xml version=\"1.0\"?>\n<!-- <b> --><a x=\"1\">",
@@ -185,9 +196,13 @@ static void options_by_words(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(formula_values), cmocka_unit_test(formula_faults),
-        cmocka_unit_test(erg_types),      cmocka_unit_test(channel_integral),
-        cmocka_unit_test(xml_begins),     cmocka_unit_test(options_by_words),
+        cmocka_unit_test(formula_values),
+        cmocka_unit_test(formula_faults),
+        cmocka_unit_test(erg_types),
+        cmocka_unit_test(channel_integral),
+        cmocka_unit_test(xml_begins),
+        cmocka_unit_test(options_by_words),
+        cmocka_unit_test(long_headers_of_recorders),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
