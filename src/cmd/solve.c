@@ -40,9 +40,10 @@ static int cancelled(void *user) {
     double limit = s->opts.max_seconds, polled = s->work_polled;
     int cancel = cr_work_cancelled(s);
     bool looked = cancel == 0 && (s->opts.out.cancel == NULL || s->work_polled > polled);
-    return looked && limit > 0 && cr_clock_thread() - s->work_processor > limit
-               ? (int)CR_CANCEL_TIME
-               : cancel;
+    bool late = looked && limit > 0 &&
+                (cr_clock_thread() - s->work_processor > limit ||
+                 cr_clock_wall() - s->work_began > CR_MAX_WAIT * limit);
+    return late ? (int)CR_CANCEL_TIME : cancel;
 }
 
 struct cr_context cr_session_context(struct cr_session *s) {
@@ -53,6 +54,7 @@ struct cr_context cr_session_context(struct cr_session *s) {
                                .user = s,
                                .max_bytes = cr_work_max_bytes(s),
                                .max_seconds = s->opts.max_seconds,
+                               .max_wait = CR_MAX_WAIT * s->opts.max_seconds,
                                .keep = true};
 }
 

@@ -279,6 +279,7 @@ static enum cr_err solve(struct work *w, const char *path, const char *name, str
     if (code == CR_ERR_OK) {
         struct cr_study_limit limit;
         w->shared.ctx.max_seconds = w->opt->budget.seconds; /* of each solve */
+        w->shared.ctx.max_wait = CR_MAX_WAIT * w->opt->budget.seconds;
         w->shared.ctx.max_bytes = 1e6 * w->opt->budget.megabytes;
         if (w->order != NULL) {
             w->shared.ctx.cancel = w->order->cancel;

@@ -12,6 +12,10 @@ static const struct {
 } warnings[] = {
     {"%: mass assumed, % kg +- % % (one standard deviation): EES and delta-v follow it",
      "%: Masse angenommen, % kg +- % % (eine Standardabweichung): EES und Delta-v folgen ihr"},
+    {"%: its mass as crashed, % kg, is less than its kerb mass, % kg: a car weighs that much when "
+     "it is empty; check the two",
+     "%: Masse beim Unfall, % kg, unter der Leermasse, % kg: so viel wiegt ein leerer Wagen; beide "
+     "prüfen"},
     {"%: side struck by the wide %, but the sides of the models rest on narrow poles: depth and "
      "EES are estimates; own A, B stiffness of the side can be given",
      "%: Seite vom breiten % getroffen; die Seiten der Modelle beruhen auf schmalen Pfählen: Tiefe "

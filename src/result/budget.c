@@ -38,8 +38,12 @@ enum cr_err cr_result_too_expensive(const struct cr_scene *scene, const struct c
     const struct cr_settings *set = &scene->set;
     double cells = voxels(scene), approach = approach_s(scene);
     if (time) {
-        cr_err_set(err, CR_ERR_EXPENSIVE, "too expensive: not solved within %g s of work",
-                   ctx->max_seconds);
+        char wait[48] = "";
+        if (ctx->max_wait > 0) {
+            snprintf(wait, sizeof wait, " or %g s by the clock", ctx->max_wait);
+        }
+        cr_err_set(err, CR_ERR_EXPENSIVE, "too expensive: not solved within %g s of work%s",
+                   ctx->max_seconds, wait);
     } else {
         cr_err_set(err, CR_ERR_EXPENSIVE, "too expensive: it takes more than %.0f MB",
                    ctx->max_bytes / 1e6);

@@ -136,6 +136,9 @@ struct cr_irf_set;
  * up. */
 enum cr_cancel { CR_CANCEL_NO, CR_CANCEL_USER, CR_CANCEL_TIME };
 enum { CR_MAX_SECONDS = 20, CR_MAX_MEGABYTES = 1024 }; /* one scene may cost this by default */
+/* Where somebody waits for one scene it may take so many times its processor time by the clock,
+ * however busy the machine is. Not in a stack or a study: there nothing may depend on the load. */
+enum { CR_MAX_WAIT = 3 };
 /* What a run needs besides the scene: shared, immutable data, and its limits. */
 struct cr_context {
     const struct cr_model_lib *models;
@@ -146,7 +149,8 @@ struct cr_context {
     void (*watch)(void *, struct cr_solver *solver, const struct cr_compiled *compiled);
     void *user;
     double max_bytes;   /* of memory that one scene may take, 0: any */
-    double max_seconds; /* only an error's text uses this: cancel watches the time */
+    double max_seconds; /* of processor time; only an error's text uses this and the next: */
+    double max_wait;    /* s by the clock, 0: any; cancel watches the time */
     bool keep;          /* a solve that was cancelled after the first contact leaves what it has */
 };
 
