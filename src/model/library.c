@@ -353,8 +353,8 @@ static enum cr_err substitute(const struct cr_model_lib *lib, const struct cr_mo
     return code;
 }
 
-/* A car is as strong from the left as from the right and its fields know no forward: of the hours of
- * a clock 1, 5, 7 and 11 have one substitute, and 12 and 6. */
+/* A car is as strong from the left as from the right and its fields know no forward: of the hours
+ * of a clock 1, 5, 7 and 11 have one substitute, and 12 and 6. */
 static struct key key_of(const struct cr_model_query *q) {
     const struct cr_dims *d = &q->dims;
     struct cr_model_sector sector[2];
