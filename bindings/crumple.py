@@ -324,9 +324,10 @@ class _Stack:
     @_callback(stop=0)
     def next(self, _user: Any, scene: Any, length: Any) -> int:
         try:
-            self.text = _text(next(self.scenes))[0]
+            self.text, name, folder = _text(next(self.scenes))
         except StopIteration:
             return 0
+        self.call.options.name, self.call.options.folder = os.fsencode(name), os.fsencode(folder)
         scene[0], length[0] = self.text, len(self.text)
         return 1
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Every example of README.md and crumple.1 runs, and shows what the program prints; the programs of
-# share/doc/programs.md in C, Python and R print what is shown below them.
+# README.md in C, Python and R have ten lines at most and print what is shown below them.
 # "check_examples.sh update" puts the present output into README.md: review the difference.
 . "$SRC/tests/tap.sh"
 tmp=$(mktemp -d) || exit 99
@@ -113,8 +113,11 @@ update() {
 # runs COMMAND PROGRAM: what it prints is what is shown, up to a tenth of its numbers
 runs() {
     (cd "$tmp" && CRUMPLE_DATA=$SRC CRUMPLE_LIBRARY=$BUILD/libcrumple.so.0 LD_LIBRARY_PATH=$BUILD \
-        PYTHONPATH=$SRC/bindings PYTHONDONTWRITEBYTECODE=1 sh -c "$1") >"$tmp/got" 2>&1 </dev/null
-    report $? "programs.md: the program in $2 runs"
+        PYTHONPATH=$SRC/bindings PYTHONDONTWRITEBYTECODE=1 sh -c "$1") \
+        >"$tmp/got" 2>&1 <"$tmp/pole.json"
+    report $? "README.md: the program in $2 runs"
+    [ "$(wc -l <"$tmp/program.$2")" -le 10 ]
+    report $? "it has ten lines at most"
     alike "$tmp/program.$2.out" "$tmp/got"
     good=$?
     report $good "and prints what is shown"
@@ -126,9 +129,8 @@ programs() {
     awk -v f="$tmp/program." '/^```(c|python|r)$/ { kind = substr($0, 4); file = f kind; next }
         /^```text$/ && kind != "" { file = f kind ".out"; kind = ""; next }
         /^```/ { file = "" }
-        file != "" { print >file }' "$SRC/share/doc/programs.md"
-    awk '/^```json$/ { on = 1; next } /^```$/ { on = 0 } on { print }' \
-        "$SRC/share/doc/programs.md" >"$tmp/pole.json"
+        file != "" { print >file }' "$SRC/README.md"
+    sed -n '/^$ cat >pole.json/,/^> END$/s/^> \([^E].*\)/\1/p' "$SRC/README.md" >"$tmp/pole.json"
     if [ ! -f "$BUILD/libcrumple.so" ] || "$CRUMPLE" --version | grep -q '^sanitizers: [^n]'; then
         skip "programs in C and Python" "no shared library, or one with sanitizers"
     else

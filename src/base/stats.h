@@ -5,6 +5,9 @@
 
 #include "base/err.h"
 
+/* 95 % of a normal distribution lie within so many standard deviations of its mean. */
+#define CR_Z_95 1.959963984540054
+
 double cr_stats_mean(const double *x, int n);
 
 /* Standard deviation of a sample (divisor n - 1); NaN for n < 2. */

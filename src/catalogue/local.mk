@@ -5,4 +5,4 @@ libmodel_a_SOURCES += \
 	src/catalogue/search.c
 cataloguedir = $(pkgdatadir)/catalogue
 dist_catalogue_DATA = \
-	share/catalogue/LICENSE share/catalogue/cars.csv share/catalogue/inertia.py share/catalogue/make-catalogue.py
+	share/catalogue/LICENSE share/catalogue/cars.csv share/catalogue/inertia.py share/catalogue/make-catalogue.py share/catalogue/rules.py

@@ -27,7 +27,9 @@ static const char about[] =
     "Solves one scene for many draws of the inputs that have a tolerance, and tells how the\n"
     "results scatter and which input they depend on. A tolerance stands in the scene as\n"
     "{\"value\": 56, \"tolerance\": 3, \"distribution\": \"normal\"}, or is set here:\n"
-    "--set A.speed_kmh=56+-3. The stiffness of each vehicle varies as its type does.\n"
+    "--set A.speed_kmh=56+-3. The stiffness of each vehicle varies as its type does, and\n"
+    "what a rule assumes of it (an unknown mass, track, centre of gravity, yaw inertia) as\n"
+    "cars differ from that rule; what was given is taken as it is.\n"
     "Exit status as of crumple run.\n";
 
 static int tell(void *user, int done, int draws) {
@@ -38,27 +40,14 @@ static int tell(void *user, int done, int draws) {
     return cr_cli_cancelled(NULL);
 }
 
-/* "A.ees", "ees" */
-static enum cr_err read_plot(const struct cr_mc *mc, const char *text, struct cr_mc_plot *plot,
-                             struct cr_error *err) {
-    int names;
-    const struct cr_measure *table = cr_measures(&names), *m = NULL;
-    const char *dot = strchr(text, '.'), *name = dot != NULL ? dot + 1 : text;
-    plot->participant = -1;
-    for (int p = 0; p < mc->participants && dot != NULL; p++) {
-        size_t len = strlen(mc->id[p]);
-        if (len == (size_t)(dot - text) && strncmp(text, mc->id[p], len) == 0) {
-            plot->participant = p;
-        }
+static enum cr_err read_plot(const struct cr_scene *scene, const struct options *opt,
+                             struct cr_mc_plot *plot, struct cr_error *err) {
+    if (cr_mc_plot_find(scene, opt->plot != NULL ? opt->plot : "ees", plot)) {
+        return CR_ERR_OK;
     }
-    m = cr_measure_find(name);
-    if (m == NULL || (dot != NULL && plot->participant < 0)) {
-        cr_err_set(err, CR_ERR_USAGE, "--plot %.60s: there is no such result", text);
-        cr_err_hint(err, "for example --plot %s.delta_v", mc->id[0]);
-        return CR_ERR_USAGE;
-    }
-    plot->measure = (int)(m - table);
-    return CR_ERR_OK;
+    cr_err_set(err, CR_ERR_USAGE, "--plot %.60s: there is no such result", opt->plot);
+    cr_err_hint(err, "for example --plot %s.delta_v", scene->part[0].id);
+    return CR_ERR_USAGE;
 }
 
 /* "[CHART=]FILE" */
@@ -86,22 +75,18 @@ static enum cr_err read_picture(const char *text, enum cr_mc_chart *chart, const
 
 /* The pictures that were asked for; without draws only whether they can be drawn. */
 static enum cr_err pictures(const struct options *opt, const struct cr_mc *mc,
-                            struct cr_error *err) {
+                            const struct cr_mc_plot *plot, struct cr_error *err) {
     enum cr_err code = CR_ERR_OK;
     for (int i = 0; i < opt->pictures.n && code == CR_ERR_OK; i++) {
         enum cr_mc_chart chart;
         const char *file;
-        struct cr_mc_plot plot;
         struct cr_canvas *canvas;
         code = read_picture(opt->pictures.value[i], &chart, &file, err);
         if (code != CR_ERR_OK || mc == NULL) {
             continue;
         }
         const struct cr_figure_words words = {.units = (enum cr_units)opt->units};
-        code = read_plot(mc, opt->plot != NULL ? opt->plot : "ees", &plot, err);
-        if (code == CR_ERR_OK) {
-            code = cr_mc_chart(mc, chart, &plot, &words, &canvas, err);
-        }
+        code = cr_mc_chart(mc, chart, plot, &words, &canvas, err);
         if (code == CR_ERR_OK) {
             code = cr_picture_write(canvas, file, mc->study.scene->name, err);
         }
@@ -109,7 +94,8 @@ static enum cr_err pictures(const struct options *opt, const struct cr_mc *mc,
     return code;
 }
 
-static enum cr_err write_mc(const struct cr_mc *mc, const struct options *opt, struct cr_str *text,
+static enum cr_err write_mc(const struct cr_mc *mc, const struct options *opt,
+                            const struct cr_mc_plot *plot, struct cr_str *text,
                             struct cr_error *err) {
     if (opt->format == FORMAT_JSON) {
         return cr_mc_json(mc, text, err);
@@ -118,18 +104,16 @@ static enum cr_err write_mc(const struct cr_mc *mc, const struct options *opt, s
         return cr_mc_csv(mc, text, err);
     }
     int width;
-    struct cr_mc_plot plot;
     struct cr_look look = cr_cli_look_of(&opt->look, opt->out != NULL, &width);
     const struct cr_mc_words words = {(enum cr_units)opt->units, look.ascii};
-    enum cr_err code = opt->plot != NULL ? read_plot(mc, opt->plot, &plot, err) : CR_ERR_OK;
-    return code == CR_ERR_OK ? cr_mc_text(mc, opt->plot != NULL ? &plot : NULL, &words, text, err)
-                             : code;
+    return cr_mc_text(mc, opt->plot != NULL ? plot : NULL, &words, text, err);
 }
 
 static enum cr_err solve(const struct cr_scene *scene, const struct options *opt,
                          const struct cr_context *ctx, struct cr_str *text, struct cr_error *err) {
     struct cr_scatter scatter;
     struct cr_study study;
+    struct cr_mc_plot plot;
     struct cr_mc *mc = NULL;
     char dir[4096];
     struct cr_mc_opts how = {.draws = opt->draws,
@@ -139,9 +123,15 @@ static enum cr_err solve(const struct cr_scene *scene, const struct options *opt
                              .own_grid = opt->grid == 1,
                              .progress = tell,
                              .user = (void *)(uintptr_t)opt};
-    enum cr_err code = cr_scatter_read(cr_data_dir(dir, sizeof dir), &scatter, err);
+    enum cr_err code = read_plot(scene, opt, &plot, err);
+    if (code == CR_ERR_OK) {
+        code = cr_scatter_read(cr_data_dir(dir, sizeof dir), &scatter, err);
+    }
     if (code == CR_ERR_OK) {
         code = cr_study_open(scene, opt->no_scatter ? NULL : &scatter, &study, err);
+    }
+    if (code == CR_ERR_OK && !opt->no_scatter) {
+        code = cr_study_add_ruled(&study, &scatter, ctx->models, err);
     }
     if (code == CR_ERR_OK) {
         code = cr_mc_run(&study, &how, ctx, &mc, err);
@@ -149,8 +139,9 @@ static enum cr_err solve(const struct cr_scene *scene, const struct options *opt
     /* The draws until ^C are written too; the status still says that draws are missing. */
     if (mc != NULL && mc->done > 1) {
         struct cr_error other;
-        enum cr_err wrote = write_mc(mc, opt, text, code == CR_ERR_OK ? err : &other);
-        wrote = wrote == CR_ERR_OK ? pictures(opt, mc, code == CR_ERR_OK ? err : &other) : wrote;
+        enum cr_err wrote = write_mc(mc, opt, &plot, text, code == CR_ERR_OK ? err : &other);
+        wrote =
+            wrote == CR_ERR_OK ? pictures(opt, mc, &plot, code == CR_ERR_OK ? err : &other) : wrote;
         code = code == CR_ERR_OK ? wrote : code;
     }
     cr_mc_free(mc);
@@ -185,7 +176,7 @@ int cr_cli_mc(int argc, char **argv) {
                        "own: all on the scene's voxels; auto: many on coarse ones where that "
                        "serves"),
         CR_OPTION_FLAG("no-scatter", 0, &opt.no_scatter,
-                       "the stiffness of the vehicles does not vary"),
+                       "neither stiffness nor what rules assume varies: tolerances alone"),
         CR_OPTION_NUMBER("jobs", 'j', &opt.jobs, 1, 256, "threads (one per processor)"),
         CR_OPTION_TEXT("plot", 0, "A.RESULT", &opt.plot,
                        "result of histogram and ranked inputs (ees)"),
@@ -207,7 +198,7 @@ int cr_cli_mc(int argc, char **argv) {
     if (status >= 0) {
         return status;
     }
-    enum cr_err code = pictures(&opt, NULL, &err);
+    enum cr_err code = pictures(&opt, NULL, NULL, &err);
     code = code == CR_ERR_OK ? run(argv[1], &opt, &err) : code;
     return code == CR_ERR_OK ? 0 : cr_cli_fail(&err);
 }

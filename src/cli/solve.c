@@ -86,6 +86,7 @@ enum cr_err cr_cli_solve(const struct cr_cli_shared *shared, const struct cr_cli
 
 enum cr_err cr_cli_solve_job(struct cr_cli_job *job, const struct cr_cli_budget *budget,
                              struct cr_error *err) {
+    job->shared.ctx.max_wait = CR_MAX_WAIT * budget->seconds;
     enum cr_err code = cr_cli_solve(&job->shared, budget, &job->scene, &job->result, err);
     if (code != CR_ERR_OK) {
         cr_cli_locate_job(job, err);

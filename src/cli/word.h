@@ -80,7 +80,7 @@ struct cr_cli_budget {
      .number = &(b)->seconds,                                                                      \
      .lo = 1,                                                                                      \
      .hi = 1000000,                                                                                \
-     .help = "processor time one scene may take (20)"},                                            \
+     .help = "processor time one scene may take, in s (20)"},                                      \
     {                                                                                              \
         .name = "max-memory", .arg = "MB", .number = &(b)->megabytes, .lo = 1, .hi = 1000000,      \
         .help = "memory one scene may take, in MB (1024)"                                          \

@@ -64,9 +64,9 @@ struct cr_out {
     void (*play)(void *user, bool on); /* at the view's rate; NULL: pictures do not move */
 };
 
-/* Lines of a fault as a person reads them. In a script: place and message, the source line with a
- * caret, the hint. At a prompt of that width in columns, with the line just above: caret, message
- * with hint; with prompt < 0 the message alone. */
+/* Lines of a fault as a person reads them. In a script: place and message, the source line (of a
+ * long one a part) with a caret, the hint. At a prompt of that width in columns, with the line just
+ * above: caret, message with hint; with prompt < 0 the message alone. */
 void cr_fault_text(const struct cr_fault *fault, int prompt, struct cr_str *out);
 
 /* ---- the command table ---- */

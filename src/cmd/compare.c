@@ -17,7 +17,7 @@ static int whose(struct cr_call *call, struct cr_error *err) {
     const char *name = cr_cmd_text(call, "of", NULL);
     int found = -1, moving = 0;
     for (int i = 0; i < r->resolved.n; i++) {
-        bool moves = cr_render_moves(r, i);
+        bool moves = cr_result_moves(r, i);
         if (name != NULL ? strcmp(r->resolved.part[i].id, name) == 0 : moves) {
             found = i;
         }

@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/stat.h>
 
 /* where the cursor is in the line */
@@ -135,12 +136,17 @@ static void add_names(struct cursor *c, bool vehicles_only) {
     }
 }
 
+/* Whether a name ends in one of the suffixes, in either case; ".nnn" are three digits or more, as a
+ * channel of a crash test has them. */
 static bool has_suffix(const char *name, const char *suffixes) {
     char suffix[16];
-    size_t n = strlen(name);
+    const char *dot = strrchr(name, '.');
+    size_t n = strlen(name), digits = dot != NULL ? strspn(dot + 1, "0123456789") : 0;
+    bool channel = digits >= 3 && dot[1 + digits] == '\0';
     for (int i = 0; i < cr_cmd_words(suffixes); i++) {
         size_t k = strlen(cr_cmd_word_at(suffixes, i, suffix, sizeof suffix));
-        if (n >= k && strcmp(name + n - k, suffix) == 0) {
+        if (strcmp(suffix, ".nnn") == 0 ? channel
+                                        : n >= k && strcasecmp(name + n - k, suffix) == 0) {
             return true;
         }
     }

@@ -63,7 +63,7 @@ static void measured_of(struct cr_export *x, int body, struct cr_face_measured *
     memcpy(out->depth, m->depth, (size_t)m->stations * sizeof m->depth[0]);
     if (m->face != r->of[body].face) {
         cr_warn(x->s, "%s was measured at the %s, and struck elsewhere: only the computed is drawn",
-                r->resolved.part[body].id, cr_crush_face_word(m->face));
+                r->resolved.part[body].id, cr_face_word(m->face));
     }
 }
 

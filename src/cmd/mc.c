@@ -130,23 +130,11 @@ static int progress(void *user, int done, int draws) {
 
 static enum cr_err read_plot(struct cr_call *call, struct cr_mc_plot *plot, struct cr_error *err) {
     const char *text = cr_cmd_text(call, "plot", "ees");
-    const struct cr_scene *scene = cr_session_scene(call->s);
-    const char *dot = strchr(text, '.'), *name = dot != NULL ? dot + 1 : text;
-    int names;
-    const struct cr_measure *table = cr_measures(&names), *m = cr_measure_find(name);
-    plot->participant = -1;
-    for (int p = 0; p < scene->n && dot != NULL; p++) {
-        size_t len = strlen(scene->part[p].id);
-        if (len == (size_t)(dot - text) && strncmp(text, scene->part[p].id, len) == 0) {
-            plot->participant = p;
-        }
-    }
-    if (m == NULL || (dot != NULL && plot->participant < 0)) {
+    if (!cr_mc_plot_find(cr_session_scene(call->s), text, plot)) {
         cr_err_set(err, CR_ERR_NAME, "there is no result '%.60s'", text);
         cr_err_hint(err, "for example plot=A.delta_v");
         return cr_cmd_blame(call, "plot", CR_ERR_NAME);
     }
-    plot->measure = (int)(m - table);
     return CR_ERR_OK;
 }
 
@@ -242,5 +230,8 @@ enum cr_err cr_cmd_mc(struct cr_call *call, struct cr_error *err) {
     study.make = make;
     study.user = &d;
     code = read_inputs(call, &study, &d, err);
+    if (code == CR_ERR_OK && varies) {
+        code = cr_study_add_ruled(&study, &scatter, s->models, err);
+    }
     return code == CR_ERR_OK ? draw(call, &study, &plot, err) : code;
 }

@@ -196,7 +196,7 @@ static enum cr_err plot_pulse(struct cr_session *s, const struct pulse_call *wha
         t[i] = 1e3 * (sol->t[i] - sol->t_contact);
     }
     for (int b = 0; b < sol->bodies && code == CR_ERR_OK; b++) {
-        if (what->only >= 0 ? b != what->only : !cr_render_moves(r, b)) {
+        if (what->only >= 0 ? b != what->only : !cr_result_moves(r, b)) {
             continue;
         }
         double *own = y + (size_t)b * (size_t)n;
@@ -238,7 +238,7 @@ static enum cr_err say_pulse(struct cr_session *s, const struct pulse_call *what
     double *y = calloc((size_t)n + 1, sizeof *y);
     enum cr_err code = y != NULL ? CR_ERR_OK : cr_err_set(err, CR_ERR_MEMORY, "out of memory");
     for (int b = 0; b < sol->bodies && code == CR_ERR_OK; b++) {
-        if (what->only >= 0 ? b != what->only : !cr_render_moves(s->result, b)) {
+        if (what->only >= 0 ? b != what->only : !cr_result_moves(s->result, b)) {
             continue;
         }
         code = series(s->result, what, b, n, y, err);

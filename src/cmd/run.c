@@ -63,22 +63,42 @@ static void message(const struct cr_error *err, struct cr_str *out) {
     cr_str_add(out, err->text);
 }
 
+/* bytes of the first n characters */
+static int bytes_of(const char *text, int n) {
+    int i = 0;
+    while (text[i] != '\0' && (n > 0 || ((unsigned char)text[i] & 0xC0) == 0x80)) {
+        n -= ((unsigned char)text[i++] & 0xC0) != 0x80;
+    }
+    return i;
+}
+
+/* The line with a caret below what is meant; of a line longer than anybody reads what is around. */
+static void quote_line(const struct cr_fault *f, struct cr_str *out) {
+    enum { CHARS = 200 };
+    int chars = cr_cmd_chars(f->text, (int)strlen(f->text));
+    int first = chars <= CHARS || f->col <= CHARS / 2 ? 0 : f->col - 1 - CHARS / 2;
+    int last = first + CHARS < chars ? first + CHARS : chars, room = last + 1 - f->col;
+    int from = bytes_of(f->text, first), to = bytes_of(f->text, last);
+    cr_str_addf(out, "  %s%.*s%s\n", first > 0 ? "..." : "", to - from, f->text + from,
+                last < chars ? "..." : "");
+    caret(out, first > 0 ? 5 : 2, f->col - first, f->len < room ? f->len : room);
+}
+
 void cr_fault_text(const struct cr_fault *fault, int prompt, struct cr_str *out) {
     const struct cr_error *err = &fault->err;
     if (fault->src != NULL) {
         cr_show_add(out, fault->src);
         cr_str_addf(out, ":%d:%d: error: ", fault->line, fault->col);
         message(err, out);
-        cr_str_addf(out, "\n  %s\n", fault->text);
-        caret(out, 2, fault->col, fault->len);
+        cr_str_add(out, "\n");
+        quote_line(fault, out);
         if (err->hint[0] != '\0') {
             cr_str_addf(out, "  hint: %s\n", err->hint);
         }
         return;
     }
     if (prompt >= 0 && fault->many) {
-        cr_str_addf(out, "  %s\n", fault->text);
-        caret(out, 2, fault->col, fault->len);
+        quote_line(fault, out);
     } else if (prompt >= 0) {
         caret(out, prompt, fault->col, fault->len);
     }

@@ -113,6 +113,16 @@ static bool is_scene_setting(const struct cr_arg *arg) {
            strcmp(arg->name, "pair") == 0;
 }
 
+/* a name that is none is told now, not when the scene is solved */
+static enum cr_err check_injury(struct cr_call *call, const struct cr_scene *scene,
+                                struct cr_error *err) {
+    if (!cr_cmd_given(call, "injury") || cr_session_need_models(call->s, NULL) != CR_ERR_OK) {
+        return CR_ERR_OK;
+    }
+    enum cr_err code = cr_irf_check(call->s->irf, scene->set.injury, err);
+    return code == CR_ERR_OK ? code : cr_cmd_blame(call, "injury", code);
+}
+
 enum cr_err cr_cmd_set(struct cr_call *call, struct cr_error *err) {
     const char *only = cr_cmd_text(call, "SETTING", NULL);
     int given = 0, of_scene = 0;
@@ -137,6 +147,7 @@ enum cr_err cr_cmd_set(struct cr_call *call, struct cr_error *err) {
     }
     if (code == CR_ERR_OK && of_scene > 0) {
         code = cr_cmd_set_keys(call, &draft->scene, NULL, err);
+        code = code == CR_ERR_OK ? check_injury(call, &draft->scene, err) : code;
     }
     static const char *const texts[] = {"name", "pair"};
     for (int i = 0; i < 2 && code == CR_ERR_OK; i++) {

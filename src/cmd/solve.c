@@ -40,9 +40,10 @@ static int cancelled(void *user) {
     double limit = s->opts.max_seconds, polled = s->work_polled;
     int cancel = cr_work_cancelled(s);
     bool looked = cancel == 0 && (s->opts.out.cancel == NULL || s->work_polled > polled);
-    return looked && limit > 0 && cr_clock_thread() - s->work_processor > limit
-               ? (int)CR_CANCEL_TIME
-               : cancel;
+    bool late = looked && limit > 0 &&
+                (cr_clock_thread() - s->work_processor > limit ||
+                 cr_clock_wall() - s->work_began > CR_MAX_WAIT * limit);
+    return late ? (int)CR_CANCEL_TIME : cancel;
 }
 
 struct cr_context cr_session_context(struct cr_session *s) {
@@ -53,6 +54,7 @@ struct cr_context cr_session_context(struct cr_session *s) {
                                .user = s,
                                .max_bytes = cr_work_max_bytes(s),
                                .max_seconds = s->opts.max_seconds,
+                               .max_wait = CR_MAX_WAIT * s->opts.max_seconds,
                                .keep = true};
 }
 
@@ -73,7 +75,7 @@ static void say_result(struct cr_session *s) {
     }
     cr_str_add(&line, ", delta-v");
     for (int i = 0; i < r->solution->bodies; i++) {
-        if (cr_render_moves(r, i)) {
+        if (cr_result_moves(r, i)) {
             double delta_v = cr_kmh(r->of[i].delta_v);
             cr_units_shown(s->units, "km/h", &delta_v, NULL);
             cr_str_addf(&line, " %s %.1f", r->resolved.part[i].id, delta_v);
@@ -302,7 +304,7 @@ static void say_steps_short(struct cr_session *s) {
         struct cr_str line = {0};
         cr_str_addf(&line, "%4d %7.2f ms", k + 1, 1e3 * (sol->t[k] - sol->t_contact));
         for (int i = 0; i < sol->bodies; i++) {
-            if (cr_render_moves(s->result, i)) {
+            if (cr_result_moves(s->result, i)) {
                 cr_str_addf(&line, "  %s %5.1f km/h %5.1f g %6.1f kJ",
                             s->result->resolved.part[i].id, cr_kmh(cr_vec2_len(x[i].vel)),
                             cr_vec2_len(x[i].acc) / CR_G, 1e-3 * x[i].energy);

@@ -259,7 +259,7 @@ static const struct cr_arg pulse_args[] = {
     OPTION("QUANTITY", CR_VALUE_WORD,
            .words = "a|ax|ay|v|vx|vy|yaw|yawrate|yawacc|x|y|force|energy", .def = "a",
            .help = "what is drawn over the time"),
-    KEY("vs", CR_VALUE_FILE, .words = ".csv|.EV5|.mme|.001",
+    KEY("vs", CR_VALUE_FILE, .words = ".csv|.EV5|.mme|.zip|.nnn",
         .help = "measured curve over the time; units as in t_ms, ax_g, v_kmh; or a crash test"),
     KEY("column", CR_VALUE_TEXT, .help = "its column; else that of the quantity, or the first"),
     KEY("filter", CR_VALUE_WORD, .words = "none|cfc60|cfc180|cfc600|cfc1000", .def = "cfc60",
@@ -275,7 +275,7 @@ static const struct cr_arg explain_args[] = {
 };
 
 static const struct cr_arg compare_args[] = {
-    OPTION("FILE", CR_VALUE_FILE, .words = ".json|.csv|.EV5|.mme|.001",
+    OPTION("FILE", CR_VALUE_FILE, .words = ".json|.csv|.EV5|.mme|.zip|.nnn",
            .help = "measured values, a curve, a crash test (or its folder), or another result"),
     REST("EVIDENCE=VALUE ...", CR_VALUE_TEXT,
          .help = "in place of a file, as fit takes it: rest.A=12,3m, dv.B=43+-4km/h, "
@@ -326,7 +326,7 @@ static const struct cr_arg mc_args[] = {
     KEY("grid", CR_VALUE_WORD, .words = "auto|own", .def = "auto",
         .help = "own: all on the scene's voxels; auto: many on coarse ones"),
     KEY("scatter", CR_VALUE_SWITCH, .words = "on|off", .def = "on",
-        .help = "the stiffness of each vehicle varies too, as cars of its type differ"),
+        .help = "stiffness and what rules assume vary too, as cars of the type differ"),
     KEY("plot", CR_VALUE_TEXT, .def = "ees of all",
         .help = "result of the histogram and the ranked inputs: A.ees, B.delta_v ..."),
     KEY("jobs", CR_VALUE_COUNT, .lo = 1, .hi = 256, .def = "one per processor",

@@ -46,7 +46,7 @@ void cr_crush_against(const struct cr_result *result, int body, const struct cr_
 
 void cr_crush_against_text(const char *id, const struct cr_measured *m,
                            const struct cr_crush_against *against, struct cr_str *out) {
-    cr_str_addf(out, "%s, %s: measured and solved depth, cm\n", id, cr_crush_face_word(m->face));
+    cr_str_addf(out, "%s, %s: measured and solved depth, cm\n", id, cr_face_word(m->face));
     for (int i = 0; i < against->n; i++) {
         cr_str_addf(out, "  C%-2d at %+5.2f m %6.1f %6.1f  %+6.1f\n", i + 1, against->at[i],
                     100 * m->depth[i], 100 * against->solved[i],

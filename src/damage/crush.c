@@ -1,24 +1,13 @@
 /* The energy of a measured outline: which voxels lie outside of it, and what they took. */
 #include "damage/crush.h"
 
-#include "result/cdc.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-static const char *const faces[CR_FACES] = {[CR_FACE_FRONT] = "front",
-                                            [CR_FACE_LEFT] = "left",
-                                            [CR_FACE_REAR] = "rear",
-                                            [CR_FACE_RIGHT] = "right"};
-
-const char *cr_crush_face_word(enum cr_face face) {
-    return faces[face];
-}
-
 int cr_crush_face_find(const char *word) {
     for (int i = 0; i < CR_FACES; i++) {
-        if (strcmp(faces[i], word) == 0) {
+        if (strcmp(cr_face_word((enum cr_face)i), word) == 0) {
             return i;
         }
     }
@@ -105,7 +94,7 @@ enum cr_err cr_crush_check(const struct cr_measured *m, const struct cr_particip
     if (fabs(m->offset) + m->length / 2 > 0.6 * span) {
         cr_err_set(err, CR_ERR_RANGE,
                    "%s: a field of %.3g m at %+.3g m lies outside the %s of %.3g m", p->id,
-                   m->length, m->offset, faces[m->face], span);
+                   m->length, m->offset, cr_face_word(m->face), span);
         cr_err_hint(err, "the offset is that of its middle, to the right or forward");
         return CR_ERR_RANGE;
     }
@@ -115,7 +104,7 @@ enum cr_err cr_crush_check(const struct cr_measured *m, const struct cr_particip
     double off = remainder(m->pdof - cr_crush_square(m->face), 2 * CR_PI);
     if (!isnan(m->pdof) && fabs(off) >= CR_PI / 2) {
         cr_err_set(err, CR_ERR_RANGE, "%s: a force from %.4g degrees pulls at the %s", p->id,
-                   cr_deg(m->pdof), faces[m->face]);
+                   cr_deg(m->pdof), cr_face_word(m->face));
         cr_err_hint(err, "PDOF is clockwise from ahead; %.0f is square to that face",
                     cr_deg(cr_crush_square(m->face)));
         return CR_ERR_RANGE;

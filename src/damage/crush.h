@@ -12,6 +12,7 @@
 #include "base/str.h"
 #include "base/vec.h"
 #include "model/model.h"
+#include "result/cdc.h"
 #include "scene/scene.h"
 
 #include <stdbool.h>
@@ -56,8 +57,7 @@ CR_MUST_CHECK enum cr_err cr_crush_outline_read(const char *text, struct cr_meas
                                                 struct cr_error *err);
 /* The usual PDOF of a face, rad clockwise: 0 of the front, 90 degrees of the right side. */
 double cr_crush_square(enum cr_face face);
-/* Words of faces: front, left, rear, right; -1 if there is none. */
-const char *cr_crush_face_word(enum cr_face face);
+/* The face of a word (cr_face_word); -1 if there is none. */
 int cr_crush_face_find(const char *word);
 /* The end of a recipe that a face belongs to. */
 enum cr_model_end cr_crush_end(enum cr_face face);

@@ -64,7 +64,7 @@ static void say_measured(const struct cr_crush_car *car, struct cr_str *out) {
     const struct cr_measured *m = &car->m;
     const struct cr_participant *p = car->p;
     cr_str_addf(out, "%s: %s %.0f +- %.0f kg, %s, field %.2f +- %.2f m at %+.2f +- %.2f m, ",
-                car->id, cr_type_word(p->type), p->mass, m->mass_tol, cr_crush_face_word(m->face),
+                car->id, cr_type_word(p->type), p->mass, m->mass_tol, cr_face_word(m->face),
                 m->length, m->length_tol, m->offset, m->offset_tol);
     cr_str_addf(out, "PDOF %.0f +- %.0f deg\n", cr_bearing_deg(m->pdof), cr_deg(m->pdof_tol));
     if (m->guessed) {
@@ -169,7 +169,7 @@ static cJSON *part_json(const struct cr_crush_case *what, const struct cr_crush_
     cr_crush_cdc(car, cdc);
     cr_tree_text(o, "id", car->id);
     cr_tree_text(o, "type", cr_type_word(car->p->type));
-    cr_tree_text(o, "face", cr_crush_face_word(m->face));
+    cr_tree_text(o, "face", cr_face_word(m->face));
     add_given(o, "mass_kg", car->p->mass, m->mass_tol);
     add_given(o, "pdof_deg", cr_deg(m->pdof), cr_deg(m->pdof_tol));
     add_given(o, "field_length_m", m->length, m->length_tol);

@@ -202,7 +202,7 @@ static enum cr_err match_guessed(struct cr_crush_case *what, const struct cr_cru
         if (!(rules->partner[cr_crush_end(own)][cr_crush_end(face)].log_sd > 0)) {
             cr_err_set(err, CR_ERR_MISSING,
                        "%s: no real crashes tell what a %s takes that meets a %s", guessed->id,
-                       cr_crush_face_word(face), cr_crush_face_word(own));
+                       cr_face_word(face), cr_face_word(own));
             cr_err_hint(err, "measure its crush");
             return CR_ERR_MISSING;
         }

@@ -122,6 +122,9 @@ static enum cr_err draw(struct work *w, struct cr_error *err) {
         code = cr_study_open(&w->scene, &scatter, &study, err);
     }
     if (code == CR_ERR_OK) {
+        code = cr_study_add_ruled(&study, &scatter, w->shared.ctx.models, err);
+    }
+    if (code == CR_ERR_OK) {
         code = cr_mc_run(&study, &how, &w->shared.ctx, &w->mc, err);
     }
     if (code == CR_ERR_USAGE) {
@@ -276,6 +279,7 @@ static enum cr_err solve(struct work *w, const char *path, const char *name, str
     if (code == CR_ERR_OK) {
         struct cr_study_limit limit;
         w->shared.ctx.max_seconds = w->opt->budget.seconds; /* of each solve */
+        w->shared.ctx.max_wait = CR_MAX_WAIT * w->opt->budget.seconds;
         w->shared.ctx.max_bytes = 1e6 * w->opt->budget.megabytes;
         if (w->order != NULL) {
             w->shared.ctx.cancel = w->order->cancel;

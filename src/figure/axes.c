@@ -1,4 +1,4 @@
-/* Axes with round ticks, and rules, arrows, hatches, colour and scale bars. */
+/* Draws axes with round ticks, and rules, arrows, hatches, colour and scale bars. */
 #include "figure/ink.h"
 
 #include "base/vec.h"
@@ -29,19 +29,26 @@ static double x_step(const struct cr_axes *a) {
     return cr_tick_step(a->x_hi - a->x_lo, most_ticks(a->at.w, 48));
 }
 
-void cr_axes_fit(struct cr_axes *a, struct cr_box at, bool title) {
+/* The width of the widest number beside the y axis with ticks at this step. */
+static double widest_number(const struct cr_axes *a, double step) {
     struct cr_type_face face = {.size = small_size};
-    double above = title ? 20 : 8, wide = 0;
-    a->at = (struct cr_box){at.x, at.y + above, at.w, at.h - above - 30};
-    double step = y_step(a), next = ceil(a->y_hi / step - 1e-9) * step;
-    if (next - a->y_hi < 0.12 * (a->y_hi - a->y_lo)) {
-        a->y_hi = next;
-    }
+    double wide = 0;
     for (double v = ceil(a->y_lo / step - 1e-9) * step; v <= a->y_hi + step * 1e-6; v += step) {
         char text[TICK_TEXT];
         cr_tick_text(v, step, text, sizeof text);
         wide = fmax(wide, cr_text_width(&face, text));
     }
+    return wide;
+}
+
+void cr_axes_fit(struct cr_axes *a, struct cr_box at, bool title) {
+    double above = title ? 20 : 8;
+    a->at = (struct cr_box){at.x, at.y + above, at.w, at.h - above - 30};
+    double step = y_step(a), next = ceil(a->y_hi / step - 1e-9) * step;
+    if (next - a->y_hi < 0.12 * (a->y_hi - a->y_lo)) {
+        a->y_hi = next;
+    }
+    double wide = widest_number(a, step);
     a->at.x = at.x + wide + 20;
     a->at.w = at.w - wide - 20 - 10;
 }
@@ -86,15 +93,7 @@ void cr_axes_draw(const struct cr_axes *a, const char *x_name, const char *y_nam
                     &(struct cr_paint){.fill = CR_NO_INK, .line = CR_INK_FRAME, .width = 0.7});
     cr_canvas_text(a->canvas, a->at.x + a->at.w, a->at.y + a->at.h + 23, &face, x_name);
     face.upward = true;
-    face.anchor = CR_ANCHOR_END;
-    struct cr_type_face small = {.size = small_size};
-    char text[TICK_TEXT];
-    double step = y_step(a), wide = 0;
-    for (double v = ceil(a->y_lo / step - 1e-9) * step; v <= a->y_hi + step * 1e-6; v += step) {
-        cr_tick_text(v, step, text, sizeof text);
-        wide = fmax(wide, cr_text_width(&small, text));
-    }
-    cr_canvas_text(a->canvas, a->at.x - wide - 10, a->at.y, &face, y_name);
+    cr_canvas_text(a->canvas, a->at.x - widest_number(a, y_step(a)) - 10, a->at.y, &face, y_name);
 }
 
 void cr_figure_rule(struct cr_canvas *c, struct cr_line line, uint32_t ink, double width,
@@ -135,7 +134,8 @@ void cr_figure_title(struct cr_canvas *c, struct cr_box at, const char *title) {
     cr_canvas_text(c, at.x, at.y + title_size, &face, title);
 }
 
-/* where the line x + y = k crosses the edges of a polygon, as x in rising order */
+/* Finds where the line x + y = k crosses the edges of a polygon, as x in rising order; returns how
+ * many crossings there are. */
 static int crossings(const double *x, const double *y, int n, double k, double hit[HITS]) {
     int hits = 0;
     for (int i = 0, j = n - 1; i < n; j = i++) {
@@ -192,7 +192,7 @@ double cr_figure_scale_bar(struct cr_canvas *c, double x, double y, double k, en
     double length = lengths[0], per_m = 1;
     char text[24];
     const char *unit = cr_units_shown(units, "m", &per_m, NULL);
-    k /= per_m; /* points per m or ft */
+    k /= per_m; /* now points per unit that is shown, m or ft */
     for (int i = 0; i < (int)(sizeof lengths / sizeof lengths[0]); i++) {
         if (lengths[i] * k <= 80) {
             length = lengths[i];

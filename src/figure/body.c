@@ -1,4 +1,4 @@
-/* A 3D model from the side, from above and from before, with its deformation. */
+/* Draws a 3D model from the side, from above and from before, with its deformation. */
 #include "figure/ink.h"
 
 #include "base/vec.h"
@@ -7,9 +7,9 @@
 #include <stdio.h>
 
 enum { ABOVE = 18, BELOW = 22, BARE = -2, DEFORMED = -1 };
-static const double ees_top = 100; /* km/h, as in the scene */
+static const double ees_top = CR_EES_TOP;
 
-/* points per m for a plane of w x h m in a box */
+/* The points per m at which a plane of w x h m fits a box. */
 static double scale(double w, double h, struct cr_box at) {
     return fmin(at.w / w, (at.h - ABOVE - BELOW) / h);
 }
@@ -34,6 +34,7 @@ static int step_of(const struct cr_plane *pl, int u, int v) {
                                            : cr_ink_step(fmin(ees / ees_top, 1));
 }
 
+/* Draws all points of a step as one path of runs along the rows; at: corner and points per m. */
 static void runs(struct cr_canvas *c, const struct cr_plane *pl, const double at[3], int step) {
     for (int v = 0; v < pl->nv; v++) {
         for (int u = 0; u < pl->nu; u++) {
@@ -52,7 +53,7 @@ static void runs(struct cr_canvas *c, const struct cr_plane *pl, const double at
     cr_canvas_paint(c, &(struct cr_paint){.fill = ink, .line = ink, .width = 0.2});
 }
 
-/* depth in dm in every second point of the deformed part, as the picture in text has it */
+/* Writes the depth in dm into the deformed part, as far apart as the digits need. */
 static void depths(struct cr_canvas *c, const struct cr_plane *pl, const double at[3]) {
     int every = (int)fmax(ceil(8 / (pl->edge * at[2])), 1);
     struct cr_type_face face = {.size = 6.5, .ink = CR_INK_CRUSHED, .anchor = CR_ANCHOR_MIDDLE};

@@ -1,4 +1,4 @@
-/* Canvases as PDF and PNG, by cairo where the build has it. */
+/* Writes canvases as PDF and PNG with cairo; without cairo it says so. */
 #include "config.h"
 
 #include "figure/canvas_priv.h"
@@ -69,7 +69,8 @@ static void path(cairo_t *cr, const struct cr_canvas *c, const struct cr_item *i
     cairo_new_path(cr);
 }
 
-/* The machine's font may be wider than the one that lines were laid out for: it is set narrower. */
+/* Writes a line. The machine's font may be wider than the one for which lines were laid out: then
+ * the line is set narrower. */
 static void text(cairo_t *cr, const struct cr_canvas *c, const struct cr_item *item) {
     const struct cr_type_face *f = &item->face;
     char *words = strndup(c->words.s + item->from, (size_t)item->n);
@@ -144,7 +145,7 @@ static void describe(cairo_surface_t *surface, const struct cr_pdf_about *about)
             cairo_pdf_surface_set_metadata(surface, rows[i].what, rows[i].text);
         }
     }
-    /* without this cairo writes the time of day */
+    /* Without this line cairo writes the time of day. */
     cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE,
                                    about->date != NULL ? about->date : "");
 }

@@ -1,4 +1,4 @@
-/* A canvas remembers what is drawn on it until it is written. */
+/* Remembers what is drawn on a canvas until the canvas is written. */
 #include "figure/canvas_priv.h"
 
 #include "base/grow.h"
@@ -43,11 +43,6 @@ void cr_canvas_comma(struct cr_canvas *c) {
     }
 }
 
-void cr_canvas_origin(struct cr_canvas *c, double x, double y) {
-    c->x0 = x;
-    c->y0 = y;
-}
-
 static struct cr_item *add_item(struct cr_canvas *c, enum cr_act act) {
     if (!cr_grow(&c->item, &c->item_size, c->items, sizeof *c->item)) {
         c->failed = true;
@@ -66,11 +61,11 @@ static void add_step(struct cr_canvas *c, const struct cr_step *step) {
 }
 
 void cr_canvas_move(struct cr_canvas *c, double x, double y) {
-    add_step(c, &(struct cr_step){CR_VERB_MOVE, {x + c->x0}, {y + c->y0}});
+    add_step(c, &(struct cr_step){CR_VERB_MOVE, {x}, {y}});
 }
 
 void cr_canvas_line(struct cr_canvas *c, double x, double y) {
-    add_step(c, &(struct cr_step){CR_VERB_LINE, {x + c->x0}, {y + c->y0}});
+    add_step(c, &(struct cr_step){CR_VERB_LINE, {x}, {y}});
 }
 
 void cr_canvas_close(struct cr_canvas *c) {
@@ -85,13 +80,12 @@ void cr_canvas_rect(struct cr_canvas *c, double x, double y, double w, double h)
     cr_canvas_close(c);
 }
 
-/* a quarter of a circle as a Bezier curve misses it by 0.03 % with this distance of its points */
+/* With this distance of its control points a Bezier curve misses a quarter of a circle by 0.03
+ * %. */
 static const double round_off = 0.5522847498;
 
 void cr_canvas_circle(struct cr_canvas *c, double x, double y, double r) {
     static const int turn[5][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}};
-    x += c->x0;
-    y += c->y0;
     add_step(c, &(struct cr_step){CR_VERB_MOVE, {x + r}, {y}});
     for (int i = 0; i < 4; i++) {
         const int *a = turn[i], *b = turn[i + 1];
@@ -117,8 +111,8 @@ void cr_canvas_paint(struct cr_canvas *c, const struct cr_paint *paint) {
 void cr_canvas_clip(struct cr_canvas *c, double x, double y, double w, double h) {
     struct cr_item *item = add_item(c, CR_ACT_CLIP);
     if (item != NULL) {
-        item->x = x + c->x0;
-        item->y = y + c->y0;
+        item->x = x;
+        item->y = y;
         item->w = w;
         item->h = h;
     }
@@ -160,7 +154,7 @@ void cr_canvas_place(struct cr_canvas *c, const struct cr_canvas *picture, doubl
 
 /* ---- words ---- */
 
-/* length of the UTF-8 sequence at s, 0 for one that is broken */
+/* The length of the UTF-8 sequence at s; 0 for a broken one. */
 static int sequence(const char *s) {
     unsigned char c = (unsigned char)s[0];
     int n = c < 0x80 ? 1 : c >= 0xC2 && c < 0xE0 ? 2 : (c & 0xF0) == 0xE0 ? 3 : c < 0xF5 ? 4 : 0;
@@ -183,8 +177,8 @@ void cr_canvas_text(struct cr_canvas *c, double x, double y, const struct cr_typ
     }
     item->from = (int)c->words.len;
     item->face = *face;
-    item->x = x + c->x0;
-    item->y = y + c->y0;
+    item->x = x;
+    item->y = y;
     for (const char *s = utf8; *s != '\0';) {
         int n = sequence(s);
         if (n == 0 || (n == 1 && (unsigned char)*s < 32) || *s == 127) {
@@ -216,7 +210,7 @@ double cr_text_width(const struct cr_type_face *face, const char *utf8) {
     for (const char *s = utf8; *s != '\0';) {
         int n = sequence(s);
         unsigned char c = (unsigned char)*s;
-        /* three bytes and more: arrows, signs, scripts whose letters are as wide as high */
+        /* Characters of three bytes and more are arrows, signs and letters as wide as high. */
         double w = face->mono           ? courier
                    : c >= 32 && c < 127 ? helvetica[c - 32]
                    : n > 2              ? wide_letter

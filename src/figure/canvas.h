@@ -1,10 +1,10 @@
-/* Drawing interface of pictures and pages: shapes and words are put on a canvas, which is then
- * written as SVG, PDF or PNG.
+/* Draws pictures and pages: shapes and words are put on a canvas, which is then written as SVG, PDF
+ * or PNG.
  *
- * Lengths are points of 1/72 inch, x to the right, y down. Memory that runs out is remembered: the
- * writers then report it, so that drawing itself needs no checks. SVG is written here, since cairo
- * would turn its words into outlines that can be neither searched nor read aloud, under names that
- * clash where a page holds two pictures; PDF and PNG are cairo's. */
+ * Lengths are points of 1/72 inch, x to the right, y down. A lack of memory is remembered and the
+ * writers report it, so that drawing itself needs no checks. We write SVG ourselves, since cairo
+ * would turn words into outlines that can be neither searched nor read aloud, under names that
+ * clash where a page holds two pictures; cairo writes PDF and PNG. */
 #ifndef CR_FIGURE_CANVAS_H
 #define CR_FIGURE_CANVAS_H
 
@@ -16,18 +16,16 @@
 
 struct cr_canvas;
 
-/* An empty canvas of that size; NULL when memory is out. */
+/* Makes an empty canvas of that size, points; NULL without memory. */
 struct cr_canvas *cr_canvas_new(double w, double h);
 void cr_canvas_free(struct cr_canvas *canvas);
 double cr_canvas_w(const struct cr_canvas *canvas);
 double cr_canvas_h(const struct cr_canvas *canvas);
 
-/* Numbers in the words that are there get a decimal comma (cr_decimal_comma). */
+/* Gives the numbers in the words that are there a decimal comma (cr_decimal_comma). */
 void cr_canvas_comma(struct cr_canvas *canvas);
-/* What follows is moved by x, y; calls do not add up. */
-void cr_canvas_origin(struct cr_canvas *canvas, double x, double y);
 
-/* Everything of another canvas, with its corner at x, y and enlarged by k. */
+/* Draws everything that is on another canvas, with its corner at x, y and enlarged by k. */
 void cr_canvas_place(struct cr_canvas *canvas, const struct cr_canvas *picture, double x, double y,
                      double k);
 
@@ -50,7 +48,7 @@ void cr_canvas_close(struct cr_canvas *canvas);
 void cr_canvas_rect(struct cr_canvas *canvas, double x, double y, double w, double h);
 void cr_canvas_circle(struct cr_canvas *canvas, double x, double y, double radius);
 void cr_canvas_paint(struct cr_canvas *canvas, const struct cr_paint *paint);
-/* Only what lies in the rectangle is drawn until the next call of cr_canvas_unclip. */
+/* Cuts everything that is drawn until cr_canvas_unclip to the rectangle; clips do not nest. */
 void cr_canvas_clip(struct cr_canvas *canvas, double x, double y, double w, double h);
 void cr_canvas_unclip(struct cr_canvas *canvas);
 
@@ -62,35 +60,36 @@ struct cr_type_face {
     double size; /* points */
     uint32_t ink;
     enum cr_anchor anchor;
-    bool bold, mono, halo; /* halo: white behind the letters, for words on a picture */
-    bool upward;           /* turned by 90 degrees, read from below */
+    bool bold, mono, halo; /* a halo is white behind the letters, for words on a picture */
+    bool upward;           /* the line is turned by 90 degrees and read from the right */
 };
-/* A line of text with its base line at y. Control characters and broken UTF-8 become U+FFFD. */
+/* Writes a line of text with its base line at y. Control characters and broken UTF-8 become
+ * U+FFFD. */
 void cr_canvas_text(struct cr_canvas *canvas, double x, double y, const struct cr_type_face *face,
                     const char *utf8);
-/* Width of a line as all back ends set it: that of Helvetica or Courier. */
+/* The width of a line, points, to which all back ends set it: that of Helvetica or Courier. */
 double cr_text_width(const struct cr_type_face *face, const char *utf8);
 
 /* ---- files ---- */
 
-/* The canvas as an SVG element; with alone = true as a file with XML declaration. title is for
- * those who cannot see it. Errors: MEMORY. */
+/* Adds the canvas as an SVG element to out; with alone = true as a file with XML declaration. The
+ * title is for those who cannot see the picture. Errors: MEMORY. */
 CR_MUST_CHECK enum cr_err cr_canvas_svg(const struct cr_canvas *canvas, const char *title,
                                         bool alone, struct cr_str *out, struct cr_error *err);
 
-/* What a PDF says of itself; NULL leaves a line out. date: ISO 8601; without it the file has none,
- * and is the same bytes on every run. */
+/* What a PDF says of itself; NULL leaves a line out. date: ISO 8601; a file without a date has the
+ * same bytes on every run. */
 struct cr_pdf_about {
     const char *title, *author, *subject, *date;
 };
-/* Pages as PDF, a canvas as PNG with so many dots per inch. Errors: USAGE in a build without cairo,
- * MEMORY. */
+/* Add pages as PDF, or a canvas as PNG with so many dots per inch, to out. Errors: USAGE in a build
+ * without cairo, MEMORY. */
 CR_MUST_CHECK enum cr_err cr_canvas_pdf(struct cr_canvas *const *page, int pages,
                                         const struct cr_pdf_about *about, struct cr_str *out,
                                         struct cr_error *err);
 CR_MUST_CHECK enum cr_err cr_canvas_png(const struct cr_canvas *canvas, double dpi,
                                         struct cr_str *out, struct cr_error *err);
-/* Whether they can be written here, before any work is done for them. The same errors. */
+/* Checks whether this build can write them, before any work is done for them. Errors: USAGE. */
 CR_MUST_CHECK enum cr_err cr_canvas_need_cairo(struct cr_error *err);
 
 #endif

@@ -1,4 +1,4 @@
-/* The crash in slow motion as an asciinema cast: frames of the picture in text. */
+/* Writes the crash in slow motion as an asciinema cast: frames of the picture in text. */
 #include "figure/forms.h"
 
 #include "render/picture.h"
@@ -40,7 +40,7 @@ static enum cr_err frame(const struct cr_result *r, struct cr_cells *cells, doub
         cr_cells_print(cells, 0, cells->h - 1, cells->w, CR_ROLE_TEXT, line);
         cr_cells_text(cells, &look, &text);
         if (text.len > 0 && text.s[text.len - 1] == '\n') {
-            text.s[text.len - 1] = '\0'; /* or the last line would scroll the first away */
+            text.s[text.len - 1] = '\0'; /* else the last line would scroll the first away */
         }
         cr_str_addf(out, "[%.3f, \"o\", \"\\u001b[H\\u001b[2J", shown);
         escape(out, cr_str_get(&text));

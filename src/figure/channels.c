@@ -1,4 +1,4 @@
-/* Evenly sampled curves of a crash as ISO-MME channels and as a gnuplot pair. */
+/* Writes evenly sampled curves of a crash as ISO-MME channels and as a gnuplot pair. */
 #include "config.h"
 
 #include "figure/forms.h"
@@ -12,8 +12,8 @@
 #include <string.h>
 
 enum { CURVES = 5 };
-/* what is sampled, with its ISO-MME quantity and direction; sign: from x forward, y left, z up to
- * SAE J211 */
+/* The curves with quantity and direction of their ISO-MME codes; sign leads from x forward, y left,
+ * z up to SAE J211. */
 static const struct {
     const char *iso, *unit, *word;
     double sign;
@@ -22,7 +22,7 @@ static const struct {
     {"VE0Y", "m/s", "vy", -1},    {"AV0Z", "rad/s", "yaw rate", -1},
 };
 
-/* Values of a curve at the middle of the samples of a pulse, in the vehicle's frame. */
+/* The value of a curve in the middle of sample k of a pulse, in the vehicle's frame. */
 static double sample(const struct cr_result *r, int body, const struct cr_pulse *p, int curve,
                      int k) {
     if (curve < 2) {
@@ -100,7 +100,7 @@ enum cr_err cr_form_mme(const struct cr_result *r, const char *name,
     enum cr_err code = CR_ERR_OK;
     for (int body = 0; body < r->resolved.n && code == CR_ERR_OK; body++) {
         struct cr_pulse p;
-        if (!cr_render_moves(r, body)) {
+        if (!cr_result_moves(r, body)) {
             continue;
         }
         code = pulse_of(r, body, &p, err);
@@ -138,7 +138,7 @@ static enum cr_err table(const struct cr_result *r, struct cr_str *out, struct c
     enum cr_err code = CR_ERR_OK;
     for (int body = 0; body < r->resolved.n && code == CR_ERR_OK; body++) {
         struct cr_pulse p;
-        if (!cr_render_moves(r, body)) {
+        if (!cr_result_moves(r, body)) {
             continue;
         }
         code = pulse_of(r, body, &p, err);
@@ -179,7 +179,7 @@ enum cr_err cr_form_gnuplot(const struct cr_result *r, const char *name,
     for (int k = 0; k < 3; k++) {
         cr_str_addf(&text, "set ylabel \"%s\"\nplot ", plots[k][1]);
         for (int body = 0, block = 0; body < r->resolved.n; body++) {
-            if (cr_render_moves(r, body)) {
+            if (cr_result_moves(r, body)) {
                 cr_str_addf(&text, "%s\"%s.dat\" index %d using 1:(%s) with lines title \"%s\"",
                             block > 0 ? ", " : "", name, block, plots[k][0],
                             r->resolved.part[body].id);

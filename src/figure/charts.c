@@ -1,4 +1,4 @@
-/* Charts of many solves: heat map, histogram, tornado, scatter. */
+/* Draws charts of many solves: heat map, histogram, tornado, scatter. */
 #include "figure/ink.h"
 
 #include "base/vec.h"
@@ -11,7 +11,7 @@ static const double small_size = 8;
 
 /* ---- a value over two inputs ---- */
 
-/* the map's darkest step only for the greatest value itself */
+/* The colour of a value in a map; white where there is no value. */
 static uint32_t map_ink(double value, const double range[2]) {
     double u = range[1] > range[0] ? (value - range[0]) / (range[1] - range[0]) : 0.5;
     return isfinite(value) ? cr_ink_ramp((int)cr_clamp(floor(u * CR_RAMP), 0, CR_RAMP - 1))
@@ -29,14 +29,14 @@ static void map_number(struct cr_canvas *c, const struct cr_heat_map *m, const d
     face.size = fmin(small_size, at[3] - 2);
     double wide = cr_text_width(&face, text), x = at[0] + at[2] / 2, y = at[1] + at[3] / 2;
     if (wide < at[2] - 1 && face.size >= 4) {
-        /* the lines of equal values stop at it */
+        /* The number has a ground of its own, so that lines of equal values stop at it. */
         cr_canvas_rect(c, x - wide / 2 - 1, y - face.size / 2, wide + 2, face.size);
         cr_canvas_paint(c, &(struct cr_paint){.fill = map_ink(value, range), .line = CR_NO_INK});
         cr_canvas_text(c, x, y + 0.36 * face.size, &face, text);
     }
 }
 
-/* every so manyth value of an axis gets its number */
+/* How many values of an axis go on one number, so that each number has `need` points. */
 static int every(int n, double length, double need) {
     int step = 1;
     while (n / step > 1 && length / n * step < need) {
@@ -79,7 +79,7 @@ struct map_line {
     int nx, ny;
 };
 
-/* through the middles of the fields, which are where the values were computed */
+/* Draws a piece of a line. The values were computed at the middles of the fields. */
 static void map_piece(void *user, const double from[2], const double to[2]) {
     const struct map_line *l = user;
     double w = l->box.w / l->nx, h = l->box.h / l->ny, bottom = l->box.y + l->box.h;
@@ -87,7 +87,7 @@ static void map_piece(void *user, const double from[2], const double to[2]) {
     cr_canvas_line(l->canvas, l->box.x + (to[0] + 0.5) * w, bottom - (to[1] + 0.5) * h);
 }
 
-/* dark beside light is seen on any colour */
+/* Draws the lines of equal values, dark on a light edge, which can be seen on any colour. */
 static void map_lines(struct cr_canvas *c, struct cr_box b, const struct cr_heat_map *m,
                       const double range[2]) {
     static const struct cr_paint strokes[] = {
@@ -151,7 +151,7 @@ void cr_figure_histogram(struct cr_canvas *canvas, struct cr_box at, const struc
     for (int i = 0; i < h->bins; i++) {
         most = h->count[i] > most ? h->count[i] : most;
     }
-    /* the names of the lines stand above the bars */
+    /* The axis leaves room for the names of the lines above the bars. */
     struct cr_axes a = {
         .canvas = canvas, .x_lo = h->lo, .x_hi = h->hi, .y_lo = 0, .y_hi = most * 1.3};
     cr_axes_fit(&a, at, true);
@@ -181,15 +181,9 @@ void cr_figure_histogram(struct cr_canvas *canvas, struct cr_box at, const struc
 
 /* ---- tornado ---- */
 
-static double round_span(double span, double *step) {
-    *step = cr_tick_step(span, 6);
-    return *step;
-}
-
 static void tornado_axis(struct cr_axes *a, const struct cr_tornado *t) {
     struct cr_type_face face = {.size = small_size, .ink = CR_INK_TEXT, .anchor = CR_ANCHOR_MIDDLE};
-    double step, bottom = a->at.y + a->at.h;
-    round_span(a->x_hi - a->x_lo, &step);
+    double step = cr_tick_step(a->x_hi - a->x_lo, 6), bottom = a->at.y + a->at.h;
     for (double v = ceil(a->x_lo / step - 1e-9) * step; v <= a->x_hi + step * 1e-6; v += step) {
         char text[32];
         double x = cr_axes_x(a, v);
@@ -202,7 +196,7 @@ static void tornado_axis(struct cr_axes *a, const struct cr_tornado *t) {
     cr_canvas_text(a->canvas, a->at.x + a->at.w, bottom + 23, &face, t->x_name);
 }
 
-/* a half of a bar: the lower end of an input is pale, the upper one dark */
+/* Draws a half of a bar: that of an input's lower end is pale, that of its upper end dark. */
 static void tornado_half(const struct cr_axes *a, double from, double to, double y, double h,
                          bool upper) {
     double x0 = cr_axes_x(a, fmin(from, to)), x1 = cr_axes_x(a, fmax(from, to));
@@ -262,7 +256,7 @@ void cr_figure_tornado(struct cr_canvas *c, struct cr_box at, const struct cr_to
 
 /* ---- scatter ---- */
 
-/* signs that differ without colour: circle, square, triangle, cross */
+/* Draws a sign that differs by kind without colour: circle, square, triangle, cross. */
 static void sign(struct cr_canvas *c, double x, double y, int kind) {
     struct cr_paint paint = {.fill = CR_NO_INK, .line = cr_ink_of_body(kind), .width = 0.9};
     double r = 2.4;
@@ -310,7 +304,7 @@ void cr_figure_scatter(struct cr_canvas *canvas, struct cr_box at, const struct 
     struct cr_axes a = {.canvas = canvas, .x_lo = 0, .x_hi = top, .y_lo = 0, .y_hi = top};
     cr_axes_fit(&a, at, true);
     a.x_hi = a.y_hi;
-    a.at.w = fmin(a.at.w, a.at.h); /* equality at 45 degrees */
+    a.at.w = fmin(a.at.w, a.at.h); /* equal values lie at 45 degrees if there is room */
     cr_figure_title(canvas, at, cr_figure_say(words, s->title));
     cr_axes_draw(&a, s->x_name, s->y_name);
     corridor(&a, s->corridor);

@@ -1,5 +1,5 @@
-/* The struck face of a vehicle from above, with depths at its stations, computed beside measured.
- */
+/* Draws the struck face of a vehicle from above, with depths at its stations, computed beside
+ * measured. */
 #include "figure/ink.h"
 
 #include "base/vec.h"
@@ -14,7 +14,7 @@ enum { SIDE = 34, ABOVE = 40, BELOW = 58 };
 struct view {
     struct cr_canvas *canvas;
     const struct cr_damage_plan *plan;
-    double x0, y0, k; /* of the face's middle on the page; points per m */
+    double x0, y0, k; /* place of the face's middle on the canvas; points per m */
     enum cr_units units;
 };
 
@@ -30,7 +30,7 @@ static double py(const struct view *v, double depth) {
     return v->y0 + depth * v->k;
 }
 
-/* own frame -> along the face and into the vehicle */
+/* Turns a point of the own frame into (along the face, into the vehicle), m. */
 static struct cr_vec2 to_face(const struct cr_damage_plan *p, struct cr_vec2 q) {
     switch (p->face) {
     case CR_FACE_REAR:
@@ -101,7 +101,8 @@ static void legend(const struct view *v, struct cr_box at, const struct cr_figur
     for (int i = 0; i < (v->plan->measured > 0 ? 2 : 1); i++) {
         char name[64];
         const char *said = cr_figure_say(words, names[i]);
-        snprintf(name, sizeof name, "%.*s%s", (int)strlen(said) - 2, said, /* "computed, cm" */
+        /* All languages end these names in "cm", in whose place the unit goes. */
+        snprintf(name, sizeof name, "%.*s%s", (int)strlen(said) - 2, said,
                  cr_units_shown(v->units, "cm", NULL, NULL));
         cr_figure_rule(v->canvas, (struct cr_line){x, y - 3, x + 20, y - 3}, cr_ink_of_body(i), 1.4,
                        i == 0 ? CR_DASH_NONE : CR_DASH_LONG);
@@ -110,7 +111,7 @@ static void legend(const struct view *v, struct cr_box at, const struct cr_figur
     }
 }
 
-/* the ends of the face by name, and C1, C2 ... below the vehicle's edge */
+/* Names the ends of the face, and the stations C1, C2 ... below the picture. */
 static void names(const struct view *v, struct cr_box at, const struct cr_figure_words *words) {
     static const char *const ends[2][2] = {{"left", "right"}, {"rear", "front"}};
     const struct cr_damage_plan *p = v->plan;

@@ -1,4 +1,4 @@
-/* Inks: colours of bodies, curves and fields, and which of them can be read on which. */
+/* Gives the colours of bodies, curves and fields, and which ink can be read on which. */
 #include "figure/ink.h"
 
 #include "base/vec.h"
@@ -31,7 +31,8 @@ uint32_t cr_ink_of(enum cr_role role) {
     }
 }
 
-/* viridis of matplotlib (CC0) from its light end to its dark one, half way to white at the light */
+/* This is viridis of matplotlib (CC0) from its light end to its dark one; the light end is paled
+ * half way to white, so that letters can be read on it. */
 uint32_t cr_ink_ramp(int step) {
     static const uint32_t steps[CR_RAMP] = {0xfbf3b0, 0xd9e68c, 0xa5d785, 0x6cc68c, 0x37aa8c,
                                             0x2b8c90, 0x35688d, 0x3d4a86, 0x3f1d66};
@@ -43,7 +44,7 @@ int cr_ink_step(double level) {
 }
 
 uint32_t cr_ink_on(uint32_t ink) {
-    /* luma of the video standard is good enough to choose between two */
+    /* The luma of the video standard is good enough to choose between two inks. */
     double luma = 0.299 * (ink >> 16 & 255) + 0.587 * (ink >> 8 & 255) + 0.114 * (ink & 255);
     return luma > 130 ? CR_INK_TEXT : 0xffffff;
 }

@@ -1,4 +1,4 @@
-/* Which data each picture of a crash shows, and its file. */
+/* Gathers the data that each picture of a crash shows, draws it, and writes its file. */
 #include "figure/pictures.h"
 
 #include "base/file.h"
@@ -25,10 +25,6 @@ static const struct {
 
 const char *cr_picture_word(enum cr_picture picture) {
     return pictures[picture].word;
-}
-
-bool cr_picture_needs_result(enum cr_picture picture) {
-    return pictures[picture].result;
 }
 
 int cr_picture_find(const char *word) {
@@ -66,7 +62,8 @@ static struct cr_box box(double h) {
 
 /* ---- the scene ---- */
 
-/* end of the plastic phase of the contact with the greatest impulse: nothing goes deeper then */
+/* The time of greatest engagement, s: the end of the plastic phase of the contact with the greatest
+ * impulse. */
 static double engaged(const struct cr_solution *sol) {
     double most = -1, t = cr_render_t_contact(sol);
     for (int i = 0; i < sol->contacts; i++) {
@@ -79,7 +76,8 @@ static double engaged(const struct cr_solution *sol) {
     return t;
 }
 
-double cr_picture_time(enum cr_picture picture, const struct cr_result *result, double otherwise) {
+/* The time that a picture of the scene shows, s; NaN: after the crash. */
+static double time_of(enum cr_picture picture, const struct cr_result *result, double otherwise) {
     switch (picture) {
     case CR_PICTURE_BEFORE:
         return 0;
@@ -94,7 +92,8 @@ double cr_picture_time(enum cr_picture picture, const struct cr_result *result, 
     }
 }
 
-void cr_picture_title(const struct cr_picture_source *s, double time, char *buf, int size) {
+/* Writes "After: 165.5 ms after first contact" in the words of the source. */
+static void title_of(const struct cr_picture_source *s, double time, char *buf, int size) {
     if (s->result == NULL || s->result->solution->samples == 0) {
         snprintf(buf, (size_t)size, "%s", say(s, "The scene"));
         return;
@@ -119,18 +118,27 @@ void cr_picture_title(const struct cr_picture_source *s, double time, char *buf,
     }
 }
 
-static enum cr_err plan(const struct cr_picture_source *s, double time, struct cr_canvas **out,
-                        struct cr_error *err) {
-    char title[CR_NAME_MAX + 160];
+enum { TITLE = CR_NAME_MAX + 160 };
+
+/* The scene at a time; its title is written into buf. */
+static struct cr_figure_plan plan_of(const struct cr_picture_source *s, double time,
+                                     char buf[TITLE]) {
     const struct cr_result *r = s->result;
     struct cr_figure_plan p = {.compiled = r != NULL ? r->compiled : s->compiled,
                                .scene = r != NULL ? &r->resolved : s->scene,
                                .result = r,
                                .view = s->view,
-                               .title = title};
-    double h;
+                               .title = buf};
     p.view.time = time;
-    cr_picture_title(s, time, title, sizeof title);
+    title_of(s, time, buf, TITLE);
+    return p;
+}
+
+static enum cr_err plan(const struct cr_picture_source *s, double time, struct cr_canvas **out,
+                        struct cr_error *err) {
+    char title[TITLE];
+    struct cr_figure_plan p = plan_of(s, time, title);
+    double h;
     enum cr_err code = cr_figure_plan_height(&p, INNER, MOST_H, &h, err);
     if (code == CR_ERR_OK) {
         code = new_canvas(h, out, err);
@@ -246,7 +254,7 @@ static enum cr_err model(const struct cr_picture_source *s, enum cr_project view
 /* ---- risk ---- */
 
 struct risk_curves {
-    double x[RISK_POINTS], y[RISK_MOST][RISK_POINTS], at[RISK_MOST][2][CR_BODY_MAX];
+    double x[RISK_POINTS], y[RISK_MOST][RISK_POINTS]; /* delta-v, km/h; risk, % */
     struct cr_curve_line line[RISK_MOST];
     char name[RISK_MOST][CR_NAME_MAX];
 };
@@ -312,29 +320,15 @@ static enum cr_err risk(const struct cr_picture_source *s, struct cr_canvas **ou
 
 /* ---- one sheet ---- */
 
-static enum cr_err overview_plan(const struct cr_picture_source *s, double time, struct cr_box at,
-                                 struct cr_canvas *canvas, struct cr_error *err) {
-    char title[CR_NAME_MAX + 160];
-    struct cr_figure_plan p = {.compiled = s->result->compiled,
-                               .scene = &s->result->resolved,
-                               .result = s->result,
-                               .view = s->view,
-                               .title = title};
-    p.view.time = time;
-    cr_picture_title(s, time, title, sizeof title);
-    return cr_figure_plan(canvas, at, &p, &s->words, err);
-}
-
 static enum cr_err overview(const struct cr_picture_source *s, struct cr_canvas **out,
                             struct cr_error *err) {
     enum { GAP = 20, HEAD = 24 };
+    char title[2][TITLE];
     struct cr_plot_made made;
     double h = 300;
-    struct cr_figure_plan p = {.compiled = s->result->compiled,
-                               .scene = &s->result->resolved,
-                               .result = s->result,
-                               .view = s->view,
-                               .title = ""};
+    const struct cr_figure_plan before = plan_of(s, 0, title[0]), after = plan_of(s, NAN, title[1]);
+    struct cr_figure_plan p = before;
+    p.view.time = s->view.time;
     enum cr_err code = cr_figure_plan_height(&p, INNER, 400, &h, err);
     if (code != CR_ERR_OK) {
         return code;
@@ -347,8 +341,8 @@ static enum cr_err overview(const struct cr_picture_source *s, struct cr_canvas 
     cr_canvas_text(*out, MARGIN, MARGIN + 13, &face, s->result->resolved.name);
     struct cr_box left = {MARGIN, MARGIN + HEAD, INNER, h}, right = left;
     right.x += INNER + GAP;
-    code = overview_plan(s, 0, left, *out, err);
-    code = code != CR_ERR_OK ? code : overview_plan(s, NAN, right, *out, err);
+    code = cr_figure_plan(*out, left, &before, &s->words, err);
+    code = code != CR_ERR_OK ? code : cr_figure_plan(*out, right, &after, &s->words, err);
     left.y = right.y = left.y + h + GAP;
     left.h = right.h = PLOT_H;
     for (int i = 0; i < 2 && code == CR_ERR_OK; i++) {
@@ -394,7 +388,7 @@ enum cr_err cr_picture_draw(enum cr_picture picture, const struct cr_picture_sou
         code = overview(s, out, err);
         break;
     default:
-        code = plan(s, cr_picture_time(picture, s->result, s->view.time), out, err);
+        code = plan(s, time_of(picture, s->result, s->view.time), out, err);
     }
     if (code != CR_ERR_OK) {
         cr_canvas_free(*out);

@@ -1,4 +1,4 @@
-/* The scene from above: grid, bodies with their voxels, outlines before and after. */
+/* Draws the scene from above: grid, bodies with their voxels, outlines before and after. */
 #include "figure/plan.h"
 
 #include "base/vec.h"
@@ -12,8 +12,9 @@ enum { LEGEND = 30, AXIS_X = 14, AXIS_Y = 24, TITLE = 18, LABELS = 16 };
 
 /* ---- scale ---- */
 
+/* The points per m at which a box of the world fits w x h points, with half a metre all round so
+ * that nothing ends at the frame. */
 static double k_for(const struct cr_vec2 box[2], double w, double h) {
-    /* half a metre all round, so that nothing ends at the frame */
     return fmin(w / (box[1].x - box[0].x + 1), h / (box[1].y - box[0].y + 1));
 }
 
@@ -56,7 +57,7 @@ static struct cr_vec2 own_at(const struct cr_sheet *s, const struct cr_pic_body 
 static void grid(const struct cr_sheet *s) {
     struct cr_type_face face = {.size = 7, .ink = CR_INK_DIM, .anchor = CR_ANCHOR_MIDDLE};
     const struct cr_box *m = &s->map;
-    double per = 1; /* m or ft of a m */
+    double per = 1; /* units that are shown, m or ft, in a metre */
     const char *unit = cr_units_shown(s->pic.units, "m", &per, NULL);
     double k = s->k / per;
     double step = fmax(cr_tick_step(m->w / k, (int)fmax(m->w / 40, 2)), 0.5);
@@ -90,7 +91,7 @@ static void grid(const struct cr_sheet *s) {
 
 enum { BARE = -3, CRUSHED = -1, INDUCED = -2 }; /* beside the steps 0..CR_RAMP - 1 */
 
-/* what a voxel shows */
+/* What a voxel shows: a step of the colours, or one of the kinds above. */
 static int step_of(const struct cr_sheet *s, const struct cr_pic_body *b, int ix, int iy) {
     const struct cr_pic *pic = &s->pic;
     int i = iy * b->grid->nx + ix;
@@ -99,7 +100,7 @@ static int step_of(const struct cr_sheet *s, const struct cr_pic_body *b, int ix
         return BARE;
     }
     double left = cr_pic_left(pic, b, i);
-    /* where equal materials meet, each loses half */
+    /* Where equal materials meet each loses half: that counts as crushed. */
     bool hurt = left <= 0.501 * fill, marked = pic->field == CR_FIELD_EES;
     if (hurt && (marked || pic->field == CR_FIELD_NONE)) {
         bool induced = b->how != NULL && (b->how[i] & CR_CRUSH_CONTACT) == 0;
@@ -110,11 +111,11 @@ static int step_of(const struct cr_sheet *s, const struct cr_pic_body *b, int ix
     }
     double level = cr_pic_field_value(b, pic->field, ix, iy, left) / pic->field_max;
     int step = cr_ink_step(fmin(level, 1));
-    /* of the EES, what is beyond the scale has a step of its own */
+    /* Of the EES, values beyond the scale have a step of their own. */
     return step < CR_RAMP - 1 || marked ? step : CR_RAMP - 2;
 }
 
-/* all voxels of a step as one path: runs along the rows */
+/* Adds all voxels of a step as one path of runs along the rows; false without any. */
 static bool add_runs(const struct cr_sheet *s, const struct cr_pic_body *b, int step) {
     const struct cr_grid *g = b->grid;
     bool any = false;
@@ -141,7 +142,7 @@ static bool add_runs(const struct cr_sheet *s, const struct cr_pic_body *b, int 
     return any;
 }
 
-/* The voxels of a kind on the diagonal ix = d + iy (way 0) or ix = d - iy, as lines. */
+/* Adds lines over the voxels of a kind on the diagonal ix = d + iy (way 0) or ix = d - iy. */
 static void diagonal(const struct cr_sheet *s, const struct cr_pic_body *b, int step, int way,
                      int d) {
     const struct cr_grid *g = b->grid;
@@ -162,7 +163,7 @@ static void diagonal(const struct cr_sheet *s, const struct cr_pic_body *b, int 
     }
 }
 
-/* Slanting lines over the voxels of a kind, in one or both directions. */
+/* Draws slanting lines over the voxels of a kind, in one or both directions. */
 static void hatch(const struct cr_sheet *s, const struct cr_pic_body *b, int step, bool both) {
     const struct cr_grid *g = b->grid;
     int every = (int)fmax(ceil(5 / (g->h * s->k)), 1);
@@ -198,7 +199,7 @@ static void draw_material(struct cr_sheet *s, const struct cr_pic_body *b) {
     for (int step = 0; step < CR_RAMP; step++) {
         uint32_t ink = s->pic.field == CR_FIELD_NONE ? 0xf2f2f2 : cr_ink_ramp(step);
         if (add_runs(s, b, step)) {
-            /* drawn over its edge, else viewers leave seams of light between the rows */
+            /* The edge is drawn too, else viewers leave seams of light between the rows. */
             cr_canvas_paint(s->canvas, &(struct cr_paint){.fill = ink, .line = ink, .width = 0.5});
         }
     }
@@ -265,7 +266,7 @@ static enum cr_err draw_outlines(const struct cr_sheet *s, int body, struct cr_e
 /* ---- all ---- */
 
 static enum cr_err draw_bodies(struct cr_sheet *s, struct cr_error *err) {
-    /* what is crushed lies below all that is whole */
+    /* Crushed material is drawn first: it lies below all that is whole. */
     for (int i = 0; i < s->pic.n; i++) {
         if (s->pic.body[i].grid->nx > 0) {
             draw_damage(s, &s->pic.body[i]);

@@ -1,4 +1,5 @@
-/* The scene from above, inside: a sheet with its scale, and what is written over the bodies. */
+/* What the files that draw the scene from above share: a sheet with its scale, and what is written
+ * over the bodies. */
 #ifndef CR_FIGURE_PLAN_H
 #define CR_FIGURE_PLAN_H
 
@@ -10,15 +11,16 @@ struct cr_sheet {
     const struct cr_figure_words *words;
     const struct cr_scene_view *view;
     struct cr_pic pic;
-    struct cr_box map;     /* what the world is drawn into */
+    struct cr_box map;     /* the part of the canvas into which the world is drawn */
     double k;              /* points per m */
-    struct cr_vec2 centre; /* world point in its middle */
+    struct cr_vec2 centre; /* the world's point in the middle of the map, m */
 };
 
+/* The place on the canvas of a point of the world. */
 struct cr_vec2 cr_sheet_at(const struct cr_sheet *sheet, struct cr_vec2 world);
-/* Trails, letters, arrows, labels, north. */
+/* Draws trails, letters, arrows, labels, north. */
 void cr_sheet_marks(struct cr_sheet *sheet);
-/* Scale bar, colours, hatches. */
+/* Draws scale bar, colours and hatches at the foot of the box. */
 void cr_sheet_legend(const struct cr_sheet *sheet, struct cr_box at);
 
 #endif

@@ -1,4 +1,4 @@
-/* What is written over the bodies of a scene: trails, arrows, letters, labels, north, legend. */
+/* Draws what stands over the bodies of a scene: trails, arrows, letters, labels, north, legend. */
 #include "figure/plan.h"
 
 #include "base/vec.h"
@@ -7,10 +7,10 @@
 #include <stdio.h>
 #include <string.h>
 
-/* arrows are as long as in the picture in text: the way of 60 ms, within bounds */
+/* Arrows are as long as in the picture in text: the way of 60 ms, within bounds. */
 static const double way_s = 0.06, least_m = 0.5, most_m = 2.0, force_least = 0.25,
                     force_span = 1.25;
-static const double shown_from = 0.02; /* share of the greatest force from which one is drawn */
+static const double shown_from = 0.02; /* a smaller share of the greatest force is not drawn */
 
 struct cr_vec2 cr_sheet_at(const struct cr_sheet *s, struct cr_vec2 world) {
     return cr_vec2(s->map.x + s->map.w / 2 + (world.x - s->centre.x) * s->k,
@@ -65,7 +65,7 @@ static void force(const struct cr_sheet *s, const struct cr_pic_body *b) {
                     &(struct cr_paint){.fill = CR_INK_FORCE, .line = 0xffffff, .width = 0.7});
 }
 
-/* the letter in a disc at the CG, with a wedge towards the front */
+/* Draws the letter of a body in a disc at the CG, with a wedge towards the front. */
 static void letter(const struct cr_sheet *s, int body) {
     const struct cr_pic_body *b = &s->pic.body[body];
     struct cr_vec2 p = cr_sheet_at(s, b->now.pos);
@@ -88,6 +88,7 @@ static void letter(const struct cr_sheet *s, int body) {
 
 /* ---- labels ---- */
 
+/* The box on the canvas around a body, cut to the map. */
 static struct cr_box page_box(const struct cr_sheet *s, const struct cr_pic_body *b) {
     double x0 = INFINITY, y0 = INFINITY, x1 = -INFINITY, y1 = -INFINITY;
     for (int k = 0; k < 4; k++) {
@@ -110,8 +111,8 @@ static bool meet(struct cr_box a, struct cr_box b) {
     return a.x < b.x + b.w && b.x < a.x + a.w && a.y < b.y + b.h && b.y < a.y + a.h;
 }
 
-/* Where the label of a body goes: above or below it, clear of labels that are there, and of bodies
- * as long as that is possible. */
+/* Finds the place of a body's label: above or below the body, clear of the labels that are there,
+ * and of other bodies if that is possible. */
 static struct cr_box place(const struct cr_sheet *s, int body, double w, double h,
                            const struct cr_box *taken, int n) {
     const struct cr_box *m = &s->map;
@@ -142,7 +143,7 @@ static struct cr_box place(const struct cr_sheet *s, int body, double w, double 
 static void labels(const struct cr_sheet *s) {
     struct cr_box taken[CR_BODY_MAX + 1];
     int n = 0;
-    /* the corner of the north arrow */
+    /* The corner of the north arrow is taken. */
     taken[n++] = (struct cr_box){s->map.x + s->map.w - 22, s->map.y, 22, 34};
     for (int i = 0; i < s->pic.n; i++) {
         char text[160];

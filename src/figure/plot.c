@@ -1,4 +1,4 @@
-/* Curves over a common axis. */
+/* Draws curves over a common axis. */
 #include "figure/ink.h"
 
 #include "base/vec.h"
@@ -34,7 +34,7 @@ static void curve(const struct cr_axes *a, const struct cr_curve_line *c, enum c
                         .fill = CR_NO_INK, .line = cr_ink_of(c->role), .width = 1.3, .dash = dash});
 }
 
-/* dots where a curve has few points: they are what was computed */
+/* Draws dots on a curve of few points, which show what was computed. */
 static void dots(const struct cr_axes *a, const struct cr_curve_line *c) {
     for (int i = 0; i < c->n && (c->n <= 40 || c->points); i++) {
         if (isfinite(c->x[i]) && isfinite(c->y[i])) {
@@ -44,7 +44,7 @@ static void dots(const struct cr_axes *a, const struct cr_curve_line *c) {
     cr_canvas_paint(a->canvas, &(struct cr_paint){.fill = cr_ink_of(c->role), .line = CR_NO_INK});
 }
 
-/* the letter of a curve stands at its greatest amount */
+/* Writes the letter of a curve where its amount is greatest. */
 static void letter(const struct cr_axes *a, const struct cr_curve_line *c) {
     struct cr_type_face face = {.size = 9,
                                 .ink = cr_ink_of(c->role),
@@ -66,7 +66,7 @@ static void letter(const struct cr_axes *a, const struct cr_curve_line *c) {
     }
 }
 
-/* "A", or "A deformation" */
+/* Writes "A", or "A deformation" for a curve with a name. */
 static void entry_text(const struct cr_curve_line *line, const struct cr_figure_words *words,
                        char *buf, size_t size) {
     char mark[2] = {line->mark, '\0'};
@@ -76,7 +76,8 @@ static void entry_text(const struct cr_curve_line *line, const struct cr_figure_
              named ? cr_figure_say(words, name) : "");
 }
 
-/* The entries from the right end leftward; with draw = false only how wide they are. */
+/* Draws the entries from the right end leftward and returns their width; with draw = false only
+ * measures. */
 static double legend(struct cr_canvas *c, double right, double y, const struct cr_plot *plot,
                      const struct cr_figure_words *words, bool draw) {
     struct cr_type_face face = {.size = small_size, .ink = CR_INK_TEXT};
@@ -109,7 +110,7 @@ static void draw(struct cr_canvas *canvas, struct cr_box at, const struct cr_plo
                  unit ? ", " : "", unit ? plot->y_unit : "");
         cr_figure_title(canvas, at, title);
     }
-    /* beside the title where there is room, else below it */
+    /* The legend stands beside the title where there is room, else below it. */
     bool beside =
         legend(canvas, 0, 0, plot, words, false) + cr_text_width(&bold, title) < at.w - 20;
     legend(canvas, at.x + at.w - 10, at.y + (beside ? 10 : 22), plot, words, true);
@@ -127,7 +128,7 @@ static void draw(struct cr_canvas *canvas, struct cr_box at, const struct cr_plo
                        CR_DASH_LONG);
     }
     cr_canvas_clip(canvas, a.at.x, a.at.y, a.at.w, a.at.h);
-    /* the first curve is drawn last, so that it lies on top */
+    /* The first curve is drawn last, so that it lies on top. */
     for (int k = plot->curves - 1; k >= 0; k--) {
         curve(&a, &plot->curve[k], dash_of(plot, k));
         dots(&a, &plot->curve[k]);

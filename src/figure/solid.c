@@ -1,4 +1,4 @@
-/* The 3D model of a vehicle with its deformation as VTK voxels and as an OBJ surface. */
+/* Writes the 3D model of a vehicle with its deformation as VTK voxels and as an OBJ surface. */
 #include "figure/forms.h"
 
 #include "base/vec.h"
@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* share of its material that the column of a voxel has lost, 0..1 */
+/* The share of its material that the column of a voxel has lost, 0..1. */
 static double damage(const struct cr_projection *p, int ix, int iy) {
     const struct cr_voxels *m = p->voxels;
     const struct cr_grid *g = p->grid;
@@ -58,7 +58,8 @@ static bool solid(const struct cr_body_voxels *b, int x, int y, int z) {
            m->fill[index_of(m, x, y, z)] >= 0.5 && damage(&b->projection, x, y) < 0.5;
 }
 
-/* corners of the six sides of a voxel, counter-clockwise from outside, and the way out */
+/* The ways out through the six sides of a voxel, and the corners of each side, counter-clockwise as
+ * seen from outside. */
 static const int side_out[6][3] = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
                                    {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
 static const int side_corner[6][4][3] = {
@@ -66,7 +67,7 @@ static const int side_corner[6][4][3] = {
     {{0, 1, 0}, {0, 1, 1}, {1, 1, 1}, {1, 1, 0}}, {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}},
     {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}, {{0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}}};
 
-/* the number of a corner, 1 for the first; its line is written when it is met */
+/* The number of a corner, 1 for the first; a corner that is met first gets its line. */
 static int vertex(const struct cr_voxels *m, int *number, int *n, const int c[3],
                   struct cr_str *out) {
     size_t i =

@@ -1,11 +1,11 @@
-/* A canvas as SVG, with its words as text. */
+/* Writes a canvas as SVG, with its words as text. */
 #include "figure/canvas_priv.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-/* to a hundredth of a point, without zeros at the end and without "-0" */
+/* Writes a number to a hundredth of a point, without zeros at the end and without "-0". */
 static void number(struct cr_str *out, double x) {
     char text[40];
     double rounded = round(x * 100) / 100;
@@ -72,8 +72,8 @@ static void path(const struct cr_canvas *c, const struct cr_item *item, struct c
     cr_str_add(out, "/>\n");
 }
 
-/* The viewer's font may be wider or narrower than the one that labels were placed for: the length
- * makes it fit. */
+/* Writes a line. The viewer's font may be wider or narrower than the one for which labels were
+ * placed: textLength makes it fit. */
 static void text(const struct cr_canvas *c, const struct cr_item *item, struct cr_str *out) {
     static const char *const anchor[] = {NULL, "middle", "end"};
     const struct cr_type_face *f = &item->face;
@@ -107,8 +107,9 @@ static void text(const struct cr_canvas *c, const struct cr_item *item, struct c
     cr_str_add(out, "</text>\n");
 }
 
+/* Begins a clip. An inner svg cuts at its box and needs no name, which could clash with that of
+ * another picture of the page. */
 static void clip(const struct cr_item *item, struct cr_str *out) {
-    /* an inner svg cuts at its box: no name that could clash with another picture of the page */
     cr_str_add(out, "<svg");
     attribute(out, "x", item->x);
     attribute(out, "y", item->y);

@@ -1,5 +1,5 @@
-/* The case that a reader fills in: its participants, and of their rows the last seconds before the
- * first contact. */
+/* Keeps the case that a reader fills in: its participants, and of their rows the last seconds
+ * before the first contact. */
 #include "import/import_priv.h"
 
 #include "base/grow.h"
@@ -13,9 +13,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* rows are left behind in lots, not each one by itself */
+/* Rows are left behind in lots of this many, because moving the rest for each one would be slow. */
 enum { LOT = 256 };
-/* beyond this a scene takes no coordinates; those of maps (UTM) are */
+/* Where the first place lies farther than this (m) along an axis, as on maps (UTM), an origin near
+ * it is chosen: a scene takes 100 km, and participants move on from there. */
 static const double far_off = 50000;
 
 static struct cr_import_part *whole(struct cr_participant *p) {
@@ -56,7 +57,7 @@ enum cr_err cr_import_begin(struct cr_import *im, const char *id, const char *na
 
 /* ---- participants ---- */
 
-/* letters, digits, _ and - of an id as they are, all else as _ */
+/* Writes an id with its letters, digits, _ and - as they are, and all else as _. */
 static void scene_id(const char *id, char out[CR_NAME_MAX]) {
     size_t n = 0;
     for (const char *p = id; *p != '\0' && n < CR_NAME_CHARS; p++) {
@@ -88,7 +89,7 @@ static bool taken(const struct cr_import_case *c, const char *id) {
     return false;
 }
 
-/* a blank participant, by way of a scene */
+/* Makes a participant without values; a scene does it, so that all begins as in a scene. */
 static enum cr_err blank(const char *id, enum cr_kind kind, struct cr_participant *out,
                          struct cr_error *err) {
     struct cr_scene *scene = malloc(sizeof *scene);
@@ -99,7 +100,7 @@ static enum cr_err blank(const char *id, enum cr_kind kind, struct cr_participan
     cr_scene_init(scene);
     enum cr_err code = cr_scene_add(scene, id, kind, &p, err);
     if (code == CR_ERR_OK) {
-        *out = *p; /* it owns nothing yet */
+        *out = *p; /* It owns nothing yet, so there is nothing to give back. */
     }
     free(scene);
     return code;
@@ -150,10 +151,11 @@ static void choose_origin(struct cr_import_case *c, struct cr_vec2 pos) {
     c->placed = true;
 }
 
-/* The row of the CG in the file's digits: half a tenth of a millimetre, of a 1/10,000 degree. */
+/* Moves a row to the CG and rounds it to the digits that a scene is written with: 0.1 mm, 0.0001
+ * degrees, 0.0001 km/h. */
 static struct cr_waypoint tidy(const struct cr_import_case *c, const struct cr_import_part *part,
                                const struct cr_waypoint *row) {
-    /* of times of a calendar, 1.7e9 s, a double has no more digits */
+    /* A double has no more than 5 certain digits behind the point of a calendar's 1.7e9 s. */
     struct cr_waypoint out = {.t = cr_round_decimals(row->t, fabs(row->t) < 1e8 ? 6 : 5)};
     double x = row->pos.x - c->origin.x + part->shift * cos(row->heading);
     double y = row->pos.y - c->origin.y + part->shift * sin(row->heading);
@@ -185,7 +187,7 @@ static enum cr_err check_row(const struct cr_import_part *part, const struct cr_
     return CR_ERR_OK;
 }
 
-/* room for one more; what was left behind goes away first */
+/* Makes room for one more row; rows that were left behind are dropped first. */
 static bool room(struct cr_import_part *part) {
     if (part->first >= LOT && part->first > part->n / 2) {
         int held = part->n - part->first;
@@ -197,7 +199,8 @@ static bool room(struct cr_import_part *part) {
     return cr_grow(&part->row, &part->size, part->n, sizeof *part->row);
 }
 
-/* A row later than all others: at the time that is now complete outlines may have met. */
+/* Looks whether outlines met at the last time, which a row at a later time t completes, and leaves
+ * rows behind that are too old to matter. */
 static void advance(struct cr_import *im, double t) {
     struct cr_import_case *c = im->at;
     if (c->started && !c->unordered && t > c->now && c->moving > 0) {
@@ -226,7 +229,7 @@ enum cr_err cr_import_row(struct cr_import *im, struct cr_participant *p,
         return CR_ERR_OK;
     }
     if (c->started && tidied.t < c->now && part->n == part->first && !c->unordered) {
-        c->unordered = true; /* one participant after the other */
+        c->unordered = true; /* The file has one participant after the other. */
         if (c->cut) {
             return cr_err_set(err, CR_ERR_RANGE,
                               "participant \"%.60s\" begins where others "
@@ -239,7 +242,7 @@ enum cr_err cr_import_row(struct cr_import *im, struct cr_participant *p,
         return CR_ERR_OK;
     }
     if (part->n > part->first && tidied.t <= part->row[part->n - 1].t) {
-        return CR_ERR_OK; /* closer than the digits of time */
+        return CR_ERR_OK; /* Times this close are one time in the digits of a scene. */
     }
     if (c->rows >= CR_IMPORT_ROWS_MAX) {
         cr_err_set(err, CR_ERR_EXPENSIVE, "more than %d rows of one case", CR_IMPORT_ROWS_MAX);

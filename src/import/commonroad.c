@@ -1,5 +1,5 @@
-/* CommonRoad scenarios (XML, 2018b and 2020a): the motion of rectangles in time steps. Places are
- * those of the middle of the rectangle. */
+/* Reads CommonRoad scenarios (XML, 2018b and 2020a): rectangles that move in time steps. Places
+ * are those of the middle of the rectangle. */
 #include "import/xml.h"
 
 #include "base/csv.h"
@@ -13,8 +13,8 @@
 struct moving {
     struct cr_participant *p;
     const struct cr_xml_node *node;  /* of the obstacle */
-    const struct cr_xml_node *state; /* the next */
-    double next;                     /* its time step */
+    const struct cr_xml_node *state; /* the next one */
+    double next;                     /* time step of that state */
     bool parked;
     struct cr_waypoint last;
 };
@@ -23,7 +23,7 @@ struct road {
     struct cr_import *im;
     const char *shown;
     const struct cr_xml_node *root;
-    double step; /* s */
+    double step; /* s from one time step to the next */
     struct moving *car;
     int n, size;
     bool intervals;
@@ -33,7 +33,8 @@ bool cr_import_commonroad_is(const struct cr_import_head *head) {
     return cr_xml_is(head, "commonRoad");
 }
 
-/* A value that is exact or an interval, of which the middle is taken. Errors: MISSING, TYPE. */
+/* Reads a value that is exact or an interval, of which the middle is taken. Errors: MISSING,
+ * TYPE. */
 static enum cr_err value(struct road *r, const struct cr_xml_node *node, const char *path,
                          double *out, struct cr_error *err) {
     const struct cr_xml_node *at = cr_xml_find(node, path);
@@ -45,7 +46,7 @@ static enum cr_err value(struct road *r, const struct cr_xml_node *node, const c
         return cr_xml_fault(r->shown, node, err, CR_ERR_MISSING, "no <%s>", path);
     }
     if (exact == NULL && at->child == NULL) {
-        exact = at; /* lengths and coordinates are without <exact> */
+        exact = at; /* Lengths and coordinates stand there without <exact>. */
     }
     if (exact != NULL ? cr_csv_scan(exact->text, false, out)
                       : from != NULL && to != NULL && cr_csv_scan(from->text, false, &a) &&
@@ -124,7 +125,7 @@ static enum cr_err add_car(struct road *r, const struct cr_xml_node *obstacle, b
     return code;
 }
 
-/* a pillar or building: a box, or a pole where it is round */
+/* Adds a pillar or building as a box, or as a pole where it is round. */
 static enum cr_err add_object(struct road *r, const struct cr_xml_node *obstacle,
                               struct cr_error *err) {
     char id[64];
@@ -194,7 +195,7 @@ static enum cr_err give_row(struct road *r, struct moving *m, double step, struc
     return m->state != NULL ? value(r, m->state, "time", &m->next, err) : CR_ERR_OK;
 }
 
-/* the rows of all, step by step */
+/* Gives the rows of all cars, one time step after the other. */
 static enum cr_err motion(struct road *r, struct cr_error *err) {
     enum cr_err code = CR_ERR_OK;
     while (code == CR_ERR_OK && !cr_import_met(r->im)) {
@@ -220,6 +221,11 @@ static enum cr_err read_case(struct road *r, struct cr_error *err) {
     enum cr_err code = cr_xml_number(r->shown, r->root, "timeStepSize", &r->step, err);
     if (code == CR_ERR_OK && !(r->step > 0)) {
         code = cr_xml_fault(r->shown, r->root, err, CR_ERR_RANGE, "timeStepSize must be above 0");
+    }
+    const char *version = cr_xml_attr(r->root, "commonRoadVersion");
+    if (version == NULL || !one_of(version, "2018b 2020a")) {
+        cr_import_note(r->im, "version \"%.20s\" of CommonRoad is not known: read as 2020a",
+                       version != NULL ? version : "");
     }
     cr_import_point(r->im, CR_POINT_CENTRE);
     for (const struct cr_xml_node *o = r->root->child; o != NULL && code == CR_ERR_OK;

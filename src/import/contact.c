@@ -1,10 +1,11 @@
-/* Where participants are at a time, and when their outlines meet first. */
+/* Finds where participants are at a time, and when their outlines meet first. */
 #include "import/import_priv.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* s for which one that gives no more rows is taken to go on as it did: rates of 1 Hz */
+/* For this long (s) a participant without further rows is taken to go on as it did, so that a file
+ * with a row a second has no gaps. */
 static const double goes_on = 1.0;
 
 /* ---- poses ---- */
@@ -18,7 +19,9 @@ static struct cr_waypoint between(const struct cr_waypoint *a, const struct cr_w
     return out;
 }
 
-bool cr_import_pose(struct cr_import_part *part, double t, struct cr_waypoint *out) {
+/* Pose of a participant at a time, s; false where it is not there then. Times must not go back
+ * between calls, because the search goes on from the row of the last one. */
+static bool pose_at(struct cr_import_part *part, double t, struct cr_waypoint *out) {
     if (part->n == part->first) {
         *out = (struct cr_waypoint){
             .t = t, .pos = part->p.pos, .heading = part->p.heading, .speed = 0};
@@ -61,7 +64,8 @@ static void extent(const struct placed *p, struct cr_vec2 axis, double *lo, doub
     }
 }
 
-/* whether an edge of a has all of b on its outer side */
+/* Tells whether the two outlines lie apart in the direction across one of a's edges: convex
+ * outlines overlap only if they do so for no edge of either. */
 static bool parted(const struct placed *a, const struct placed *b) {
     for (int i = 0; i < a->n; i++) {
         struct cr_vec2 edge = cr_vec2_sub(a->corner[(i + 1) % a->n], a->corner[i]);
@@ -100,13 +104,13 @@ static bool overlap(struct cr_import_part *a, const struct cr_waypoint *pa,
 void cr_import_look(struct cr_import_case *c, double t) {
     for (int i = 0; i < c->parts; i++) {
         struct cr_waypoint a, b;
-        if (!c->part[i]->fixed || !cr_import_pose(c->part[i], t, &a)) {
+        if (!c->part[i]->fixed || !pose_at(c->part[i], t, &a)) {
             continue;
         }
         for (int k = 0; k < i; k++) {
             bool objects =
                 c->part[i]->p.kind == CR_KIND_OBJECT && c->part[k]->p.kind == CR_KIND_OBJECT;
-            if (!objects && c->part[k]->fixed && cr_import_pose(c->part[k], t, &b) &&
+            if (!objects && c->part[k]->fixed && pose_at(c->part[k], t, &b) &&
                 overlap(c->part[i], &a, c->part[k], &b)) {
                 c->part[i]->hit = c->part[k]->hit = true;
                 c->met = true;
@@ -148,7 +152,7 @@ void cr_import_cut(struct cr_import_case *c, double from, double to) {
     for (int i = 0; i < c->parts; i++) {
         struct cr_import_part *part = c->part[i];
         int first = part->first, n = part->n;
-        /* a hair of time, so that 12.3 - 2 keeps the row of 10.3 */
+        /* The 1e-9 s are there for the rounding of doubles: 12.3 - 2 keeps the row of 10.3. */
         while (first + 2 < n && part->row[first].t < from - 1e-9) {
             first++;
         }

@@ -1,7 +1,7 @@
-/* Long tables of trajectories (CSV): one row for a time and participant, or with a column for each
- * participant, under names of the user's own, which a map tells. */
-#define _XOPEN_SOURCE 700 /* tsearch */
-#include "import/import_priv.h"
+/* Reads long tables of trajectories (CSV) with names of the user's own, which a map explains: a row
+ * for each time and participant, or a row for each time with the participants side by side. */
+#define _XOPEN_SOURCE 700 /* search.h declares tsearch only with it */
+#include "import/reader.h"
 
 #include "base/csv.h"
 #include "base/vec.h"
@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What a column may hold. `words`: how its name may begin where the map does not name it. */
+/* What a column may hold; its name may begin with one of `words` where the map does not name it. */
 enum channel { T, X, Y, HEADING, SPEED, VX, VY, LENGTH, WIDTH, HEIGHT, MASS, WHEELBASE, CHANNELS };
 static const struct {
     const char *key;
@@ -40,10 +40,10 @@ struct column {
     int at; /* -1: none */
     const struct cr_unit *unit;
     double factor;
-    bool clockwise, north; /* headings */
+    bool clockwise, north; /* of a heading: how it turns, and whether 0 is north (else east) */
 };
 
-/* the columns of the one participant of a row, or of each where they stand side by side */
+/* The columns of the one participant of a row, or of each where they stand side by side. */
 struct group {
     const char *id; /* NULL: in the column of participants */
     struct column of[CHANNELS];
@@ -74,7 +74,8 @@ static enum cr_err map_fault(const struct cr_import *im, const char *key, const 
     return CR_ERR_TYPE;
 }
 
-/* "time": "t [ms]" or {"column": ..}: its column, *at -1 where the map is silent */
+/* Finds the column that the map names for a key, as "time": "t [ms]" or {"column": ..}; *at is -1
+ * where the map is silent. */
 static enum cr_err mapped(const struct table *t, const cJSON *map, const char *key, int *at,
                           struct cr_error *err) {
     const cJSON *item = cJSON_GetObjectItemCaseSensitive(map, key);
@@ -100,7 +101,7 @@ static bool begins(const char *name, const char *word) {
     return !isalnum((unsigned char)name[n]);
 }
 
-/* first column whose name begins with one of the words */
+/* Finds the first column whose name begins with one of the words; -1 if there is none. */
 static int named(const struct cr_csv *csv, const char *const *words, int n) {
     for (int w = 0; w < n && words[w] != NULL; w++) {
         for (int i = 0; i < cr_csv_columns(csv); i++) {
@@ -118,8 +119,8 @@ static bool flag(const cJSON *item, const char *key, const char *word) {
     return word == NULL ? cJSON_IsTrue(value) : text != NULL && strcmp(text, word) == 0;
 }
 
-/* Unit: of the map, else of the name or the row of units. None is a fault: SI for what is in mph
- * would be a crash that never was. */
+/* Finds the unit of a column: the map's, else that of the name or of the row of units. None is a
+ * fault: to take SI for what is in mph would make a crash that never was. */
 static enum cr_err unit_of(const struct table *t, enum channel ch, const cJSON *item,
                            struct column *out, struct cr_error *err) {
     const char *given = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(item, "unit"));
@@ -147,7 +148,8 @@ static enum cr_err find_channel(const struct table *t, const cJSON *map, enum ch
                            .north = flag(item, "zero", "north")};
     enum cr_err code = mapped(t, map, channels[ch].key, &out->at, err);
     if (code == CR_ERR_OK && out->at < 0 && map == t->im->map) {
-        out->at = named(t->csv, channels[ch].words, 4); /* none of those side by side */
+        /* Side by side a bare "x" would not tell whose it is, so there the map must name it. */
+        out->at = named(t->csv, channels[ch].words, 4);
     }
     return code == CR_ERR_OK && out->at >= 0 ? unit_of(t, ch, item, out, err) : code;
 }
@@ -162,7 +164,7 @@ static enum cr_err find_group(const struct table *t, const cJSON *map, struct gr
                               struct cr_error *err) {
     enum cr_err code = CR_ERR_OK;
     for (int ch = 0; ch < CHANNELS && code == CR_ERR_OK; ch++) {
-        const cJSON *from = ch == T ? t->im->map : map; /* all share the time */
+        const cJSON *from = ch == T ? t->im->map : map; /* All share one column of times. */
         code = find_channel(t, from, (enum channel)ch, &out->of[ch], err);
     }
     static const enum channel needed[] = {T, X, Y, HEADING};
@@ -175,7 +177,7 @@ static enum cr_err find_group(const struct table *t, const cJSON *map, struct gr
     return code == CR_ERR_OK && !speed ? lacks(t, "speed", err) : code;
 }
 
-/* participants side by side: {"participants": {"A": {"x": ..}, "B": ..}} */
+/* Finds the columns of participants side by side: {"participants": {"A": {"x": ..}, "B": ..}}. */
 static enum cr_err find_groups(struct table *t, const cJSON *side, struct cr_error *err) {
     enum cr_err code = CR_ERR_OK;
     for (const cJSON *g = side->child; g != NULL && code == CR_ERR_OK; g = g->next) {
@@ -269,7 +271,7 @@ static enum cr_err value(const struct table *t, const struct column *c, double *
     return code;
 }
 
-/* sizes and mass, which stand in every row, from the first */
+/* Takes sizes and mass from a participant's first row; they stand in every row alike. */
 static void take_sizes(struct cr_participant *p, const double v[CHANNELS]) {
     p->length = v[LENGTH];
     p->width = v[WIDTH];
@@ -291,7 +293,7 @@ static enum cr_err read_group(struct table *t, const struct group *g, struct cr_
     for (int ch = 0; ch < CHANNELS && code == CR_ERR_OK; ch++) {
         code = value(t, &g->of[ch], &v[ch], err);
     }
-    /* side by side one may be there before the other */
+    /* Side by side, one may be there before the other: its fields are empty until then. */
     if (code != CR_ERR_OK || (g->id != NULL && isnan(v[X]) && isnan(v[Y]))) {
         return code;
     }
@@ -328,7 +330,8 @@ static int by_text(const void *a, const void *b) {
     return strcmp(a, b);
 }
 
-/* a case that comes back would be cut in pieces */
+/* Remembers the case that begins; one that comes back later is a fault, since it would become two
+ * scenes of pieces. */
 static enum cr_err remember(struct table *t, struct cr_error *err) {
     char *key = malloc(strlen(t->id) + 1);
     if (key == NULL) {
@@ -412,7 +415,7 @@ static enum cr_err read_rows(struct table *t, struct cr_error *err) {
         }
         code = read_row(t, first, err);
         first = false;
-        /* nothing after the contact of the only case is of use */
+        /* Nothing that follows the contact of the only case is of use. */
         if (code == CR_ERR_OK && t->cases < 0 && t->im->at != NULL && cr_import_met(t->im)) {
             break;
         }
@@ -425,8 +428,8 @@ static enum cr_err read_rows(struct table *t, struct cr_error *err) {
 
 /* ---- the format ---- */
 
-/* A line with separators ahead of everything else that is no remark: no other format that has text
- * is left when this is asked. */
+/* Takes every text whose first line that is no remark has separators: this is asked last, when the
+ * text is of no other format. */
 bool cr_import_csv_is(const struct cr_import_head *head) {
     const char *p = head->text, *end = head->text + head->len;
     if (head->folder || memchr(p, '\0', head->len) != NULL) {

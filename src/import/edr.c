@@ -1,5 +1,6 @@
-/* Tables of event data recorders (49 CFR 563) as CSV: pre-crash speeds, cumulative delta-v. */
-#include "import/import_priv.h"
+/* Reads tables of event data recorders (49 CFR 563) as CSV: pre-crash speeds and cumulative
+ * delta-v. */
+#include "import/reader.h"
 
 #include "base/csv.h"
 #include "base/json.h"
@@ -12,11 +13,11 @@
 #include <stdio.h>
 #include <string.h>
 
-/* km/h: the accuracy that the rule asks of an indicated speed, 49 CFR 563.8 [EDR-ACCURACY] */
+/* The accuracy in km/h that the rule asks of an indicated speed, 49 CFR 563.8 [EDR-ACCURACY]. */
 static const double speed_accuracy = 1;
 enum { ROWS_MAX = 100000 };
 
-/* X(name, key in x_edr, dimension, words that its header has) */
+/* Columns of a recorder: X(name, key in x_edr, dimension, words that its header has). */
 #define EDR_COLUMNS(X)                                                                             \
     X(T, "t_s", TIME, "time", "")                                                                  \
     X(DVX, "delta_v_longitudinal_kmh", SPEED, "delta-v", "long")                                   \
@@ -48,11 +49,12 @@ struct edr {
     int at[COLUMNS]; /* -1: none */
     const struct cr_unit *unit[COLUMNS];
     cJSON *list[COLUMNS]; /* values in the unit of the key, borrowed from x_edr */
-    double last, speed;   /* s, the last time up to the trigger; m/s there, NaN: none */
+    double last, speed;   /* the last time up to the trigger, s, and m/s there; NaN: none */
     int rows;
 };
 
-/* whether a text has a word of small letters, in any case; "delta v" and "delta-v" are one */
+/* Tells whether a text has a word, which is given in small letters, in any case; a "-" of the word
+ * stands for a blank or _ too, so that "delta v" and "delta-v" are one. */
 static bool has(const char *text, const char *word) {
     for (const char *p = text; *p != '\0' || *word == '\0'; p++) {
         size_t n = 0;
@@ -108,7 +110,7 @@ static enum cr_err find_columns(struct edr *e, cJSON *x, struct cr_error *err) {
     return CR_ERR_OK;
 }
 
-/* a field as the number that the key of x_edr has; brakes are on or off */
+/* Reads a field as the number that its key of x_edr has; brakes are on or off, 1 or 0. */
 static cJSON *value(struct edr *e, int i, double *si, struct cr_error *err) {
     const char *cell = cr_csv_cell(e->csv, e->at[i]);
     *si = (double)NAN;
@@ -238,7 +240,7 @@ enum cr_err cr_import_edr_read(struct cr_import *im, struct cr_error *err) {
     return code;
 }
 
-/* A header with the time and words that only recorders have. */
+/* Takes a table whose header has the time and words that only recorders have. */
 bool cr_import_edr_is(const struct cr_import_head *head) {
     const char *p = head->text;
     char line[1000];
@@ -246,7 +248,8 @@ bool cr_import_edr_is(const struct cr_import_head *head) {
         p += strcspn(p, "\r\n");
         p += strspn(p, "\r\n");
     }
-    snprintf(line, sizeof line, "%.*s", (int)(strcspn(p, "\r\n") % sizeof line), p);
+    size_t n = strcspn(p, "\r\n");
+    snprintf(line, sizeof line, "%.*s", n < sizeof line ? (int)n : (int)sizeof line - 1, p);
     return cr_import_csv_is(head) && has(line, "time") &&
            (has(line, "delta-v") || has(line, "vehicle indicated") ||
             (has(line, "speed") && has(line, "accelerator")));

@@ -1,6 +1,6 @@
-/* Results of CarMaker: NAME.erg, records of bytes, beside NAME.erg.info, which describes them. The
- * car under test and its traffic become participants; places are those of the middle of the rear
- * end, where CarMaker has the origin of its vehicles. */
+/* Reads results of CarMaker: NAME.erg, which holds records of bytes, beside NAME.erg.info, which
+ * describes them. The car under test and its traffic become participants; places are those of the
+ * middle of the rear end, where CarMaker has the origin of its vehicles. */
 #include "import/erg_priv.h"
 
 #include "base/file.h"
@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* what is read of a participant; v is the hypotenuse where only its parts are there */
+/* What is read of a participant; its speed is made of vx and vy where the records have no v. */
 enum channel { CH_X, CH_Y, CH_YAW, CH_V, CH_VX, CH_VY, CHANNELS };
 static const struct {
     const char *key; /* of the map */
@@ -53,7 +53,7 @@ bool cr_import_erg_is(const struct cr_import_head *head) {
     if (strncmp(head->text, "#INFOFILE1", 10) == 0 && strstr(head->text, "File.At.1.") != NULL) {
         return true;
     }
-    /* the records say nothing of themselves */
+    /* Records say nothing of themselves, so only a description beside the file tells. */
     snprintf(info, sizeof info, "%.511s.info", head->path);
     return n > 4 && strcmp(head->name + n - 4, ".erg") == 0 &&
            cr_file_check_regular(info, NULL) == CR_ERR_OK;
@@ -82,7 +82,7 @@ static enum cr_err check_unit(const struct carmaker *cm, int i, enum cr_dim dim,
                               struct cr_error *err) {
     const struct cr_erg_quantity *q = &cm->erg.quantity[i];
     if (q->unit[0] == '\0' || cr_unit_spelled(q->unit, dim) != NULL) {
-        return CR_ERR_OK; /* CarMaker computes in SI */
+        return CR_ERR_OK; /* A quantity without unit is in SI, in which CarMaker computes. */
     }
     cr_err_set(err, CR_ERR_NAME, "%.60s: the unit \"%.20s\" is not one of %s", q->name, q->unit,
                cr_dim_word(dim));
@@ -138,7 +138,7 @@ static enum cr_err add_car(struct carmaker *cm, const char *id, const cJSON *own
     return code == CR_ERR_OK ? cr_import_add(cm->im, id, CR_KIND_VEHICLE, &m->p, err) : code;
 }
 
-/* the car, and what has a place under "Traffic."; or those that a map names */
+/* Finds the car and what has a place under "Traffic.", or those that a map names. */
 static enum cr_err find_cars(struct carmaker *cm, struct cr_error *err) {
     const cJSON *named = cJSON_GetObjectItemCaseSensitive(cm->im->map, "participants");
     enum cr_err code = CR_ERR_OK;
@@ -240,7 +240,7 @@ static enum cr_err read_case(struct carmaker *cm, struct cr_error *err) {
 
 /* ---- the files ---- */
 
-/* either of the two may be given */
+/* Finds both files by the one that is given, which may be either. */
 static enum cr_err find_files(struct carmaker *cm, struct cr_error *err) {
     const char *path = cm->im->path;
     size_t n = strlen(path);

@@ -1,5 +1,5 @@
-/* The description of an ERG file: a text of lines "key = value" that names the quantities of its
- * records in their order. */
+/* Reads the description of an ERG file of CarMaker: lines "key = value" that name the quantities of
+ * its records in their order; and the value of a quantity in a record. */
 #include "import/erg_priv.h"
 
 #include "base/csv.h"
@@ -35,7 +35,7 @@ static enum cr_err fault(const struct line *l, struct cr_error *err, enum cr_err
     return code;
 }
 
-/* without blanks and quotes around it */
+/* Copies a text without the blanks and quotes around it. */
 static void trim(const char *from, const char *to, char out[LINE]) {
     while (from < to && strchr(" \t\"", *from) != NULL) {
         from++;
@@ -88,7 +88,7 @@ static enum cr_err add(struct cr_erg *erg, const struct line *l, struct cr_error
     return CR_ERR_OK;
 }
 
-/* "File.At.N.Name", "File.At.N.Type": N counts up from 1 */
+/* Reads "File.At.N.Name" and "File.At.N.Type", where N counts up from 1. */
 static enum cr_err at_line(struct cr_erg *erg, const struct line *l, struct cr_error *err) {
     char *end;
     long n = strtol(l->key + strlen("File.At."), &end, 10);
@@ -106,7 +106,7 @@ static enum cr_err at_line(struct cr_erg *erg, const struct line *l, struct cr_e
     return CR_ERR_OK;
 }
 
-/* "Quantity.NAME.Unit", ".Factor", ".Offset" */
+/* Reads "Quantity.NAME.Unit", ".Factor" and ".Offset". */
 static enum cr_err quantity_line(struct cr_erg *erg, const struct line *l, struct cr_error *err) {
     char name[LINE];
     const char *dot = strrchr(l->key, '.'), *from = l->key + strlen("Quantity.");
@@ -114,12 +114,12 @@ static enum cr_err quantity_line(struct cr_erg *erg, const struct line *l, struc
         return CR_ERR_OK;
     }
     snprintf(name, sizeof name, "%.*s", (int)(dot - from), from);
-    /* most often it is of the last one */
+    /* A line most often describes the quantity that was named last. */
     int i = erg->n > 0 && strcmp(erg->quantity[erg->n - 1].name, name) == 0
                 ? erg->n - 1
                 : cr_erg_find(erg, name);
     if (i < 0) {
-        return CR_ERR_OK; /* described, but not recorded */
+        return CR_ERR_OK; /* It is described, but not recorded. */
     }
     struct cr_erg_quantity *q = &erg->quantity[i];
     if (strcmp(dot, ".Unit") == 0) {
@@ -207,7 +207,7 @@ double cr_erg_value(const struct cr_erg *erg, int i, const unsigned char *record
     } else if (q->kind == CR_ERG_FLOAT) {
         memcpy(&x, &raw, sizeof x);
     } else if (q->kind == CR_ERG_SIGNED && raw >> (8 * q->bytes - 1) != 0) {
-        /* two's complement */
+        /* The number is negative, in two's complement. */
         x = -(double)(~(raw | (q->bytes < 8 ? UINT64_MAX << 8 * q->bytes : 0)) + 1);
     } else if (q->kind != CR_ERG_PADDING) {
         x = (double)raw;

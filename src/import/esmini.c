@@ -1,5 +1,5 @@
-/* The two logs of esmini: of --csv_logger, a row for each time with all entities side by side and
- * their sizes, and of dat2csv, a row for each time and entity without sizes. */
+/* Reads the two logs of esmini: that of --csv_logger has a row for each time with all entities side
+ * by side and their sizes, that of dat2csv a row for each time and entity without sizes. */
 #include "import/reader.h"
 
 #include "base/csv.h"
@@ -11,10 +11,10 @@
 #include <string.h>
 
 static const char log_header[] = "Index [-]";
-/* m; what is shorter walks or has one track */
+/* The shortest car, m: what is shorter walks or has one track, and is left out. */
 static const double shortest = 2.0;
 
-/* does a line of the head begin so? */
+/* Finds the first line of a text that begins so; NULL if there is none. */
 static const char *line_with(const char *text, const char *begin) {
     while (text != NULL && strncmp(text, begin, strlen(begin)) != 0) {
         text = strchr(text, '\n');
@@ -126,7 +126,7 @@ struct logged {
     int n, size;
 };
 
-/* a group of columns for each entity, "#1 ...", "#2 ..." */
+/* Finds the group of columns of each entity, "#1 ...", "#2 ...". */
 static enum cr_err find_entities(const struct cr_csv *csv, struct logged *log,
                                  struct cr_error *err) {
     char name[80];
@@ -139,7 +139,7 @@ static enum cr_err find_entities(const struct cr_csv *csv, struct logged *log,
         for (int i = 0; i < LOG_COLUMNS; i++) {
             snprintf(name, sizeof name, "#%d %s", k, log_names[i]);
             e.at[i] = cr_csv_find(csv, name);
-            if (e.at[i] < 0 && i == LOG_NAME) { /* as older versions spell it */
+            if (e.at[i] < 0 && i == LOG_NAME) { /* Older versions spell it otherwise. */
                 snprintf(name, sizeof name, "#%d Entitity_Name [-]", k);
                 e.at[i] = cr_csv_find(csv, name);
             }
@@ -185,13 +185,14 @@ static enum cr_err meet(struct cr_import *im, struct entity *e, const char *name
     return code;
 }
 
-/* places are of the rear axle, which the log does not know; the middle of the box it does */
+/* Gives a row at the middle of the entity's box. The log has the place of the rear axle, and where
+ * that lies in the car follows only from the box. */
 static enum cr_err log_row(struct cr_import *im, const struct cr_csv *csv, struct entity *e,
                            double t, struct cr_error *err) {
     double v[LOG_COLUMNS];
     const char *name = cr_csv_cell(csv, e->at[LOG_NAME]);
     if (name[0] == '\0' || e->left_out) {
-        return CR_ERR_OK; /* it is not there any more */
+        return CR_ERR_OK; /* The entity is not there any more. */
     }
     enum cr_err code = values(csv, e, v, err);
     if (code == CR_ERR_OK && !e->known) {

@@ -1,9 +1,9 @@
-/* Crash tests of NHTSA: an EV5 file, and beside it the channels that it lists (".001" ...). It
- * becomes the scene of the test, with what was measured as x_expect.
+/* Reads crash tests of NHTSA: an EV5 file, and beside it the channels that it lists (".001" ...).
+ * It becomes the scene of the test, with what was measured as x_expect.
  *
- * Meanings of fields by their place, matched by their count and by the values of tests 10146 and
- * 7292. The impact angle is taken as the bearing, clockwise from ahead of the struck, of where the
- * blow comes from: so the classification of test 7292 has it, and the side pole tests. */
+ * Fields have their meaning by their place; the places were found by the count of fields and by the
+ * values of tests 10146 and 7292. The impact angle is taken as the bearing, clockwise from ahead of
+ * the struck vehicle, from which the blow comes: test 7292 and the side pole tests have it so. */
 #include "base/file.h"
 #include "base/number.h"
 #include "base/tree.h"
@@ -32,11 +32,11 @@ enum { /* VEHICLE */
        V_DPD = 48,
        V_CRUSH = 57
 };
-/* diameter of the rigid pole of side tests, m */
+/* Diameter of the rigid pole of side tests, m. */
 static const double pole = 0.254;
-/* s before the outlines meet, about */
+/* The scene begins about this long before the outlines meet, s. */
 static const double before = 0.2;
-/* s that a channel must reach beyond 0 to hold the crash */
+/* A channel must reach this far beyond its 0 to hold the whole crash, s. */
 static const double whole_crash = 0.05;
 
 enum { VEHICLES = 2 };
@@ -105,15 +105,15 @@ static enum cr_err add_vehicle(struct test *t, const struct cr_ev5_record *r,
 
 /* ---- what meets what ---- */
 
-/* The struck thing, before which the first vehicle goes along x from where it is at the origin, is
- * ahead by the sum of both half extents and of what is driven meanwhile. */
+/* Distance in m from the first vehicle's CG to what it strikes ahead: more than it reaches however
+ * it is turned, half its length, and what it drives before they meet. */
 static double gap(const struct test *t) {
     const struct cr_participant *a = t->car[0];
     return hypot(a->length, a->width) / 2 + a->length / 2 + before * a->speed;
 }
 
-/* m from the CG to a pole in the direction of the angle. Sideways the tyres brake (in the test the
- * car is carried), so there it begins close to the flank. */
+/* Distance in m from the CG to a pole in the direction of the angle. Sideways it begins close to
+ * the flank, because the tyres would brake the car, which is carried in the test. */
 static double to_pole(const struct test *t) {
     const struct cr_participant *a = t->car[0];
     double c = fabs(cos(t->angle)), s = fabs(sin(t->angle));
@@ -127,7 +127,7 @@ static enum cr_err add_barrier(struct test *t, bool is_pole, struct cr_error *er
     if (code != CR_ERR_OK) {
         return code;
     }
-    /* it drives towards where the blow comes from; a wall is turned before it */
+    /* The car drives towards where the blow comes from; a wall is turned to face it. */
     p->shape = is_pole ? CR_OBJECT_POLE : CR_OBJECT_WALL;
     p->radius = is_pole ? pole / 2 : p->radius;
     if (is_pole) {
@@ -142,7 +142,7 @@ static enum cr_err add_barrier(struct test *t, bool is_pole, struct cr_error *er
     return CR_ERR_OK;
 }
 
-/* The second vehicle, as it is when they meet, less what it drives until then. */
+/* Places the second vehicle where it is when they meet, less what it drives until then. */
 static void place_second(struct test *t) {
     struct cr_participant *a = t->car[0], *b = t->car[1];
     b->heading = cr_angle_wrap(CR_PI + t->angle);
@@ -191,7 +191,7 @@ static enum cr_err arrange(struct test *t, struct cr_error *err) {
 
 /* ---- what was measured ---- */
 
-/* C1 to C6 stand at equal spaces: their mean is that of trapezoids */
+/* Expects the mean depth of crush: C1 to C6 stand at equal spaces, so it is that of trapezoids. */
 static enum cr_err expect_crush(struct test *t, int i, cJSON *to, struct cr_error *err) {
     double sum = 0, mm, most = NAN;
     enum cr_err code = cr_ev5_number(&t->ev5, t->vehicle[i], V_CRUSH, false, &most, err);
@@ -219,8 +219,8 @@ static void list_channel(struct test *t, int i, const struct cr_ev5_record *r, c
     cr_tree_push(t->channels, c);
 }
 
-/* NHTSA's x is forward, y to the right. Errors: those of the file, if it is there; often only the
- * file of the test is at hand. */
+/* Loads the file of a channel, if it is there; often only the file of the test is at hand. NHTSA's
+ * x is forward and y to the right. Errors: those of the file. */
 static enum cr_err load_channel(struct test *t, int i, const struct cr_ev5_record *r,
                                 struct cr_channel *ch, struct cr_error *err) {
     char file[CR_PATH_MAX + 16], *text = NULL;
@@ -299,7 +299,7 @@ static enum cr_err read_case(struct test *t, struct cr_error *err) {
     return code;
 }
 
-/* "v10146" of the file's name */
+/* Takes the name of the test, "v10146", from that of its file. */
 static void name_of(const char *path, char out[64]) {
     const char *slash = strrchr(path, '/');
     snprintf(out, 64, "%.60s", slash != NULL ? slash + 1 : path);

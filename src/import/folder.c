@@ -1,5 +1,5 @@
-/* Files in a folder by their names in any case: exports differ in it; names for what lasts as long
- * as an import. */
+/* Finds files in a folder by their names in any case, because exports differ in it; and makes the
+ * names of what lasts as long as an import. */
 #include "import/import_priv.h"
 
 #include <dirent.h>

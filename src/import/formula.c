@@ -1,4 +1,5 @@
-/* Expressions by recursive descent, one function a level of precedence; depth is limited. */
+/* Evaluates expressions of OpenSCENARIO by recursive descent, with a function for each level of
+ * precedence; the depth is limited, because files may be hostile. */
 #include "import/formula.h"
 
 #include "base/units.h"
@@ -28,7 +29,7 @@ static double fail(struct formula *f, const char *what) {
     return 0;
 }
 
-/* goes on behind a sign or word if it is next */
+/* Goes on behind a sign or word if it is next, and tells whether it was. */
 static bool take(struct formula *f, const char *word) {
     size_t n = strlen(word);
     f->at += strspn(f->at, " \t\r\n");

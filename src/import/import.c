@@ -1,5 +1,5 @@
-/* crumple import of one file or folder: which format it has, its SHA-256, the user's map, and the
- * lines of its cases. */
+/* Imports files or folders for `crumple import`: reads the user's map, recognises the format, notes
+ * the SHA-256 and has the reader of the format write the lines of the cases. */
 #include "import/import_priv.h"
 
 #include "base/file.h"
@@ -123,14 +123,16 @@ static const struct format *recognised(const struct cr_import_head *head) {
     return NULL;
 }
 
-/* neither hidden nor what goes with another file: descriptions of ERG, channels (.001) of EV5 */
+/* Leaves out of a folder what is hidden or goes with another file: descriptions of ERG (.info),
+ * channels of EV5 (.001). */
 static int stands_alone(const struct dirent *entry) {
     const char *name = entry->d_name, *dot = strrchr(name, '.');
     return name[0] != '.' && (dot == NULL || (strcasecmp(dot, ".info") != 0 &&
                                               dot[1 + strspn(dot + 1, "0123456789")] != '\0'));
 }
 
-/* A folder that is of no format by itself: the one file in it that is. How many there are. */
+/* Looks in a folder that is of no format by itself for the files that are, and gives their number;
+ * if there is one alone, it takes the place of the folder. */
 static int look_inside(struct cr_import *im, struct cr_import_head *head,
                        char text[CR_IMPORT_HEAD + 1], const struct format **format) {
     struct dirent **entry;
@@ -195,7 +197,7 @@ static enum cr_err choose_format(struct cr_import *im, struct cr_import_head *he
     return *out != NULL ? CR_ERR_OK : CR_ERR_SYNTAX;
 }
 
-/* An archive is hashed as it is; then what lies in it takes its place. */
+/* Hashes an archive as it is and unpacks it; what lies in it then takes its place. */
 static enum cr_err open_archive(struct cr_import *im, struct cr_import_head *head,
                                 char text[CR_IMPORT_HEAD + 1], struct cr_unpacked *unpacked,
                                 struct cr_error *err) {
@@ -235,8 +237,8 @@ static enum cr_err import(struct cr_import *im, cJSON **map, struct cr_unpacked 
     return code;
 }
 
-/* Standard input goes into a file, so that it can be recognised, hashed and read; it has a name
- * only until it is open. */
+/* Copies standard input into a file of its own, so that it can be recognised, hashed and read; the
+ * caller removes the file at path, which is there also after an error unless path is "". */
 static enum cr_err spool(char path[CR_TEMP_MAX], struct cr_error *err) {
     char piece[1 << 16];
     size_t n;
@@ -262,8 +264,8 @@ static enum cr_err spool(char path[CR_TEMP_MAX], struct cr_error *err) {
     return done ? CR_ERR_OK : io_fault("standard input", "make a copy of it", err);
 }
 
-enum cr_err cr_import_file(struct cr_import_opts *opts, const char *path,
-                           struct cr_import_count *count, struct cr_error *err) {
+static enum cr_err import_one(struct cr_import_opts *opts, const char *path,
+                              struct cr_import_count *count, struct cr_error *err) {
     struct cr_import im = {.opts = opts, .path = path, .shown = path, .count = count};
     struct cr_unpacked unpacked = {.n = 0};
     struct cr_error own;
@@ -293,7 +295,7 @@ enum cr_err cr_import_files(struct cr_import_opts *opts, const char *const *path
                             struct cr_import_count *count, struct cr_error *err) {
     enum cr_err code = CR_ERR_OK;
     for (int i = 0; i < n && code == CR_ERR_OK; i++) {
-        code = cr_import_file(opts, path[i], count, err);
+        code = import_one(opts, path[i], count, err);
     }
     for (int i = 0; i < opts->cases.n && code == CR_ERR_OK; i++) {
         if (!opts->cases.seen[i]) {

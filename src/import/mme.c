@@ -1,6 +1,6 @@
-/* Crash tests in ISO-MME (ISO/TS 13499): a folder with TEST.mme, which says what met what, and the
- * channels in Channel/. A test of one vehicle before a fixed barrier or pole, or of two vehicles
- * front to front, becomes a scene; what was measured goes with it as x_expect. */
+/* Reads crash tests in ISO-MME (ISO/TS 13499): a folder with TEST.mme, which says what met what,
+ * and the channels in Channel/. A test of one vehicle before a fixed barrier or pole, or of two
+ * vehicles front to front, becomes a scene; what was measured goes with it as x_expect. */
 #include "import/reader.h"
 #include "result/mme.h"
 
@@ -20,9 +20,9 @@
 #include <strings.h>
 
 enum { OBJECTS = 9 };
-static const double before = 0.2;       /* s before the outlines meet, about */
-static const double pole = 0.254;       /* m, of the usual rigid pole */
-static const double whole_crash = 0.05; /* s that a channel must reach beyond 0 */
+static const double before = 0.2;       /* s that the scene has before the outlines meet, about */
+static const double pole = 0.254;       /* diameter of the usual rigid pole, m */
+static const double whole_crash = 0.05; /* s that a channel must reach beyond 0 to hold the crash */
 
 struct object {
     int number;
@@ -71,7 +71,7 @@ bool cr_import_mme_is(const struct cr_import_head *head) {
     return n > 0;
 }
 
-/* the folder, or its .mme itself */
+/* Finds the .mme of a folder, or takes the .mme that is given itself. */
 static enum cr_err find_file(struct test *t, struct cr_error *err) {
     struct dirent **entry;
     if (ends(t->im->path, ".mme") && cr_file_check_regular(t->im->path, NULL) == CR_ERR_OK) {
@@ -112,7 +112,8 @@ static bool says(const char *text, const char *word) {
     return false;
 }
 
-/* "13.92", m/s; "50.1 km/h". Errors: TYPE, NAME, with the line. */
+/* Reads a value with its unit, "50.1 km/h", or without, "13.92", in SI. Errors: TYPE, NAME, with
+ * the line. */
 static enum cr_err quantity(const struct test *t, const char *key, int number, enum cr_dim dim,
                             double *out, struct cr_error *err) {
     int line = 0;
@@ -196,7 +197,7 @@ static enum cr_err add_vehicle(struct test *t, struct object *o, struct cr_error
     return code;
 }
 
-/* "length, width", m or mm */
+/* Takes length and width of a test object; numbers of mm are told from m by their size. */
 static void take_size(const struct test *t, struct object *o) {
     char first[32];
     const char *text = of_object(t, "Dimensions test object", o->number, NULL);
@@ -216,8 +217,9 @@ static void take_size(const struct test *t, struct object *o) {
 
 /* ---- what meets what ---- */
 
-/* m from the CG to the barrier: no car of the types is longer than 6 m or wider than 2.1 m.
- * Sideways the tyres brake (in the test the car is carried), so there it begins close. */
+/* Distance in m from the CG to the barrier. Of a car of unknown size it is that of the largest: no
+ * type is longer than 6 m or wider than 2.1 m. Sideways it begins close, because the tyres would
+ * brake the car, which is carried in the test. */
 static double gap(const struct object *o) {
     double width = isnan(o->p->width) ? 2.1 : o->p->width;
     if (o->side == 'L' || o->side == 'I') {
@@ -329,14 +331,7 @@ static enum cr_err use_channel(void *user, const char *path, const char *name,
                                struct cr_error *err) {
     const struct measured *m = user;
     struct cr_mme_channel ch;
-    char *text;
-    size_t len;
-    enum cr_err code = cr_file_read_regular(path, &text, &len, err);
-    if (code != CR_ERR_OK) {
-        return code;
-    }
-    code = cr_mme_channel(text, path, &ch, err);
-    free(text);
+    enum cr_err code = cr_mme_channel_load(path, &ch, err);
     const struct cr_unit *unit =
         code == CR_ERR_OK ? cr_unit_spelled(ch.unit, CR_DIM_ACCELERATION) : NULL;
     bool x = cr_mme_is_accel(ch.code, 'X');
@@ -393,8 +388,6 @@ static enum cr_err read_case(struct test *t, struct cr_error *err) {
 
 enum cr_err cr_import_mme_read(struct cr_import *im, struct cr_error *err) {
     struct cr_error why;
-    char *text = NULL;
-    size_t len;
     struct test *t = calloc(1, sizeof *t);
     if (t == NULL) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for a test");
@@ -402,9 +395,7 @@ enum cr_err cr_import_mme_read(struct cr_import *im, struct cr_error *err) {
     t->im = im;
     cr_import_format(im, "ISO-MME");
     enum cr_err code = find_file(t, err);
-    code = code == CR_ERR_OK ? cr_file_read_regular(t->file, &text, &len, err) : code;
-    code = code == CR_ERR_OK ? cr_mme_parse(text, t->file, &t->mme, err) : code;
-    free(text);
+    code = code == CR_ERR_OK ? cr_mme_load(t->file, &t->mme, err) : code;
     if (code == CR_ERR_OK) {
         const char *title = cr_mme_get(&t->mme, "Title", NULL);
         code = cr_import_begin(im, "", title != NULL ? title : "mme", err);

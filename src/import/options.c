@@ -1,4 +1,4 @@
-/* Options of import by their words, for the command line and the library alike. */
+/* Sets the options of import by their words, for the command line and the library alike. */
 #include "import/import.h"
 
 #include "base/units.h"
@@ -15,7 +15,7 @@ void cr_import_fini(struct cr_import_opts *opts) {
     opts->cases = (struct cr_import_cases){.n = 0};
 }
 
-/* "3,17" into its parts */
+/* Splits a list of ids, "3,17", into them. */
 static enum cr_err split(struct cr_import_cases *cases, const char *list, struct cr_error *err) {
     free(cases->text);
     *cases = (struct cr_import_cases){.text = strdup(list)};

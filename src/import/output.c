@@ -1,4 +1,5 @@
-/* What a reader says of its file, and the line that a case becomes: a scene or an error object. */
+/* Notes what a reader says of its file, and writes the line that a case becomes: a scene or an
+ * error object. */
 #include "config.h"
 
 #include "import/import_priv.h"
@@ -23,7 +24,7 @@ enum cr_err cr_import_also(struct cr_import *im, const char *path, struct cr_err
     char hex[CR_HASH_SIZE];
     const char *slash = strrchr(path, '/');
     if (im->unpacked != NULL) {
-        return CR_ERR_OK; /* the archive has its hash, and all is in it */
+        return CR_ERR_OK; /* All is in the archive, whose hash is there. */
     }
     enum cr_err code = cr_hash_file(path, hex, err);
     if (code != CR_ERR_OK) {
@@ -62,7 +63,7 @@ bool cr_import_wants(const struct cr_import *im, const char *id) {
     return wanted;
 }
 
-/* an error object as of a stack, with the source as far as it is known */
+/* Writes an error object like those of a stack of scenes, with the source as far as it is known. */
 static enum cr_err write_error(struct cr_import *im, const struct cr_error *fault,
                                struct cr_str *line, struct cr_error *err) {
     const struct cr_result_opts form = {0};

@@ -1,5 +1,5 @@
-/* One participant of a case: what the user's map says of it, the sizes that nobody gave, and its
- * outline. */
+/* Completes a participant of a case: by what the user's map says of it, by the sizes that nobody
+ * gave, and by its outline. */
 #include "import/import_priv.h"
 
 #include "base/number.h"
@@ -23,8 +23,8 @@ void cr_import_note(struct cr_import *im, const char *fmt, ...) {
                 cr_show(text, shown, sizeof shown));
 }
 
-/* share of the wheelbase by which the CG lies behind the front axle, where a file that counts from
- * the rear axle gives none [CG-SHARE] */
+/* The share of the wheelbase by which the CG is taken to lie behind the front axle, where a file
+ * that counts from the rear axle gives none [CG-SHARE]. */
 static const double cg_share = 0.4;
 
 /* ---- one participant ---- */
@@ -61,8 +61,8 @@ bool cr_import_lay_over(cJSON *to, const cJSON *from) {
     return true;
 }
 
-/* A vehicle of which neither file nor map tells what its type goes by has the one that "auto"
- * takes, and a note says so. */
+/* Gives a vehicle of which neither file nor map tells type or size the type "auto", and notes
+ * it. */
 static void need_type(struct cr_import *im, const struct cr_import_part *part, cJSON *json) {
     static const char *const tell[] = {"type",     "car",         "mass_kg", "kerb_mass_kg",
                                        "length_m", "wheelbase_m", "height_m"};
@@ -75,12 +75,13 @@ static void need_type(struct cr_import *im, const struct cr_import_part *part, c
     cr_import_note(im, "nothing tells size or type of %s", part->p.id);
 }
 
-/* A scene of the participant alone beside a wall, as a tree; what the reader gave and the map. */
+/* Makes a scene of the participant, with the map's values over the reader's, and of a wall, as a
+ * tree: a scene needs two. NULL if memory is out. */
 static cJSON *scene_alone(struct cr_import *im, const struct cr_import_part *part,
                           struct cr_scene *work) {
     cr_scene_init(work);
     work->n = 1;
-    work->part[0] = part->p; /* lent */
+    work->part[0] = part->p; /* It is lent, so work is not finished. */
     cJSON *json = cr_scene_to_json(work, false);
     cJSON *list = cJSON_GetObjectItemCaseSensitive(json, "participants");
     cJSON *wall = cJSON_CreateObject();
@@ -100,14 +101,14 @@ static cJSON *scene_alone(struct cr_import *im, const struct cr_import_part *par
     return json;
 }
 
-/* An error about a participant's value says whose it is; its place is the file. */
+/* Has an error about a participant's value say whose it is; its place is the file. */
 static void blame(const struct cr_import *im, const struct cr_import_part *part,
                   struct cr_error *err) {
     char text[sizeof err->text];
     const char *key = strstr(err->where, "/participants/0/");
     bool named = key == NULL || strstr(err->text, key + 16) != NULL;
-    snprintf(text, sizeof text, "participant \"%.40s\": %s%.30s%s%.150s", part->source_id,
-             named ? "" : key + 16, named ? "" : ": ", "", err->text);
+    snprintf(text, sizeof text, "participant \"%.40s\": %.30s%s%.150s", part->source_id,
+             named ? "" : key + 16, named ? "" : ": ", err->text);
     memcpy(err->text, text, sizeof text);
     err->where[0] = '\0';
     cr_err_place(err, im->shown, err->line, err->col);
@@ -129,8 +130,8 @@ static double shift_of(const struct cr_participant *p, enum cr_point point) {
     }
 }
 
-/* The places of a file that counts from another point than the CG hold only for these values: they
- * become part of the scene. */
+/* Writes the values into the scene by which the file's places were moved to the CG: with others the
+ * places would not hold. */
 static void pin(struct cr_import *im, struct cr_import_part *part, enum cr_point point) {
     struct cr_participant *p = &part->p, *full = &part->full;
     if (isnan(p->cg_behind_front_axle)) {
@@ -159,7 +160,7 @@ static void outline(struct cr_import_part *part) {
     }
 }
 
-/* Position, heading and speed are the motion's where the map does not say them. */
+/* Keeps the reader's position, heading and speed where the map does not say them. */
 static void keep_motion(struct cr_participant *to, const struct cr_participant *from,
                         const cJSON *map) {
     to->pos = cJSON_HasObjectItem(map, "position_m") ? to->pos : from->pos;
@@ -183,7 +184,7 @@ static enum cr_err fix(struct cr_import *im, struct cr_import_part *part, struct
     }
     free(part->p.extra);
     part->p = work->part[0];
-    work->part[0].extra = NULL; /* moved */
+    work->part[0].extra = NULL; /* It belongs to part->p now. */
     keep_motion(&part->p, &given, map_of(im, part));
     code = cr_scene_resolve(work, im->opts->models, NULL, err);
     if (code == CR_ERR_OK) {

@@ -1,8 +1,9 @@
-/* GIDAS and IGLAD pre-crash matrices (PCM) of both generations: an SQLite database, or a folder of
- * CSV files named like the tables, as mdb-export makes them of an Access file. */
+/* Reads the pre-crash matrices (PCM) of the accident databases GIDAS and IGLAD, of both
+ * generations: an SQLite database, or a folder of CSV files named like the tables, as mdb-export
+ * makes them of an Access file. */
 #include "config.h"
 
-#include "import/import_priv.h"
+#include "import/reader.h"
 
 #include <string.h>
 
@@ -16,7 +17,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Columns by their names in version 5 and before. X(NAME, table, v5, before, needed) */
+/* Columns by their names in version 5 and before: X(NAME, table, v5, before, needed). */
 #define PCM_COLUMNS(X)                                                                             \
     X(CASE, "participant_data", "CASEID", "FALL", true)                                            \
     X(PART, "participant_data", "PARTID", "BETNR", true)                                           \
@@ -61,9 +62,10 @@ struct pcm {
     struct cr_import *im;
     sqlite3 *db;
     int old;                 /* 1: the generation before version 5 */
-    const char *of[COLUMNS]; /* expression that gives the column, "NULL" if it is not there */
+    const char *of[COLUMNS]; /* the SQL that gives the column, "NULL" if it is not there */
     sqlite3_stmt *parts, *rows;
     bool more_parts, more_rows; /* a row is at hand */
+    char slip[160];             /* a column that is read under another name; "": none */
     double mue_lo, mue_hi;
 };
 
@@ -80,6 +82,49 @@ static enum cr_err missing(struct pcm *m, int i, struct cr_error *err) {
     cr_err_place(err, m->im->shown, 0, 0);
     cr_err_hint(err, "a PCM has participant_data and dynamics, see crumple-import(1)");
     return CR_ERR_MISSING;
+}
+
+/* Columns of a PCM that are not read, and are no slips of those that are. */
+static const char *const others[] = {"IXX",      "IYY", "AX",    "AY",    "AZ",   "X",
+                                     "Y",        "Z",   "VZ",    "POSZ",  "ZPOS", "POSPHI",
+                                     "POSTHETA", "PHI", "THETA", "PITCH", "ROLL"};
+
+/* whether a column is one of those that are known, by either generation */
+static bool is_known(const char *name) {
+    bool known = false;
+    for (int i = 0; i < COLUMNS; i++) {
+        for (int old = 0; old < 2; old++) {
+            const char *own = columns[i].name[old];
+            known = known || (own != NULL && sqlite3_stricmp(own, name) == 0);
+        }
+    }
+    for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) {
+        known = known || sqlite3_stricmp(others[i], name) == 0;
+    }
+    return known;
+}
+
+/* A column that is not there, and need not be, may be there under a misspelt name: the user is told
+ * so, else a mass would be assumed beside one that was given. */
+static enum cr_err find_slip(struct pcm *m, int column, struct cr_error *err) {
+    const char *name = columns[column].name[m->old];
+    struct cr_str text = {0};
+    sqlite3_stmt *list = NULL;
+    bool row = true;
+    cr_str_addf(&text, "SELECT upper(name) FROM pragma_table_info('%s')", columns[column].table);
+    enum cr_err code = cr_sql_prepare(m->im, m->db, &text, &list, err);
+    while (code == CR_ERR_OK && row) {
+        code = cr_sql_step(m->im, m->db, list, &row, err);
+        const char *other = row ? (const char *)sqlite3_column_text(list, 0) : NULL;
+        if (other != NULL && m->slip[0] == '\0' && !is_known(other) &&
+            cr_str_nearest(other, &name, 1) != NULL) {
+            snprintf(m->slip, sizeof m->slip, "no %s in %s: is \"%.40s\" meant, which is not read?",
+                     name, columns[column].table, other);
+        }
+    }
+    sqlite3_finalize(list);
+    cr_str_fini(&text);
+    return code;
 }
 
 static enum cr_err find_columns(struct pcm *m, struct cr_error *err) {
@@ -99,12 +144,15 @@ static enum cr_err find_columns(struct pcm *m, struct cr_error *err) {
         m->of[i] = there ? name : "NULL";
         if (code == CR_ERR_OK && columns[i].needed && !there) {
             code = missing(m, i, err);
+        } else if (code == CR_ERR_OK && name != NULL && !there) {
+            code = find_slip(m, i, err);
         }
     }
     return code;
 }
 
-/* Both streams go through the cases in one order, numbered, so that each table is sorted once. */
+/* Opens the streams of participants and of rows. Both go through the cases in one order, numbered,
+ * so that each table is sorted once. */
 static enum cr_err open_streams(struct pcm *m, struct cr_error *err) {
     struct cr_str parts = {0}, rows = {0};
     const char *id = m->of[CASE];
@@ -160,7 +208,7 @@ static const char *text(sqlite3_stmt *row, int column) {
     return s != NULL ? (const char *)s : "";
 }
 
-/* column of the participants' stream; of the rows' */
+/* The value of a column in the stream of participants, and in that of rows. */
 static double of_part(const struct pcm *m, int column) {
     return number(m->parts, 1 + column - CASE);
 }
@@ -168,7 +216,8 @@ static double of_row(const struct pcm *m, int column) {
     return number(m->rows, 1 + column - D_CASE);
 }
 
-/* Texts of the columns from `first` to before `end` of a stream are numbers all the same. */
+/* Checks that what is text in the columns from `first` to before `end` of a stream reads as
+ * numbers. */
 static enum cr_err check_numbers(const struct pcm *m, int first, int end, const char *id,
                                  struct cr_error *err) {
     sqlite3_stmt *row = first < D_CASE ? m->parts : m->rows;
@@ -260,8 +309,8 @@ static enum cr_err row_step(struct pcm *m, struct cr_error *err) {
     return cr_sql_step(m->im, m->db, m->rows, &m->more_rows, err);
 }
 
-/* All of case n: its participants, then its rows. A fault of the case is kept in *sick, so that the
- * streams go on to the next. */
+/* Reads all of case n: its participants, then its rows. A fault of the case is kept in *sick, so
+ * that the streams go on to the next. */
 static enum cr_err read_case(struct pcm *m, long long n, bool wanted, struct cr_error *sick,
                              struct cr_error *err) {
     enum cr_err code = CR_ERR_OK;
@@ -299,6 +348,9 @@ static enum cr_err read_cases(struct pcm *m, struct cr_error *err) {
         snprintf(name, sizeof name, "pcm-%.50s", id);
         bool wanted = cr_import_wants(m->im, id);
         code = wanted ? cr_import_begin(m->im, id, name, err) : CR_ERR_OK;
+        if (code == CR_ERR_OK && wanted && m->slip[0] != '\0') {
+            cr_import_note(m->im, "%s", m->slip);
+        }
         code = code == CR_ERR_OK ? read_case(m, n, wanted, &sick, err) : code;
         if (code == CR_ERR_OK && wanted) {
             code = cr_import_end(m->im, sick.code != CR_ERR_OK ? &sick : NULL, err);

@@ -1,4 +1,4 @@
-/* A folder of CSV files named like the tables of a PCM as a database. */
+/* Makes a database of a folder of CSV files that are named like the tables of a PCM. */
 #include "config.h"
 
 #if HAVE_SQLITE3
@@ -13,7 +13,7 @@
 
 enum { COLUMNS_MAX = 500 };
 
-/* "a", with what would end the quotes doubled */
+/* Writes a name in quotes, with the quotes in it doubled. */
 static void quoted(struct cr_str *out, const char *name) {
     cr_str_add(out, "\"");
     for (const char *p = name; *p != '\0'; p++) {
@@ -50,14 +50,15 @@ static enum cr_err make_table(struct cr_import *im, sqlite3 *db, const char *nam
     }
     cr_str_add(&text, ")");
     enum cr_err code = run(im, db, &text, err);
-    if (code == CR_ERR_SYNTAX) { /* a name twice, or empty */
+    if (code == CR_ERR_SYNTAX) { /* A name stands there twice or is empty. */
         cr_err_place(err, im->shown, 0, 0);
     }
     cr_str_fini(&text);
     return code;
 }
 
-/* numbers as such, so that times are sorted as numbers; empty fields as none */
+/* Binds a field: a number as a number, so that times are sorted as numbers, an empty one as
+ * NULL. */
 static bool bind(sqlite3_stmt *stmt, int i, const char *cell, bool comma) {
     double x;
     if (cell[0] == '\0') {

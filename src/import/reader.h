@@ -1,4 +1,4 @@
-/* What the readers of the formats have in common: they fill in cases, all values SI, and the
+/* Declares how the readers of the formats work: they fill in cases, all values in SI, and the
  * framework makes scenes of them.
  *
  * A format is added in four steps:
@@ -33,15 +33,16 @@
 #ifndef CR_IMPORT_READER_H
 #define CR_IMPORT_READER_H
 
-#include "import/import.h"
 #include "base/hash.h"
+#include "import/import.h"
 #include "scene/scene.h"
 
 #include <stddef.h>
 
 struct cJSON;
 
-/* X(name): the word of --format and part of the names of its functions */
+/* The formats, in the order in which they are asked: X(name), where name is the word of --format
+ * and part of the names of the reader's functions. */
 #define CR_FORMAT_LIST(X)                                                                          \
     X(pcm)                                                                                         \
     X(xosc)                                                                                        \
@@ -54,14 +55,19 @@ struct cJSON;
     X(edr)                                                                                         \
     X(csv)
 
-/* Begin of a file, for recognition. */
+/* The beginning of a file, by which its format is recognised. */
 struct cr_import_head {
     const char *path, *name; /* the whole path; its last part */
     bool folder;
     const char *text; /* first bytes, terminated, "" of a folder; may hold zeros */
     size_t len;
 };
-enum { CR_IMPORT_HEAD = 65536, CR_IMPORT_PARTS_MAX = 10000, CR_INSIDE_MAX = 1300 };
+enum {
+    CR_IMPORT_HEAD = 65536,
+    CR_IMPORT_PARTS_MAX = 10000,
+    CR_IMPORT_ID_MAX = 128, /* bytes of the id of a participant or case with its end */
+    CR_INSIDE_MAX = 1300
+};
 
 struct cr_import {
     struct cr_import_opts *opts;
@@ -80,55 +86,61 @@ struct cr_import {
     long polls; /* of what is watched while it runs */
 };
 
-/* Name of the format in `source`, "PCM v5"; set before the first case. */
+/* Sets the name of the format in `source`, "PCM v5"; before the first case. */
 void cr_import_format(struct cr_import *im, const char *fmt, ...) CR_PRINTF(2, 3);
 
-/* A further file that belongs to the import (ERG beside its .info): its SHA-256 goes into the
- * source. Before the first case. Errors: IO. */
+/* Names a further file that belongs to the import (ERG beside its .info), before the first case:
+ * its SHA-256 goes into the source. Errors: IO, MEMORY. */
 CR_MUST_CHECK enum cr_err cr_import_also(struct cr_import *im, const char *path,
                                          struct cr_error *err);
 
-/* Path of the file of that name in any case (letters) in a folder; false if there is none, or it is
- * too long. Whether there is one. Whether im->path is a folder. */
+/* Finds the file of that name, in capital or small letters, in a folder and writes its path; false
+ * if there is none, or the path is longer than size allows. */
 bool cr_import_file_in(const char *folder, const char *name, char *path, size_t size);
+/* Tells whether there is one. */
 bool cr_import_lies_in(const char *folder, const char *name);
+/* Tells whether im->path is a folder. */
 bool cr_import_is_folder(const struct cr_import *im);
 
-/* Whether --case asks for the case of that id, or for all. */
+/* Tells whether --case asks for the case of that id, or for all, and notes that it is there. */
 bool cr_import_wants(const struct cr_import *im, const char *id);
 
-/* Begin a case: its id in the source ("" if there is only one), the name of its scene. Errors:
- * MEMORY, INTERRUPTED. */
+/* Begins a case by its id in the source ("" if there is only one) and the name of its scene.
+ * Errors: MEMORY, INTERRUPTED. */
 CR_MUST_CHECK enum cr_err cr_import_begin(struct cr_import *im, const char *id, const char *name,
                                           struct cr_error *err);
-/* End it: a scene is written, or an error object where fault is given or something is missing.
- * Errors: of the output, MEMORY. */
+/* Ends it: a scene is written, or an error object where fault is given or something is missing.
+ * Errors: those of opts->take, MEMORY, INTERRUPTED. */
 CR_MUST_CHECK enum cr_err cr_import_end(struct cr_import *im, const struct cr_error *fault,
                                         struct cr_error *err);
 
-/* Add a participant to the case; valid until the case ends. id as in the source: what is not fit
- * for an id of a scene (letters, digits, _ and -) is replaced. Errors: DUPLICATE, RANGE, MEMORY. */
+/* Adds a participant to the case; *out is valid until the case ends. id is the source's: what is
+ * not fit for an id of a scene (letters, digits, _ and -) is replaced. Errors: DUPLICATE, RANGE for
+ * an id that is too long or too many participants, MEMORY. */
 CR_MUST_CHECK enum cr_err cr_import_add(struct cr_import *im, const char *id, enum cr_kind kind,
                                         struct cr_participant **out, struct cr_error *err);
-/* The one that was added under that id of the source, NULL if there is none. */
+/* Finds the one that was added under that id of the source; NULL if there is none. */
 struct cr_participant *cr_import_find(const struct cr_import *im, const char *id);
 
-/* A row of a participant's motion: pos is the place of the case's reference point. Its sizes count
- * from its first row on. Rows from the first contact of outlines on are left out. Errors: RANGE
- * (time does not rise, not finite, too many rows), MEMORY. */
+/* Adds a row of a participant's motion: s, m, rad, m/s; pos is the place of the case's reference
+ * point. What the reader fills in of the participant counts only before its first row. Rows after
+ * the first contact of outlines are left out. Errors: RANGE (time does not rise, a value is not
+ * finite or out of all range), EXPENSIVE (too many rows must be held), MEMORY, and those of a
+ * scene's participant. */
 CR_MUST_CHECK enum cr_err cr_import_row(struct cr_import *im, struct cr_participant *p,
                                         const struct cr_waypoint *row, struct cr_error *err);
-/* Whether outlines have met, so that what follows in the file is of no use. */
+/* Tells whether outlines have met, so that what follows in the file is of no use. */
 bool cr_import_met(const struct cr_import *im);
 
-/* What pos and the rows of this case are places of, unless --reference says otherwise (CG). */
+/* Sets what pos and the rows of this case are places of, unless --reference says otherwise; without
+ * it they are places of the CG. */
 void cr_import_point(struct cr_import *im, enum cr_point point);
-/* Something the user should know of how the case was read: goes into source.note. */
+/* Notes something that the user should know of how the case was read, in source.note. */
 void cr_import_note(struct cr_import *im, const char *fmt, ...) CR_PRINTF(2, 3);
-/* Friction of the road, if the file knows it. */
+/* Sets the friction of the road, if the file knows it. */
 void cr_import_road_friction(struct cr_import *im, double mu);
-/* x_ keys of the scene (x_expect ...), taken over; NULL is none. Those of a participant go as JSON
- * text into its `extra`. */
+/* Sets the x_ keys of the scene (x_expect ...); the object becomes the case's, NULL is none. Those
+ * of a participant go as JSON text into its `extra`. */
 void cr_import_extra(struct cr_import *im, struct cJSON *object);
 
 #define X(name)                                                                                    \

@@ -1,4 +1,4 @@
-/* Case -> scene: which participants and rows, where they are from, the line of JSON. */
+/* Makes the scene of a case: chooses participants and rows, notes the source, writes the line. */
 #include "config.h"
 
 #include "import/import_priv.h"
@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Participants of the scene: all, or where these are too many those that meet. */
+/* Chooses the participants of the scene: all, or those that meet where all are too many. */
 static void choose(struct cr_import *im, struct cr_import_part **chosen, int *n) {
     struct cr_import_case *c = im->at;
     bool all = c->parts <= CR_BODY_MAX;
@@ -55,8 +55,8 @@ static enum cr_err trim(struct cr_import *im, struct cr_error *err) {
     return code;
 }
 
-/* Times of a calendar or of a recording of hours count from the first second that is kept: those of
- * a scene end at 10000 s. */
+/* Has times of a calendar or of a recording of hours count from the first second that is kept,
+ * because those of a scene end at 10000 s. */
 static void near_zero(struct cr_import *im) {
     struct cr_import_case *c = im->at;
     double first = INFINITY, furthest = 0;
@@ -91,7 +91,7 @@ static enum cr_err need_two(const struct cr_import *im, struct cr_error *err) {
     return CR_ERR_MISSING;
 }
 
-/* the walls and poles that the map adds to every case */
+/* Adds the walls and poles that the map has for every case. */
 static enum cr_err add_objects(struct cr_import *im, struct cr_error *err) {
     const cJSON *all = cJSON_GetObjectItemCaseSensitive(im->map, "objects");
     enum cr_err code = CR_ERR_OK;
@@ -127,7 +127,7 @@ static void put_source(const struct cr_import *im, struct cr_scene *scene) {
     cr_show(cr_str_get(&c->note), s[CR_SOURCE_NOTE], CR_SOURCE_MAX);
 }
 
-/* a participant as it goes into the scene; the rows are lent */
+/* Writes a participant as it goes into the scene, which borrows its rows. */
 static void put_part(struct cr_import_part *part, struct cr_participant *out) {
     int n = part->n - part->first;
     *out = part->p;
@@ -155,7 +155,7 @@ static void give_road_friction(double mu, struct cr_settings *set) {
     }
 }
 
-/* the tree of the scene, read again so that nothing comes out that does not go in */
+/* Reads the tree of the scene again, so that nothing comes out that crumple itself would refuse. */
 static enum cr_err check(const struct cr_import *im, const cJSON *json, struct cr_error *err) {
     struct cr_scene *scene = malloc(sizeof *scene);
     if (scene == NULL) {
@@ -217,6 +217,6 @@ enum cr_err cr_import_scene(struct cr_import *im, struct cr_str *line, struct cr
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for a scene");
     }
     code = write_scene(im, scene, line, err);
-    free(scene); /* what it holds is the case's */
+    free(scene); /* What it holds is the case's. */
     return code;
 }

@@ -1,5 +1,5 @@
-/* SQLite databases that may be hostile: opened for reading only, with bounds, and errors that name
- * the file. */
+/* Reads SQLite databases that may be hostile: they are opened for reading only, with bounds, and
+ * errors name the file. */
 #include "config.h"
 
 #if HAVE_SQLITE3
@@ -10,7 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Called every STEPS instructions; ends what a view without end would go on with. */
+/* watching() is called every STEPS instructions of SQLite and ends a query after CALLS_MAX calls,
+ * which a view without end would reach. */
 enum { STEPS = 10000, CALLS_MAX = 100000000 };
 
 static int watching(void *user) {
@@ -39,7 +40,8 @@ static enum cr_err fault(struct cr_import *im, sqlite3 *db, struct cr_error *err
     return code;
 }
 
-/* path as a URI: nothing is written beside it, no lock is taken */
+/* Writes a path as a URI of a file that does not change: then SQLite writes nothing beside it and
+ * takes no lock. */
 static enum cr_err uri_of(const char *path, struct cr_str *uri, struct cr_error *err) {
     cr_str_add(uri, "file:");
     for (const unsigned char *p = (const unsigned char *)path; *p != '\0'; p++) {
@@ -88,7 +90,8 @@ enum cr_err cr_sql_prepare(struct cr_import *im, sqlite3 *db, const struct cr_st
 
 enum cr_err cr_sql_step(struct cr_import *im, sqlite3 *db, sqlite3_stmt *stmt, bool *row,
                         struct cr_error *err) {
-    /* what a text of the row before had no memory for is told here: it read as an empty one */
+    /* A text of the row before for which there was no memory read as an empty one: it is told here,
+     * before the step hides it. */
     bool short_of_memory = sqlite3_errcode(db) == SQLITE_NOMEM;
     int status = short_of_memory ? SQLITE_NOMEM : sqlite3_step(stmt);
     *row = status == SQLITE_ROW;

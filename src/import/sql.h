@@ -1,5 +1,5 @@
-/* SQLite databases that may be hostile: opened for reading only, with bounds, and errors that name
- * the file. */
+/* Reads SQLite databases that may be hostile: they are opened for reading only, with bounds, and
+ * errors name the file. */
 #ifndef CR_IMPORT_SQL_H
 #define CR_IMPORT_SQL_H
 
@@ -8,18 +8,21 @@
 struct sqlite3;
 struct sqlite3_stmt;
 
-/* Open a file, or with path "" an empty database that lives in a temporary file. The caller calls
+/* Opens a file, or with path "" an empty database that lives in a temporary file. The caller calls
  * sqlite3_close also after an error. Errors: IO, SYNTAX, MEMORY. */
 CR_MUST_CHECK enum cr_err cr_sql_open(struct cr_import *im, const char *path, struct sqlite3 **out,
                                       struct cr_error *err);
+/* Prepares a statement; the caller calls sqlite3_finalize also after an error. Errors: SYNTAX, IO,
+ * MEMORY. */
 CR_MUST_CHECK enum cr_err cr_sql_prepare(struct cr_import *im, struct sqlite3 *db,
                                          const struct cr_str *text, struct sqlite3_stmt **out,
                                          struct cr_error *err);
-/* Next row; *row is false after the last. Errors: SYNTAX for a database that is broken, MEMORY,
- * EXPENSIVE, INTERRUPTED. */
+/* Goes to the next row; *row is false after the last. Errors: SYNTAX for a database that is broken,
+ * IO, MEMORY, EXPENSIVE for a view without end, INTERRUPTED. */
 CR_MUST_CHECK enum cr_err cr_sql_step(struct cr_import *im, struct sqlite3 *db,
                                       struct sqlite3_stmt *stmt, bool *row, struct cr_error *err);
-/* Whether there is the table and in it the column (NULL: any). Errors: as cr_sql_step. */
+/* Looks whether there is the table and in it the column (NULL: any). Errors: those of
+ * cr_sql_step. */
 CR_MUST_CHECK enum cr_err cr_sql_has(struct cr_import *im, struct sqlite3 *db, const char *table,
                                      const char *column, bool *there, struct cr_error *err);
 

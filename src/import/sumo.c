@@ -1,5 +1,5 @@
-/* SUMO: the list of collisions (--collision-output), each with the ends of both cars, and floating
- * car data (--fcd-output), the motion of all.
+/* Reads two outputs of the traffic simulation SUMO: the list of collisions (--collision-output),
+ * each with the ends of both cars, and floating car data (--fcd-output), the motion of all.
  *
  * Collisions are written in the first step in which the cars overlap, so both go back along their
  * course for a second; floating car data names the middle of the front bumper, and angles clockwise
@@ -14,8 +14,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double back = 1.0; /* s */
-/* m; what is shorter has one track or legs. The shortest cars have 2.2 m */
+static const double back = 1.0; /* s before a collision at which its scene begins */
+/* The shortest car, m: what is shorter has one track or legs. The shortest real cars have 2.2 m. */
 static const double shortest = 2.0;
 
 struct seen {
@@ -30,7 +30,7 @@ struct sumo {
     double t;
     struct seen *seen; /* in the order in which they came */
     int n, size, guess;
-    enum cr_err fault; /* of floating car data, an error of the case */
+    enum cr_err fault; /* of the one case of floating car data */
     struct cr_error why;
 };
 
@@ -40,7 +40,7 @@ bool cr_import_sumo_is(const struct cr_import_head *head) {
 
 /* ---- collisions ---- */
 
-/* "x,y" or "x,y,z" of an attribute */
+/* Reads a place, "x,y" or "x,y,z" in m, of an attribute. */
 static enum cr_err place(const struct sumo *s, const struct cr_xml_node *node, const char *who,
                          const char *end, struct cr_vec2 *out, struct cr_error *err) {
     char name[32];
@@ -105,7 +105,7 @@ static enum cr_err add_car(struct sumo *s, const struct cr_xml_node *node, const
         cr_err_place(err, s->im->shown, node->line, 0);
         return code;
     }
-    p->length = round(length * 1e4) / 1e4; /* coordinates have centimetres */
+    p->length = round(length * 1e4) / 1e4; /* SUMO writes centimetres. */
     p->heading = atan2(axis.y, axis.x);
     p->speed = speed;
     p->pos = cr_vec2_scale(cr_vec2_add(front, rear), 0.5);
@@ -139,7 +139,8 @@ static enum cr_err one_collision(struct sumo *s, const struct cr_xml_node *node,
 
 /* ---- floating car data ---- */
 
-/* The participant of an id: most often the one after the last, as all steps have the same order. */
+/* Finds or adds the participant of an id. Most often it is the one after the last, since all steps
+ * have the same order; or the one after that, where one has left. */
 static enum cr_err lookup(struct sumo *s, const char *id, struct cr_participant **out,
                           struct cr_error *err) {
     for (int k = 0; k < 2 && s->n > 0; k++) {
@@ -192,7 +193,7 @@ static enum cr_err one_row(struct sumo *s, const struct cr_xml_node *node, struc
     return code;
 }
 
-/* what is wrong with the only case ends it, not the file */
+/* Takes an element of floating car data; what is wrong with it ends the only case, not the file. */
 static enum cr_err in_export(struct sumo *s, const struct cr_xml_node *node) {
     if (s->fault != CR_ERR_OK || cr_import_met(s->im)) {
         return CR_ERR_OK;

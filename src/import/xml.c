@@ -1,4 +1,4 @@
-/* XML files by expat, with limits for hostile ones; what does without expat is in xml_node.c. */
+/* Reads XML files by expat, with limits for hostile ones; what needs no expat is in xml_node.c. */
 #include "config.h"
 
 #include "import/xml.h"
@@ -18,7 +18,7 @@ enum { PIECE = 1 << 16, POLL = 1024 };
 struct reading {
     XML_Parser parser;
     const struct cr_xml_sax *sax;
-    const struct cr_import_opts *opts; /* nullable: asked whether to stop */
+    const struct cr_import_opts *opts; /* nullable; its cancel is asked whether to stop */
     const char *shown;
     /* nullable: characters between tags */
     enum cr_err (*chars)(void *user, const char *s, int n, struct cr_error *err);
@@ -27,10 +27,6 @@ struct reading {
     enum cr_err code;
     struct cr_error *err;
 };
-
-bool cr_xml_there(void) {
-    return true;
-}
 
 static int line_of(const struct reading *r) {
     XML_Size line = XML_GetCurrentLineNumber(r->parser);
@@ -94,7 +90,8 @@ static void on_chars(void *user, const XML_Char *s, int n) {
     }
 }
 
-/* no file of these formats declares anything, and a few entities can expand to gigabytes */
+/* Refuses declarations: no file of these formats has any, and a few entities can expand to
+ * gigabytes. */
 static void on_doctype(void *user, const XML_Char *name, const XML_Char *system,
                        const XML_Char *public, int declares) {
     struct reading *r = user;
@@ -145,7 +142,7 @@ static enum cr_err parse_file(struct reading *r, FILE *file) {
         if (status != XML_STATUS_OK) {
             return syntax(r);
         }
-        /* expat looks at an unfinished tag again with each piece */
+        /* Expat reads an unfinished tag again with each piece, so a long one would take forever. */
         if (!last && fed - XML_GetCurrentByteIndex(r->parser) > CR_XML_TAG + PIECE) {
             refuse(r, "a tag of more than a megabyte");
             return r->code;
@@ -320,10 +317,6 @@ static enum cr_err left_out(const char *shown, struct cr_error *err) {
     cr_err_place(err, shown, 0, 0);
     cr_err_hint(err, "build it with expat (Debian package libexpat1-dev)");
     return CR_ERR_USAGE;
-}
-
-bool cr_xml_there(void) {
-    return false;
 }
 
 enum cr_err cr_xml_stream(const struct cr_import *im, const struct cr_xml_sax *sax,

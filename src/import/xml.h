@@ -1,4 +1,4 @@
-/* XML files for the readers: element by element in constant memory, or whole as a tree.
+/* Reads XML files for the readers: element by element in constant memory, or whole as a tree.
  *
  * Hostile files are refused in time: a document type with declarations (entities), nesting beyond
  * CR_XML_DEPTH, a tag beyond CR_XML_TAG bytes, a tree beyond CR_XML_NODES elements or CR_XML_BYTES
@@ -15,7 +15,8 @@
 
 enum { CR_XML_DEPTH = 100, CR_XML_TAG = 1 << 20, CR_XML_NODES = 1000000, CR_XML_BYTES = 1 << 27 };
 
-/* An element. Streamed ones have no relatives and no text, and live until the call returns. */
+/* An element. Those of cr_xml_stream have no relatives and no text, and live until the call
+ * returns. */
 struct cr_xml_node {
     const char *name;
     const char *const *attr; /* name, value, ..., NULL */
@@ -24,6 +25,7 @@ struct cr_xml_node {
     struct cr_xml_node *parent, *child, *last, *next;
 };
 
+/* Whom to tell where elements begin and end. */
 struct cr_xml_sax {
     void *user;
     /* both nullable; an error ends the reading */
@@ -31,35 +33,33 @@ struct cr_xml_sax {
     enum cr_err (*end)(void *user, const char *name, struct cr_error *err);
 };
 
-/* Whether there is a reader for XML in this build (expat). */
-bool cr_xml_there(void);
-
-/* Whether the begin of a file is XML whose outermost element has that name. */
+/* Tells whether the beginning of a file is XML whose outermost element has that name. */
 bool cr_xml_is(const struct cr_import_head *head, const char *root);
 
-/* Hand the elements of im->path to the functions one after the other. Errors: theirs; IO; SYNTAX
- * with the line; RANGE for the limits above; INTERRUPTED; USAGE without expat. */
+/* Hands the elements of im->path to the functions one after the other. Errors: theirs; IO; SYNTAX
+ * with the line; RANGE for the limits above; INTERRUPTED; USAGE in a build without expat. */
 CR_MUST_CHECK enum cr_err cr_xml_stream(const struct cr_import *im, const struct cr_xml_sax *sax,
                                         struct cr_error *err);
 
-/* The whole file at path as a tree, called `shown` in errors; cr_arena_free(arena) gives it back,
- * also after an error. Errors: those of cr_xml_stream. */
+/* Reads the whole file at path, called `shown` in errors, as a tree; cr_arena_free(arena) gives it
+ * back, also after an error. Errors: those of cr_xml_stream. */
 CR_MUST_CHECK enum cr_err cr_xml_load(const char *path, const char *shown, struct cr_arena *arena,
                                       struct cr_xml_node **root, struct cr_error *err);
 
-/* First element that "a/b/c" leads to from a node (nullable); NULL if there is none. */
+/* Finds the first element that "a/b/c" leads to from a node (nullable); NULL if there is none. */
 const struct cr_xml_node *cr_xml_find(const struct cr_xml_node *node, const char *path);
-/* The next sibling of that name, or the first child where `after` is NULL. */
+/* Gives the next child of that name after `after` (NULL: the first); NULL if there is none. */
 const struct cr_xml_node *cr_xml_next(const struct cr_xml_node *parent,
                                       const struct cr_xml_node *after, const char *name);
-/* Value of an attribute, NULL if there is none. */
+/* Gives the value of an attribute, NULL if there is none. */
 const char *cr_xml_attr(const struct cr_xml_node *node, const char *name);
 
-/* Fill in an error about an element: "<name>: text" with the file and its line. */
+/* Fills in an error about an element, "<name>: text", with the file and its line; returns code. */
 enum cr_err cr_xml_fault(const char *shown, const struct cr_xml_node *node, struct cr_error *err,
                          enum cr_err code, const char *fmt, ...) CR_PRINTF(5, 6);
 
-/* Value of an attribute that must be there: as text, as a number. Errors: MISSING, TYPE. */
+/* Give the value of an attribute that must be there, as text and as a number. Errors: MISSING,
+ * TYPE. */
 CR_MUST_CHECK enum cr_err cr_xml_need(const char *shown, const struct cr_xml_node *node,
                                       const char *name, const char **out, struct cr_error *err);
 CR_MUST_CHECK enum cr_err cr_xml_number(const char *shown, const struct cr_xml_node *node,

@@ -1,4 +1,4 @@
-/* Looking around in XML: the outermost element of a file, the way to elements and attributes. */
+/* Finds things in XML: the outermost element of a file, and the way to elements and attributes. */
 #include "import/xml.h"
 
 #include "base/csv.h"
@@ -7,7 +7,8 @@
 #include <stdio.h>
 #include <string.h>
 
-/* behind what begins and ends so, NULL where it does not begin so; the end may lie further on */
+/* Gives the place behind what begins and ends so, NULL where it does not begin so; "" where the end
+ * lies beyond the text that is at hand. */
 static const char *behind(const char *s, const char *begin, const char *end) {
     if (strncmp(s, begin, strlen(begin)) != 0) {
         return NULL;
@@ -16,7 +17,7 @@ static const char *behind(const char *s, const char *begin, const char *end) {
     return to != NULL ? to + strlen(end) : s + strlen(s);
 }
 
-/* a document type, with what it declares in brackets */
+/* Gives the place behind a document type, with what it declares in brackets. */
 static const char *behind_doctype(const char *s) {
     if (strncmp(s, "<!DOCTYPE", 9) != 0) {
         return NULL;

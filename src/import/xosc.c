@@ -1,4 +1,4 @@
-/* OpenSCENARIO XML 1.0 to 1.3: vehicles and objects at world positions, with speeds and
+/* Reads OpenSCENARIO XML 1.0 to 1.3: vehicles and objects at world positions, with speeds and
  * trajectories. Places are those of the middle of the rear axle. What needs the road or a simulator
  * is refused: esmini runs such a scenario and writes a log that can be imported. */
 #include "import/xosc_priv.h"
@@ -30,7 +30,7 @@ static enum cr_err read_case(struct cr_xosc *x, struct cr_error *err) {
     return code == CR_ERR_OK ? cr_xosc_move(x, err) : code;
 }
 
-/* what is of OpenSCENARIO but no scenario of version 1 */
+/* Reads the header and refuses what is of OpenSCENARIO but no scenario of version 1. */
 static enum cr_err read_header(struct cr_xosc *x, const struct cr_xml_node **header,
                                struct cr_error *err) {
     const char *major, *minor;

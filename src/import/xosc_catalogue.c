@@ -1,4 +1,5 @@
-/* Catalogues of OpenSCENARIO: the files in the folders that a scenario names, and their entries. */
+/* Loads catalogues of OpenSCENARIO, the files in the folders that a scenario names, and finds their
+ * entries. */
 #include "import/xosc_priv.h"
 
 #include "base/file.h"
@@ -16,7 +17,7 @@ static int is_scenario(const struct dirent *entry) {
     return n > 5 && strcmp(entry->d_name + n - 5, ".xosc") == 0;
 }
 
-/* files that are no catalogue are passed over, those that cannot be read are not */
+/* Loads a file as a catalogue. One that is none is passed over; one that cannot be read is not. */
 static enum cr_err load_file(struct cr_xosc *x, const char *dir, const char *name,
                              struct cr_error *err) {
     if (!cr_grow(&x->catalogue, &x->catalogues_size, x->catalogues, sizeof *x->catalogue)) {
@@ -46,7 +47,7 @@ static enum cr_err load_folder(struct cr_xosc *x, const char *dir, struct cr_err
     if (n >= 0) {
         free(entry);
     }
-    return code; /* a folder that is not there is missed when something of it is needed */
+    return code; /* A folder that is not there is told when something of it is needed. */
 }
 
 static bool refers(const struct cr_xml_node *node) {
@@ -96,7 +97,8 @@ void cr_xosc_catalogues_free(struct cr_xosc *x) {
     free(x->catalogue);
 }
 
-/* what the reference assigns goes before what the entry declares */
+/* Enters the parameters of an entry; what the reference assigns comes last, so that it is found
+ * before what the entry declares. */
 static enum cr_err enter_entry(struct cr_xosc *x, const struct cr_xml_node *ref,
                                const struct cr_xml_node *entry, struct cr_error *err) {
     const struct cr_xml_node *list = cr_xml_find(ref, "ParameterAssignments"), *a = NULL;

@@ -1,4 +1,4 @@
-/* Vehicles and objects of OpenSCENARIO: sizes, axles, mass. */
+/* Makes participants of the vehicles and objects of OpenSCENARIO, with sizes, axles and mass. */
 #include "import/xosc_priv.h"
 
 #include "base/grow.h"
@@ -37,7 +37,7 @@ static enum cr_err read_box(struct cr_xosc *x, const struct cr_xml_node *thing, 
     return code == CR_ERR_OK ? cr_xosc_number(x, dim, "height", NAN, &box->height, err) : code;
 }
 
-/* a hundredth of a millimetre: sums of decimals */
+/* Rounds a length to 0.01 mm, which takes away what sums of decimal numbers leave. */
 static double tidy(double m) {
     return round(m * 1e5) / 1e5;
 }
@@ -96,13 +96,6 @@ static enum cr_err add_vehicle(struct cr_xosc *x, const struct cr_xml_node *v,
     return code;
 }
 
-static bool one_of(const char *word, const char *const *list) {
-    while (*list != NULL && strcmp(word, *list) != 0) {
-        list++;
-    }
-    return *list != NULL;
-}
-
 static enum cr_err add_object(struct cr_xosc *x, const struct cr_xml_node *o,
                               struct cr_xosc_entity *e, struct cr_error *err) {
     static const char *const poles[] = {"pole", "tree", "streetLamp", NULL};
@@ -112,7 +105,8 @@ static enum cr_err add_object(struct cr_xosc *x, const struct cr_xml_node *o,
     struct box box;
     double mass = 0;
     enum cr_err code = cr_xosc_text(x, o, "miscObjectCategory", "none", &category, err);
-    if (code == CR_ERR_OK && !one_of(category, poles) && !one_of(category, boxes)) {
+    if (code == CR_ERR_OK && !cr_xosc_is_one_of(category, poles) &&
+        !cr_xosc_is_one_of(category, boxes)) {
         cr_import_note(x->im, "%.40s left out: %.20s", e->name, category);
         return CR_ERR_OK;
     }
@@ -123,7 +117,7 @@ static enum cr_err add_object(struct cr_xosc *x, const struct cr_xml_node *o,
         return code;
     }
     e->centre = cr_vec2(box.x, box.y);
-    if (one_of(category, poles)) {
+    if (cr_xosc_is_one_of(category, poles)) {
         e->p->shape = CR_OBJECT_POLE;
         e->p->radius = fmax(box.length, box.width) / 2;
     } else {
@@ -132,7 +126,7 @@ static enum cr_err add_object(struct cr_xosc *x, const struct cr_xml_node *o,
         e->p->width = box.width;
     }
     if (strcmp(category, "obstacle") == 0 && mass > 0) {
-        e->p->mass = mass; /* the others are fixed to the ground, whatever their mass */
+        e->p->mass = mass; /* Others are fixed to the ground, whatever their mass. */
     }
     return CR_ERR_OK;
 }

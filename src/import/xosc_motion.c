@@ -1,21 +1,21 @@
-/* Entities of OpenSCENARIO in motion: straight on, changing their speed, along trajectories. */
+/* Moves the entities of OpenSCENARIO: straight on, with changes of speed, along trajectories. */
 #include "import/xosc_priv.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 static const double step = 0.05;    /* s between rows */
-static const double goes_on = 10;   /* s after the last action */
-static const double longest = 3600; /* s */
+static const double goes_on = 10;   /* s that the motion lasts after the last action */
+static const double longest = 3600; /* s that a motion may last */
 static const double never = INFINITY;
 
-/* How an entity moves at a time. */
+/* An entity at a time, and what it is doing then. */
 struct runner {
     const struct cr_xosc_entity *e;
-    int next; /* action that begins next */
+    int next; /* index of the action that begins next */
     struct cr_vec2 pos;
     double heading, v;
-    const struct cr_xosc_action *change; /* of speed, NULL: none is under way */
+    const struct cr_xosc_action *change; /* of speed; NULL: none is under way */
     double v0, t_change, duration;
     const struct cr_xosc_action *path; /* NULL: straight on */
     int seg;                           /* of the path */
@@ -57,14 +57,14 @@ static void on_segment(struct runner *r, double u) {
     r->heading = p->heading + u * cr_angle_wrap(q->heading - p->heading);
 }
 
-/* against the heading is backwards */
+/* The speed on the way to the next point, negative if it lies behind the heading. */
 static double signed_speed(const struct cr_xosc_point *p, double over) {
     struct cr_vec2 d = cr_vec2_sub(p[1].pos, p[0].pos);
     double v = (p[1].s - p[0].s) / over;
     return cr_vec2_dot(d, cr_vec2(cos(p->heading), sin(p->heading))) < 0 ? -v : v;
 }
 
-/* past its end the entity goes straight on */
+/* Ends a path: the entity goes straight on. */
 static void leave_path(struct runner *r) {
     const struct cr_xosc_point *end = &r->path->point[r->path->n - 1];
     r->pos = end->pos;
@@ -105,7 +105,7 @@ static void follow_length(struct runner *r, double ds) {
 
 /* ---- time ---- */
 
-/* when the next action takes hold; a timed path that begins later is waited for */
+/* When the next action takes hold, s; a path with times begins at the time of its first point. */
 static double next_start(const struct runner *r) {
     if (r->next == r->e->actions) {
         return never;
@@ -130,9 +130,9 @@ static void start(struct runner *r, double t) {
     }
 }
 
-/* no action begins in between */
+/* Moves an entity from time t to `to`, s, between which no action begins. */
 static void go(struct runner *r, double t, double to) {
-    /* Simpson: exact for steps, ramps and the cubic */
+    /* Simpson's rule is exact for steps, ramps and the cubic. */
     double ds = (to - t) / 6 * (speed_at(r, t) + 4 * speed_at(r, (t + to) / 2) + speed_at(r, to));
     r->v = speed_at(r, to);
     if (r->change != NULL && to >= r->t_change + r->duration) {
@@ -214,7 +214,7 @@ static enum cr_err run(struct cr_xosc *x, struct runner *r, int n, double end,
     return code;
 }
 
-/* what stands or goes straight on needs no rows, if all do */
+/* Gives an entity its place and speed alone. It needs no rows if all stand or go straight on. */
 static void give_place(const struct cr_xosc_entity *e) {
     struct cr_participant *p = e->p;
     double c = cos(e->heading), s = sin(e->heading);

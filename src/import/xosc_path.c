@@ -1,4 +1,4 @@
-/* Trajectories of OpenSCENARIO as points: polylines, clothoids and rows of clothoids. */
+/* Makes points of the trajectories of OpenSCENARIO: polylines, clothoids and rows of clothoids. */
 #include "import/xosc_priv.h"
 
 #include "base/grow.h"
@@ -7,9 +7,9 @@
 #include <string.h>
 
 enum { POINTS_MAX = 200000 };
-/* m between points of a curve: at a radius of 5 m a chord is 0.6 mm off */
+/* The distance in m between points of a curve: at a radius of 5 m a chord is 0.6 mm off. */
 static const double chord = 0.15;
-static const double longest = 20000; /* m */
+static const double longest = 20000; /* m that a curve may be long */
 
 static enum cr_err push(struct cr_xosc_action *a, const struct cr_xosc_point *p,
                         struct cr_error *err) {
@@ -25,7 +25,7 @@ static enum cr_err push(struct cr_xosc_action *a, const struct cr_xosc_point *p,
 
 /* ---- polyline ---- */
 
-/* vertices without heading look along the line */
+/* Has vertices for which no heading is given look along the line. */
 static void look_along(struct cr_xosc_action *a, const bool *given) {
     for (int i = 0; i < a->n; i++) {
         struct cr_xosc_point *p = &a->point[i];
@@ -79,12 +79,12 @@ static enum cr_err polyline(struct cr_xosc *x, const struct cr_xml_node *line,
 /* ---- clothoids ---- */
 
 struct clothoid {
-    double k, dk, length; /* 1/m, 1/m2, m */
-    double t0, t1;        /* s, NaN without times */
+    double k, dk, length; /* curvature at its start, 1/m; its change per m, 1/m2; m */
+    double t0, t1;        /* s of its ends, NaN without times */
 };
 
-/* From the last point on. Gauss's rule of two points a chord: the error is far below a
- * micrometre. */
+/* Adds the points of a clothoid from the last point on. Each chord is integrated by Gauss's rule
+ * with two points, whose error is far below a micrometre. */
 static enum cr_err clothoid(struct cr_xosc_action *a, const struct clothoid *c,
                             struct cr_error *err) {
     static const double node[2] = {0.21132486540518712, 0.78867513459481288};
@@ -102,7 +102,7 @@ static enum cr_err clothoid(struct cr_xosc_action *a, const struct clothoid *c,
         double s = h * (i + 1);
         p.s = from.s + s;
         p.heading = from.heading + s * (c->k + c->dk * s / 2);
-        p.t = c->t0 + (c->t1 - c->t0) * (i + 1) / n; /* at constant speed */
+        p.t = c->t0 + (c->t1 - c->t0) * (i + 1) / n; /* The speed is constant. */
         code = push(a, &p, err);
     }
     return code;
@@ -116,7 +116,7 @@ static enum cr_err check_length(struct cr_xosc *x, const struct cr_xml_node *nod
                               "length must be above 0 and at most %g m, got %g m", longest, length);
 }
 
-/* an attribute that may be missing: NaN then */
+/* Reads an attribute that may be missing, which gives NaN. */
 static enum cr_err optional(struct cr_xosc *x, const struct cr_xml_node *node, const char *name,
                             double *out, struct cr_error *err) {
     *out = NAN;
@@ -128,7 +128,7 @@ static enum cr_err one_clothoid(struct cr_xosc *x, const struct cr_xml_node *nod
                                 struct cr_xosc_action *a, struct cr_error *err) {
     struct cr_xosc_point p = {.t = NAN};
     struct clothoid c;
-    /* its name in 1.0 */
+    /* Version 1.0 calls it curvatureDot. */
     const char *prime =
         cr_xml_attr(node, "curvaturePrime") != NULL ? "curvaturePrime" : "curvatureDot";
     enum cr_err code = cr_xosc_position(x, node, &p.pos, &p.heading, err);
@@ -161,7 +161,7 @@ static enum cr_err spline_start(struct cr_xosc *x, const struct cr_xml_node *seg
     if (a->n > 0) {
         return cr_xosc_refuse(x, start, err, "a row of clothoids that is not joined");
     }
-    /* its content is that of a Position */
+    /* PositionStart is a Position itself, so cr_xosc_position would look for one in it in vain. */
     const struct cr_xml_node *at = start->child;
     if (at == NULL || strcmp(at->name, "WorldPosition") != 0) {
         return cr_xosc_refuse(x, start, err, "only a WorldPosition can be read without the road");
@@ -173,7 +173,8 @@ static enum cr_err spline_start(struct cr_xosc *x, const struct cr_xml_node *seg
     return code == CR_ERR_OK ? push(a, &p, err) : code;
 }
 
-/* 1.3: segments whose curvature goes from one value to another; a segment lasts until the next */
+/* Reads a spline of version 1.3: segments whose curvature goes from one value to another; the times
+ * of a segment end where those of the next begin. */
 static enum cr_err spline(struct cr_xosc *x, const struct cr_xml_node *node,
                           struct cr_xosc_action *a, struct cr_error *err) {
     const struct cr_xml_node *seg = cr_xml_next(node, NULL, "ClothoidSplineSegment");
@@ -210,14 +211,15 @@ static enum cr_err spline(struct cr_xosc *x, const struct cr_xml_node *node,
 
 /* ---- the trajectory ---- */
 
-/* Times of the path count from where the scenario or the action begins, and may be scaled. */
+/* Sets the times of a path. They count from where the scenario or the action begins, and may be
+ * scaled. */
 static enum cr_err set_times(struct cr_xosc *x, const struct cr_xml_node *follow,
                              struct cr_xosc_action *a, struct cr_error *err) {
     const struct cr_xml_node *timing = cr_xml_find(follow, "TimeReference/Timing");
     const char *domain;
     double offset = 0, scale = 1;
     if (timing == NULL || isnan(a->point[0].t)) {
-        return CR_ERR_OK; /* driven at the speed that it has */
+        return CR_ERR_OK; /* The path is driven at the speed that the entity has. */
     }
     enum cr_err code = cr_xosc_text(x, timing, "domainAbsoluteRelative", NULL, &domain, err);
     code = code == CR_ERR_OK ? cr_xosc_number(x, timing, "offset", 0, &offset, err) : code;
@@ -236,8 +238,8 @@ static enum cr_err set_times(struct cr_xosc *x, const struct cr_xml_node *follow
     return CR_ERR_OK;
 }
 
-/* 1.0 has the trajectory in the action, later ones in a TrajectoryRef; either may refer to a
- * catalogue */
+/* Finds the trajectory of an action: version 1.0 has it in the action, later ones in a
+ * TrajectoryRef; either may refer to a catalogue. */
 static enum cr_err find_trajectory(struct cr_xosc *x, const struct cr_xml_node *follow,
                                    const struct cr_xml_node **out, struct cr_error *err) {
     const struct cr_xml_node *ref = cr_xml_find(follow, "TrajectoryRef");

@@ -1,5 +1,6 @@
-/* The storyboard of OpenSCENARIO as far as no simulator is needed: how entities begin, and speeds
- * and trajectories that begin at given times. Whatever else would move one of them is refused. */
+/* Reads the storyboard of OpenSCENARIO as far as no simulator is needed: how entities begin, and
+ * speeds and trajectories that begin at given times. Whatever else would move one of them is
+ * refused. */
 #include "import/xosc_priv.h"
 
 #include "base/grow.h"
@@ -7,13 +8,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-static bool one_of(const char *word, const char *const *list) {
-    while (*list != NULL && strcmp(word, *list) != 0) {
-        list++;
-    }
-    return *list != NULL;
-}
 
 /* ---- actions ---- */
 
@@ -60,7 +54,7 @@ static enum cr_err read_speed(struct cr_xosc *x, const struct cr_xml_node *speed
     return code == CR_ERR_OK ? dynamics(x, speed, a, err) : code;
 }
 
-/* in the order of time; of two at one time the later in the file comes second */
+/* Adds an action in the order of time; of two at one time the later in the file comes second. */
 static enum cr_err add_action(struct cr_xosc_entity *e, const struct cr_xosc_action *a,
                               struct cr_error *err) {
     if (!cr_grow(&e->action, &e->size, e->actions, sizeof *e->action)) {
@@ -83,7 +77,7 @@ static enum cr_err teleport(struct cr_xosc *x, const struct cr_xml_node *action,
     return code;
 }
 
-/* A private action that begins at time t; at NaN it belongs to the begin of the scenario. */
+/* Reads a private action that begins at time t, s; NaN stands for the begin of the scenario. */
 static enum cr_err act(struct cr_xosc *x, const struct cr_xml_node *private, double t,
                        struct cr_xosc_entity *e, struct cr_error *err) {
     static const char *const harmless[] = {"VisibilityAction", "ControllerAction",
@@ -94,7 +88,7 @@ static enum cr_err act(struct cr_xosc *x, const struct cr_xml_node *private, dou
     const struct cr_xml_node *speed = cr_xml_find(private, "LongitudinalAction/SpeedAction");
     const struct cr_xml_node *path = cr_xml_find(private, "RoutingAction/FollowTrajectoryAction");
     enum cr_err code = CR_ERR_OK;
-    if (what == NULL || one_of(what->name, harmless)) {
+    if (what == NULL || cr_xosc_is_one_of(what->name, harmless)) {
         return CR_ERR_OK;
     }
     if (strcmp(what->name, "TeleportAction") == 0 && init) {
@@ -140,7 +134,7 @@ static enum cr_err init_of(struct cr_xosc *x, const struct cr_xml_node *private,
     return code;
 }
 
-/* where a trajectory begins at once it says the place, too */
+/* Checks that all entities have a place; a trajectory that begins at once gives it, too. */
 static enum cr_err check_placed(struct cr_xosc *x, const struct cr_xml_node *init,
                                 struct cr_error *err) {
     for (int i = 0; i < x->n; i++) {
@@ -161,7 +155,8 @@ static enum cr_err check_placed(struct cr_xosc *x, const struct cr_xml_node *ini
 
 /* ---- events ---- */
 
-/* Time of a trigger, at least t. Errors: TYPE for conditions that depend on what happens. */
+/* Moves *t, s, on to the time of a trigger. Errors: TYPE for conditions that depend on what
+ * happens. */
 static enum cr_err trigger(struct cr_xosc *x, const struct cr_xml_node *node, double *t,
                            struct cr_error *err) {
     const struct cr_xml_node *start = cr_xml_find(node, "StartTrigger");

@@ -1,4 +1,4 @@
-/* Attributes of OpenSCENARIO with parameters and expressions in them, and world positions. */
+/* Reads attributes of OpenSCENARIO with parameters and expressions in them, and world positions. */
 #include "import/xosc_priv.h"
 
 #include "base/csv.h"
@@ -47,6 +47,13 @@ void cr_xosc_leave(struct cr_xosc *x, int n) {
     x->scope.n = n;
 }
 
+bool cr_xosc_is_one_of(const char *word, const char *const *list) {
+    while (*list != NULL && strcmp(word, *list) != 0) {
+        list++;
+    }
+    return *list != NULL;
+}
+
 /* ---- values ---- */
 
 static enum cr_err lookup(struct cr_xosc *x, const char *name, const char **out,
@@ -75,7 +82,8 @@ static enum cr_err value_of_name(void *user, const char *name, double *out, stru
     return code == CR_ERR_OK ? number_of(user, text, out, err) : code;
 }
 
-/* parameters may be made of others, but not of themselves */
+/* Gives the number that a text stands for. Parameters may be made of others, but not of themselves:
+ * the depth is limited. */
 static enum cr_err number_of(struct cr_xosc *x, const char *text, double *out,
                              struct cr_error *err) {
     const struct cr_formula_names names = {value_of_name, x};
@@ -105,7 +113,7 @@ static enum cr_err number_of(struct cr_xosc *x, const char *text, double *out,
     return code;
 }
 
-/* whose attribute was at fault */
+/* Has an error say whose attribute was at fault. */
 static enum cr_err blame(struct cr_xosc *x, const struct cr_xml_node *node, const char *name,
                          struct cr_error *err) {
     struct cr_error why = *err;

@@ -1,4 +1,4 @@
-/* Archives (.zip): unpacked into a folder of their own, which is read like any other. */
+/* Unpacks archives (.zip) into a folder of their own, which is read like any other. */
 #include "config.h"
 
 #include "import/import_priv.h"
@@ -27,6 +27,7 @@ enum { ENTRIES_MAX = 20000, PIECE = 1 << 16 };
  * that is a thousand times smaller than what is in it holds nothing but an attack on the disk. */
 static const long long always = 100LL << 20, most = 4LL << 30, times = 200;
 
+/* An archive while it is unpacked. */
 struct unpacking {
     struct cr_import *im;
     struct cr_unpacked *to;
@@ -51,7 +52,7 @@ static enum cr_err sick(const struct unpacking *u, enum cr_err code, const char 
     return code;
 }
 
-/* what was made, so that it can go away again */
+/* Notes a file or folder that was made, so that it can be removed again. */
 static enum cr_err note_made(struct unpacking *u, const char *path, struct cr_error *err) {
     char *copy = strdup(path);
     if (copy == NULL || !cr_grow(&u->to->made, &u->size, u->to->n, sizeof *u->to->made)) {
@@ -62,7 +63,7 @@ static enum cr_err note_made(struct unpacking *u, const char *path, struct cr_er
     return CR_ERR_OK;
 }
 
-/* a path that stays in the folder */
+/* Tells whether a path stays in the folder. */
 static bool stays(const char *name) {
     if (name[0] == '/' || name[0] == '\0' || strchr(name, '\\') != NULL || strlen(name) > 500) {
         return false;
@@ -77,7 +78,7 @@ static bool stays(const char *name) {
     return true;
 }
 
-/* the folders that a path leads through */
+/* Makes the folders that a path leads through. */
 static enum cr_err make_folders(struct unpacking *u, char *path, struct cr_error *err) {
     enum cr_err code = CR_ERR_OK;
     for (char *p = strchr(path + strlen(u->to->dir) + 1, '/'); p != NULL && code == CR_ERR_OK;
@@ -138,7 +139,7 @@ static enum cr_err unpack_one(struct unpacking *u, zip_uint64_t i, struct cr_err
     return code;
 }
 
-/* The one thing in a folder, a file or a folder, goes for the folder itself. */
+/* Goes on to what lies in a folder while it is one thing alone, a folder or a file. */
 static void descend(char root[1024]) {
     for (int level = 0; level < 4; level++) {
         char only[300] = "";
@@ -152,7 +153,7 @@ static void descend(char root[1024]) {
             }
         }
         if (dir == NULL) {
-            return; /* a file */
+            return; /* It is a file. */
         }
         closedir(dir);
         if (n != 1 || strlen(root) + strlen(only) >= 1024) {
@@ -188,7 +189,9 @@ enum cr_err cr_import_unpack(struct cr_import *im, struct cr_unpacked *to, struc
     u.limit = limit_of(im->path);
     zip_int64_t n = zip_get_num_entries(u.zip, 0);
     if (code == CR_ERR_OK && n > ENTRIES_MAX) {
-        code = sick(&u, CR_ERR_RANGE, "more than 20000 files in the archive", im->shown, err);
+        char text[60];
+        snprintf(text, sizeof text, "more than %d files in the archive", ENTRIES_MAX);
+        code = sick(&u, CR_ERR_RANGE, text, im->shown, err);
     }
     for (zip_int64_t i = 0; i < n && code == CR_ERR_OK; i++) {
         code = unpack_one(&u, (zip_uint64_t)i, err);

@@ -113,7 +113,8 @@ CRUMPLE_API int crumple_solve(const crumple *lib, const char *scene, size_t leng
 CRUMPLE_API void crumple_result_free(crumple_result *result);
 
 /* Next scene of a stack: return 1 with its text, which must stay valid until the next call; 0 at
- * the end. Called from the threads of the stack, one call at a time. */
+ * the end. Called from the threads of the stack, one call at a time. It may change name and folder
+ * of the options of the stack, which are read and copied after each call. */
 typedef int (*crumple_next)(void *user, const char **scene, size_t *length);
 
 /* A scene of a stack is done: `result` belongs to the callee from now on, or is NULL with what

@@ -44,8 +44,6 @@ endif
 # python has no compiler to ask; without it the file goes where the first python3 would look
 dist_python_DATA = bindings/crumple.py
 dist_pkgdata_DATA = bindings/crumple.R
-libdocdir = $(docdir)
-dist_libdoc_DATA = share/doc/programs.md
 
 # a user of what is installed, as C and, where there is a compiler for it, as C++
 installcheck-local:

@@ -87,7 +87,7 @@ void crumple_result_free(crumple_result *result) {
 }
 
 struct item {
-    char *text;
+    char *text, *name, *folder; /* the last as the options said when it was taken; nullable */
     size_t length;
     crumple_result *result;
     crumple_error error;
@@ -95,13 +95,30 @@ struct item {
 
 struct stack {
     const crumple *lib;
-    const crumple_options *options;
+    const crumple_options *options; /* whose name and folder next may change */
+    crumple_options all;            /* what they were at the beginning, for all threads */
     crumple_next next;
     crumple_done done;
     void *user;
     size_t given;
     bool no_memory, stopped;
 };
+
+static void item_free(struct item *item) {
+    if (item != NULL) {
+        free(item->text);
+        free(item->name);
+        free(item->folder);
+        free(item);
+    }
+}
+
+/* a copy of a text that may be NULL, for *ok that is false when memory is out */
+static char *copy(const char *text, bool *ok) {
+    char *of = text != NULL ? strdup(text) : NULL;
+    *ok = *ok && (text == NULL || of != NULL);
+    return of;
+}
 
 static void *take(void *user) {
     struct stack *s = user;
@@ -110,26 +127,35 @@ static void *take(void *user) {
     if (!s->next(s->user, &scene, &length)) {
         return NULL;
     }
+    const crumple_options opt = cr_lib_options(s->options);
     struct item *item = calloc(1, sizeof *item);
-    char *text = malloc(length + 1);
-    if (item == NULL || text == NULL) {
-        free(item);
-        free(text);
+    bool ok = item != NULL;
+    if (ok) {
+        *item = (struct item){.length = length, .error = CRUMPLE_ERROR_INIT};
+        item->name = copy(opt.name, &ok);
+        item->folder = copy(opt.folder, &ok);
+        item->text = malloc(length + 1);
+        ok = ok && item->text != NULL;
+    }
+    if (!ok) {
+        item_free(item);
         s->no_memory = true;
         return NULL;
     }
     if (length > 0) {
-        memcpy(text, scene, length);
+        memcpy(item->text, scene, length);
     }
-    text[length] = '\0';
-    *item = (struct item){.text = text, .length = length, .error = CRUMPLE_ERROR_INIT};
+    item->text[length] = '\0';
     return item;
 }
 
 static void work(void *user, void *of) {
     const struct stack *s = user;
     struct item *item = of;
-    crumple_solve(s->lib, item->text, item->length, s->options, &item->result, &item->error);
+    crumple_options opt = s->all;
+    opt.name = item->name;
+    opt.folder = item->folder;
+    crumple_solve(s->lib, item->text, item->length, &opt, &item->result, &item->error);
     free(item->text);
     item->text = NULL;
 }
@@ -144,7 +170,7 @@ static bool give(void *user, void *of) {
     } else {
         s->stopped = s->done(s->user, s->given++, item->result, &item->error) != 0;
     }
-    free(item);
+    item_free(item);
     return !s->stopped;
 }
 
@@ -152,6 +178,7 @@ int crumple_stack(const crumple *lib, int threads, const crumple_options *option
                   crumple_next next, crumple_done done, void *user, crumple_error *error) {
     struct cr_error err = {0};
     struct stack s = {.lib = lib, .options = options, .next = next, .done = done, .user = user};
+    s.all = cr_lib_options(options);
     const struct cr_pool_work pool = {.take = take, .work = work, .give = give, .user = &s};
     enum cr_err code = CR_ERR_OK;
     if (threads < 0 || threads > CR_POOL_JOBS_MAX) {

@@ -1,4 +1,4 @@
-/* What was assumed of a scene, in words: "A: track 1.65 m, yaw inertia 5140 kg m2". */
+/* Tells what was assumed of a scene, in words: "A: track 1.65 m, yaw inertia 5140 kg m2". */
 #include "render/table.h"
 
 #include <stddef.h>
@@ -26,13 +26,13 @@ static const struct {
     {"radius_m", "radius", "m", AT(radius), 2},
 };
 
-/* one assumed key of a participant; keys that are not numbers stand as they are */
+/* Adds one assumed key of a participant with its value; keys that are not numbers stand alone. */
 static void add_value(const struct cr_participant *part, const char *key, struct cr_str *out) {
     for (size_t i = 0; i < sizeof value_rows / sizeof value_rows[0]; i++) {
         if (strcmp(value_rows[i].key, key) == 0) {
             double x;
             memcpy(&x, (const char *)part + value_rows[i].at, sizeof x);
-            /* no-break spaces keep number and unit together */
+            /* No-break spaces keep number and unit together. */
             cr_str_addf(out, "%s\u00a0%.*f\u00a0%s", value_rows[i].word, value_rows[i].decimals, x,
                         value_rows[i].unit);
             return;

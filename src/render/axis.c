@@ -1,4 +1,4 @@
-/* Round numbers for the ticks of an axis. */
+/* Finds round numbers for the ticks of an axis. */
 #include "render/render_priv.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* A solved deformation back on the 3D model of its vehicle (the paper's Figure 3). */
+/* Puts a solved deformation back on the 3D model of its vehicle (the paper's Figure 3). */
 #include "render/project.h"
 
 #include "base/arena.h"

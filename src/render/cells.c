@@ -152,7 +152,7 @@ static void add_row(const struct cr_cell *row, int w, const struct cr_look *look
                     struct cr_str *out) {
     const struct cr_cell plain = {.ch = ' ', .role = CR_ROLE_TEXT};
     const struct cr_cell *style = &plain;
-    /* a theme with a ground of its own paints blanks too */
+    /* A theme with a ground of its own paints blanks too. */
     struct cr_style ground = cr_theme_style(look, &plain);
     bool painted = look->color == CR_COLOR_256  ? ground.bg256 >= 0
                    : look->color == CR_COLOR_16 ? ground.bg16 >= 0

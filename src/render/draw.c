@@ -1,4 +1,4 @@
-/* The scene picture: voxels resampled to cells, outlines, then the marks on top. */
+/* Draws the scene in cells: voxels are resampled, outlines added, then the marks on top. */
 #include "render/picture.h"
 
 #include "base/vec.h"
@@ -9,15 +9,15 @@
 enum { FAR = 1 << 20 };               /* dots: trails are not followed further */
 enum { SUB_LEAST = 2, SUB_MOST = 4 }; /* samples per half cell and direction */
 
-/* Share of what was found in a half cell (square on the screen), counted over its samples. */
+/* What was found in a half cell (square on the screen), counted over its n samples. */
 struct pixel {
     int n, in, rigid, post, crushed, induced, overlap, solid;
-    double value; /* sum over solid samples */
+    double value; /* sum of the field over solid samples */
 };
 
 static void sample_pixel(const struct cr_pic *pic, const int *bodies, int n, double col, double row,
                          struct pixel *px) {
-    /* about one sample per voxel of 25 mm: more would only cost time */
+    /* About one sample per voxel of 25 mm is enough: more would only cost time. */
     int sub = (int)cr_clamp(ceil(pic->m_per_col / 0.025), SUB_LEAST, SUB_MOST);
     *px = (struct pixel){.n = sub * sub};
     for (int j = 0; j < sub * sub; j++) {
@@ -37,7 +37,7 @@ static void sample_pixel(const struct cr_pic *pic, const int *bodies, int n, dou
             post |= hit.post;
             crushed |= hit.crushed && !hit.induced;
             induced |= hit.induced;
-            /* of the bodies here the one with most material is seen */
+            /* Of the bodies at a point the one with most material is seen. */
             if (hit.left > left || pic->field != CR_FIELD_EES) {
                 left = fmax(left, hit.left);
                 value = fmax(value, hit.value);
@@ -75,12 +75,13 @@ static double level(const struct cr_pic *pic, const struct pixel *px) {
     return px->solid > 0 ? px->value / px->solid / pic->field_max : 0;
 }
 
-/* what is harder than the EES scale reaches is plain material */
+/* The step of a value; EES beyond the scale has a step of its own. */
 static uint8_t field_step(const struct cr_pic *pic, double v) {
     return pic->field == CR_FIELD_EES && v >= 1 ? CR_STEPS + 1 : cr_shade_step(v);
 }
 
-/* Crushed voxels: x; those that were only dragged along: ~. */
+/* Draws crushed voxels as x and those that were only dragged along as ~; false where there are
+ * few. */
 static bool draw_crushed(struct cr_pic *pic, struct cr_cell *cell, const struct pixel *px,
                          const struct cr_look *look) {
     int hurt = px->crushed + px->induced;
@@ -98,7 +99,8 @@ static bool draw_crushed(struct cr_pic *pic, struct cr_cell *cell, const struct 
     return true;
 }
 
-/* Bodies that stand in each other before they have met: not a crash, a mistake in the scene. */
+/* Marks bodies that overlap before they have met, which is a mistake in the scene; false
+ * without. */
 static bool draw_overlap(struct cr_pic *pic, struct cr_cell *cell, const struct pixel *px) {
     if (pic->moved || !most(px->overlap, px)) {
         return false;
@@ -136,14 +138,14 @@ static void draw_shade(const struct cr_pic *pic, struct cr_cell *cell, const str
     double v = level(pic, px);
     *cell = (struct cr_cell){.ch = cr_glyph_shade(v, look->ascii), .role = CR_ROLE_FIELD};
     if (pic->field != CR_FIELD_EES && v <= 0) {
-        cell->ch = look->ascii ? '.' : 0xB7; /* material without any of it */
+        cell->ch = look->ascii ? '.' : 0xB7; /* here is material, but nothing of the field */
         cell->role = CR_ROLE_DIM;
     } else if (look->color != CR_COLOR_NONE) {
         cell->fg = field_step(pic, v);
     }
 }
 
-/* a cell from its upper and lower half */
+/* Draws a cell from its upper and lower half. */
 static void draw_cell(struct cr_pic *pic, struct cr_cell *cell, const struct cr_look *look,
                       const struct pixel half[2]) {
     struct pixel px = both(&half[0], &half[1]);
@@ -196,7 +198,7 @@ static void draw_field(struct cr_pic *pic, struct cr_cells *cells, const struct 
     }
 }
 
-/* the outline as it was before the crash, dot by dot, where nothing else is drawn */
+/* Draws the outline of a body dot by dot where nothing else is drawn. */
 static void draw_outline(const struct cr_pic *pic, const struct cr_pic_body *b,
                          const struct cr_cells *cells, struct cr_dots *dots) {
     struct cr_rect r = cr_pic_cells_of(pic, b);
@@ -226,7 +228,7 @@ static void draw_outline(const struct cr_pic *pic, const struct cr_pic_body *b,
     }
 }
 
-/* the way of each CG since the first contact, as far as it is not under a body */
+/* Draws the way of each CG since the first contact; bodies hide it where they stand. */
 static void draw_trails(const struct cr_pic *pic, struct cr_dots *dots) {
     for (int i = 0; pic->sol != NULL && i < pic->n; i++) {
         struct cr_pen pen = {.role = pic->body[i].role, .mark = '.', .dashed = true};
@@ -247,7 +249,7 @@ static void draw_trails(const struct cr_pic *pic, struct cr_dots *dots) {
     }
 }
 
-/* The outline as it was at the first contact: a body put back there, its crush undone. */
+/* Draws the outlines at the first contact: a ghost is a body put back there, its crush undone. */
 static void draw_ghosts(const struct cr_pic *pic, const struct cr_cells *cells,
                         struct cr_dots *dots) {
     for (int i = 0; i < pic->n; i++) {
@@ -266,7 +268,7 @@ static void draw_ghosts(const struct cr_pic *pic, const struct cr_cells *cells,
 static enum cr_err draw_outlines(const struct cr_pic *pic, struct cr_cells *cells,
                                  const struct cr_look *look, bool ghosts, struct cr_error *err) {
     struct cr_dots dots;
-    /* in ASCII whole cells would thicken the bodies by up to a cell */
+    /* In ASCII an outline of whole cells would thicken the bodies by up to a cell. */
     bool outlines = !look->ascii || pic->field == CR_FIELD_NONE;
     enum cr_err code = cr_dots_new(pic->at.w, pic->at.h - 1, &dots, err);
     if (code != CR_ERR_OK) {

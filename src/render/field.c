@@ -1,14 +1,10 @@
-/* What the fields of a picture say of a voxel. */
+/* Computes what the fields of a picture say of a voxel: EES, energy, crush, depth. */
 #include "render/picture.h"
 
 #include "base/vec.h"
 #include "result/result.h"
 
 #include <math.h>
-
-/* Upper end of the EES scale, km/h: fixed, so that pictures can be compared; what is harder still
- * is drawn as the last step. */
-static const double ees_top = 100;
 
 const char *cr_field_word(enum cr_field field) {
     static const char *const words[CR_FIELDS] = {
@@ -19,7 +15,7 @@ const char *cr_field_word(enum cr_field field) {
     return words[field];
 }
 
-/* depth below the struck face, m */
+/* The depth of a voxel below the struck face, m. */
 static double depth_at(const struct cr_pic_body *b, int ix, int iy) {
     static const int step[CR_FACES][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
     const struct cr_grid *g = b->grid;
@@ -94,7 +90,7 @@ enum cr_err cr_pic_field_init(struct cr_pic *pic, struct cr_error *err) {
         pic->field_max = pic->field == CR_FIELD_CRUSH ? 100 : scale_top(pic);
         return CR_ERR_OK;
     }
-    pic->field_max = ees_top;
+    pic->field_max = CR_EES_TOP;
     for (int k = 0; k < pic->n; k++) {
         struct cr_pic_body *b = &pic->body[k];
         if (b->grid->nx > 0) {
@@ -103,7 +99,7 @@ enum cr_err cr_pic_field_init(struct cr_pic *pic, struct cr_error *err) {
             if (ees == NULL) {
                 return cr_err_set(err, CR_ERR_MEMORY, "no memory for the field of %s", b->id);
             }
-            /* a barrier that is fixed has no mass to relate its energy to */
+            /* A fixed barrier has no mass to which its energy could be related: it gets a car's. */
             cr_result_ees(b->grid, b->mass > 0 ? b->mass : 1500, ees);
             b->ees = ees;
         }

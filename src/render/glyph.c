@@ -1,4 +1,5 @@
-/* Characters: reading UTF-8, their widths, stand-ins in ASCII, shades and arrows. */
+/* Knows characters: reads UTF-8, tells their widths and stand-ins in ASCII, chooses shades and
+ * arrows. */
 #include "render/render_priv.h"
 
 #include "base/show.h"
@@ -30,7 +31,7 @@ uint32_t cr_glyph_next(const char **utf8) {
         ch = ch << 6 | (s[i] & 0x3F);
     }
     *utf8 += more + 1;
-    /* control characters of a name must never reach a terminal */
+    /* Control characters of a name must never reach a terminal. */
     return ch > 0x10FFFF || cr_show_acts(ch) ? invalid() : ch;
 }
 
@@ -98,8 +99,8 @@ char cr_glyph_ascii(uint32_t ch) {
     return '?';
 }
 
-/* what the fonts of the Linux console have beside ASCII: common to code page 437, which is built
- * in, and to the Latin fonts of console-setup */
+/* The fonts of the Linux console have these beside ASCII: they are common to code page 437, which
+ * is built in, and to the Latin fonts of console-setup. */
 static const uint32_t console_glyphs[] = {
     0xB0,   0xB1,   0xB2,   0xB5,   0xB7,   0x2190, 0x2191, 0x2192, 0x2193,
     0x2500, 0x2502, 0x250C, 0x2510, 0x2514, 0x2518, 0x251C, 0x2524, 0x252C,
@@ -124,7 +125,7 @@ uint32_t cr_glyph_console(uint32_t ch) {
 
 uint32_t cr_glyph_shade(double level, bool ascii) {
     static const uint32_t shades[] = {0x2591, 0x2592, 0x2593, 0x2588};
-    /* the ramp without its blank, so that material is never invisible */
+    /* The usual ramp begins with a blank; this has none, so that material is never invisible. */
     static const char ramp[] = ".:-=+*#%@";
     int n = ascii ? 9 : 4;
     int i = (int)(cr_clamp(level, 0, 1) * n);

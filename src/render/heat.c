@@ -1,4 +1,4 @@
-/* Lines of equal values over two inputs, for pictures in cells and on a canvas. */
+/* Finds lines of equal values over two inputs, for pictures in cells and on a canvas. */
 #include "render/render.h"
 
 #include <math.h>
@@ -15,7 +15,8 @@ bool cr_heat_range(const struct cr_heat_map *map, double *lo, double *hi) {
     return *lo <= *hi;
 }
 
-/* where the level lies between two corners, as a place of the grid; false: not between them */
+/* Finds where the level lies between two corners, as a place of the grid; false: not between
+ * them. */
 static bool cut(const double at[4][2], const double v[4], int i, int k, double level,
                 double out[2]) {
     if ((v[i] < level) == (v[k] < level)) {
@@ -27,7 +28,7 @@ static bool cut(const double at[4][2], const double v[4], int i, int k, double l
     return true;
 }
 
-/* four triangles about the middle of four values: no case is ambiguous */
+/* Cuts a cell of the grid as four triangles about its middle, of which no case is ambiguous. */
 static void cut_cell(const double corner[4][2], const double value[4], double level,
                      void (*piece)(void *user, const double from[2], const double to[2]),
                      void *user) {

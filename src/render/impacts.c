@@ -1,4 +1,4 @@
-/* The table of impacts: what each blow did to either participant, a line each. */
+/* Draws the table of impacts: what each blow did to either participant, a line each. */
 #include "render/picture.h"
 #include "render/table.h"
 
@@ -54,7 +54,7 @@ static const struct {
     {"energy", "kJ", 7, 1, get_energy, NULL},
 };
 
-/* where a table goes on */
+/* The place where a table goes on. */
 struct pen {
     struct cr_cells *cells;
     struct cr_rect at;
@@ -62,7 +62,7 @@ struct pen {
     enum cr_units units;
 };
 
-/* words with numbers in them, which are told in the units of the table */
+/* Writes words with numbers in them, which are told in the units of the table. */
 static void write_words(struct pen *p, int indent, enum cr_role role, const char *text) {
     struct cr_str shown = {0};
     cr_units_text(p->units, text, &shown);
@@ -74,7 +74,7 @@ static bool full(const struct pen *p) {
     return p->y >= p->at.y + p->at.h;
 }
 
-/* heads or units; NULL: the values of a hit */
+/* Writes the values of a hit; for hit NULL the heads of the columns, or their units. */
 static void write_columns(struct pen *p, enum cr_role role, const struct hit *hit, bool units) {
     int x = p->at.x + ID;
     for (size_t i = 0; i < sizeof columns / sizeof columns[0]; i++) {
@@ -98,7 +98,7 @@ static void write_columns(struct pen *p, enum cr_role role, const struct hit *hi
     }
 }
 
-/* "C1-C6 13 14 18 18 14 13 cm over 1.54 m; left too, 0.12 m deep over 0.40 m" */
+/* Writes "C1-C6 13 14 18 18 14 13 cm over 1.54 m; left too, 0.12 m deep over 0.40 m". */
 static void say_damage(enum cr_units units, const struct cr_severity *s, char *buf, size_t size) {
     int n = snprintf(buf, size, "C1-C6");
     for (int i = 0; i < CR_PROFILE; i++) {
@@ -119,7 +119,7 @@ static void write_side(struct pen *p, const struct cr_result *r, const struct cr
                        int side) {
     int b = k->body[side];
     const struct hit hit = {&k->of[side], cr_result_grid(r, b)->nx > 0};
-    if (full(p) || !cr_render_moves(r, b)) {
+    if (full(p) || !cr_result_moves(r, b)) {
         return;
     }
     cr_cells_print(p->cells, p->at.x, p->y, ID - 1, cr_render_role_of(b), r->resolved.part[b].id);
@@ -154,7 +154,7 @@ int cr_render_impacts_rows(const struct cr_result *result) {
         int b = result->impact[i / 2].body[i % 2];
         bool deforms = cr_result_grid(result, b)->nx > 0;
         double wide = result->impact[i / 2].of[i % 2].profile_width;
-        rows += cr_render_moves(result, b) ? 1 + (deforms && wide > 0) : 0;
+        rows += cr_result_moves(result, b) ? 1 + (deforms && wide > 0) : 0;
     }
     return rows;
 }

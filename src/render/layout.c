@@ -1,19 +1,17 @@
 /* Divides a terminal of any size into the rectangles of the full screen. */
 #include "render/layout.h"
 
-#include <string.h>
-
 enum {
     PROMPT_W = 40,
-    PROMPT_H = 12, /* below: prompt and log only */
+    PROMPT_H = 12, /* a smaller terminal shows prompt and log only */
     ONE_W = 80,
-    ONE_H = 24, /* from here the results pane */
+    ONE_H = 24, /* from this size on there is a results pane */
     TWO_W = 120,
     TWO_H = 36,
     ALL_W = 160,
     ALL_H = 44,
     RESULTS_W = 30,
-    PANE_H = 10, /* what a picture needs, with its frame */
+    PANE_H = 10, /* a picture with its frame needs so many rows */
     SIDE_W = 76  /* right-hand column with table, sweep and log */
 };
 
@@ -36,16 +34,7 @@ const char *cr_area_word(enum cr_area pane) {
     return area_words[pane];
 }
 
-int cr_area_find(const char *word) {
-    for (int i = 0; i < CR_AREAS; i++) {
-        if (strcmp(area_words[i], word) == 0) {
-            return i;
-        }
-    }
-    return -1;
-}
-
-/* n rows off the top, or off the bottom, of what is left */
+/* Cut n rows or columns off one side of the rest. */
 static struct cr_rect top(struct cr_rect *rest, int n) {
     n = n > rest->h ? rest->h : n;
     struct cr_rect r = {rest->x, rest->y, rest->w, n};
@@ -82,7 +71,7 @@ static void prompt_only(struct cr_layout *l, struct cr_rect rest) {
     l->pane[CR_AREA_LOG] = rest;
 }
 
-/* rows of dialogue: the usual, or more of them while the panes above keep what they need */
+/* The rows of dialogue: the usual number, or more if the panes above keep what they need. */
 static int dialogue_rows(const struct cr_rect *rest, int panes, int usual, int talk) {
     int most = rest->h - panes * PANE_H;
     talk = talk < most ? talk : most;
@@ -108,14 +97,14 @@ static void one(struct cr_layout *l, struct cr_rect rest, enum cr_area view, int
     if (talk == 0) {
         l->spark = bottom(&rest, 2);
     }
-    /* beside a picture or a curve; texts take the whole width */
+    /* Results stand beside a picture or a curve; texts take the whole width. */
     if (view <= CR_AREA_ENERGY) {
         l->results = right(&rest, RESULTS_W);
     }
     l->pane[view] = rest;
 }
 
-/* the scene and results above, the chosen view (or the pulse) below */
+/* Scene and results stand above, the chosen view (or the pulse) below. */
 static void two(struct cr_layout *l, struct cr_rect rest, enum cr_area view, int talk) {
     l->keys = bottom(&rest, 1);
     l->hint = bottom(&rest, 1);

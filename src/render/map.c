@@ -1,5 +1,5 @@
-/* A value over two inputs in cells: shades or colours between what was computed, lines of equal
- * values with their numbers, ticks at the values of the inputs. */
+/* Draws a value over two inputs in cells: shades or colours between the computed values, lines of
+ * equal values with their numbers, ticks at the values of the inputs. */
 #include "render/render_priv.h"
 
 #include "base/vec.h"
@@ -14,11 +14,12 @@ struct pen {
     struct cr_cells *cells;
     const struct cr_look *look;
     const struct cr_heat_map *map;
-    struct cr_rect area; /* of the values, cells */
+    struct cr_rect area; /* cells in which the values are drawn */
     double lo, hi;
     int x_digits, y_digits;
     struct cr_dots dots;
-    /* the line being drawn: where its number stands best, and how well */
+    /* Of the line that is drawn: where its number stands best, how far that is off, and the share
+     * of the width at which the number should stand. */
     int label[2];
     double best, aim;
 };
@@ -29,7 +30,7 @@ static bool words(const struct cr_heat_map *m) {
 
 /* ---- from shares of the picture to places of the grid, and back ---- */
 
-/* 0..1 along an axis -> 0..n-1; words have parts of one size */
+/* Turns a share 0..1 of an axis into a place 0..n-1; words have parts of one size. */
 static double place_of(const double *at, int n, bool word, double share) {
     if (word) {
         return cr_clamp(floor(share * n), 0, n - 1);
@@ -52,7 +53,7 @@ static double share_of(const double *at, int n, bool word, double place) {
     return (at[i] + (place - i) * (at[n > 1 ? i + 1 : i] - at[i]) - at[0]) / span;
 }
 
-/* the value at shares of the picture, u to the right and v up; linear between those computed */
+/* The value at shares of the picture, u to the right and v up; linear between computed values. */
 static double value_at(const struct cr_heat_map *m, double u, double v) {
     double x = place_of(m->x, m->nx, m->x_word != NULL, u);
     double y = place_of(m->y, m->ny, m->y_word != NULL, v);
@@ -104,7 +105,7 @@ static void draw_values(const struct pen *p) {
     }
 }
 
-/* a character over the values, readable on the colour that is there */
+/* Puts a character over the values, readable on the colour that is there. */
 static void put(const struct pen *p, int x, int y, uint32_t ch, bool bold) {
     struct cr_cell *cell = cr_cells_at(p->cells, x, y);
     if (cell == NULL) {
@@ -127,7 +128,8 @@ static void print(const struct pen *p, int x, int y, const char *text) {
 
 /* ---- lines ---- */
 
-/* the number of a line stands where it is nearest to its aim, apart from those of other lines */
+/* Draws a piece of a line, and remembers it for the line's number if it is nearest to the aim. The
+ * aims of the lines differ, so that their numbers stand apart. */
 static void draw_piece(void *user, const double from[2], const double to[2]) {
     struct pen *p = user;
     const struct cr_heat_map *m = p->map;
@@ -187,7 +189,8 @@ static enum cr_err draw_lines(struct pen *p, double step, struct cr_error *err) 
     return code;
 }
 
-/* where an input is a word, the numbers themselves, as far as they have room */
+/* Prints the numbers themselves, as far as they have room: where an input is a word there are no
+ * lines. */
 static void print_values(const struct pen *p) {
     const struct cr_heat_map *m = p->map;
     for (int y = 0; y < m->ny && p->area.h >= m->ny; y++) {
@@ -209,7 +212,7 @@ static void print_values(const struct pen *p) {
 
 /* ---- axes ---- */
 
-/* decimals with which all values of an axis stand where they are, to a fiftieth of a step */
+/* The decimals that tell all values of an axis to a fiftieth of the step between them. */
 static int digits_of(const double *at, int n) {
     double gap = n > 1 ? (at[n - 1] - at[0]) / (n - 1) : fabs(at[0]);
     for (int digits = 0; digits < 5; digits++) {
@@ -269,7 +272,7 @@ static void draw_y_ticks(const struct pen *p) {
     }
 }
 
-/* the last value has its number in any case, those before it where there is room */
+/* The last value always has its number, those before it where there is room. */
 static void draw_x_ticks(const struct pen *p) {
     const struct cr_heat_map *m = p->map;
     char text[TEXT];
@@ -289,7 +292,7 @@ static void draw_x_ticks(const struct pen *p) {
     }
 }
 
-/* what is drawn and its scale; below it what stands along the axes */
+/* Draws title and scale; below them the names of the axes. */
 static void draw_head(const struct pen *p, struct cr_rect at, double step) {
     const struct cr_heat_map *m = p->map;
     char text[2 * CR_NAME_MAX + 96];

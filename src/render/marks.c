@@ -1,4 +1,4 @@
-/* What is written over the bodies of a picture: letters, arrows, labels, axes, scale, legend. */
+/* Draws what stands over the bodies of a picture: letters, arrows, labels, axes, scale, legend. */
 #include "render/picture.h"
 
 #include "base/vec.h"
@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { REACH = 12 }; /* cells by which marks give way to what is crushed */
+enum { REACH = 12 }; /* marks give way to crushed voxels by so many cells */
 
 struct ink {
     struct cr_pic *pic;
@@ -29,14 +29,14 @@ static void put(const struct ink *ink, int x, int y, enum cr_role role, uint32_t
     }
 }
 
-/* Is something shown here that the picture is looked at for? No mark may hide it. */
+/* Whether a cell shows crushed voxels or an overlap, which no mark may hide. */
 static bool precious(const struct ink *ink, int x, int y) {
     const struct cr_cell *cell = cr_cells_at(ink->cells, x, y);
     return cell != NULL && (cell->role == CR_ROLE_CRUSHED || cell->role == CR_ROLE_INDUCED ||
                             cell->role == CR_ROLE_BAD);
 }
 
-/* piece of a shaft between two neighbouring cells */
+/* The piece of an arrow's shaft between two neighbouring cells. */
 static uint32_t shaft(int dx, int dy, bool ascii) {
     if (dy == 0) {
         return ascii ? '-' : 0x2501;
@@ -47,7 +47,7 @@ static uint32_t shaft(int dx, int dy, bool ascii) {
     return dx * dy < 0 ? '/' : '\\';
 }
 
-/* Arrow from a world point along a vector (m), with its head at the far end. */
+/* Draws an arrow from a world point along a vector (m), with its head at the far end. */
 static void arrow(const struct ink *ink, struct cr_vec2 from, struct cr_vec2 along,
                   enum cr_role role) {
     struct cr_vec2 a = cr_pic_to_cell(ink->pic, from);
@@ -67,7 +67,7 @@ static void arrow(const struct ink *ink, struct cr_vec2 from, struct cr_vec2 alo
         px = x;
         py = y;
     }
-    /* the head is seen, if need be a little farther on */
+    /* The head must be seen, if need be a little farther on. */
     for (int i = 0; i <= REACH; i++) {
         int x = x1 + (int)lround((double)(x1 - x0) * i / steps);
         int y = y1 + (int)lround((double)(y1 - y0) * i / steps);
@@ -83,7 +83,7 @@ static void draw_velocity(const struct ink *ink, const struct cr_pic_body *b) {
     if (!b->moves || v < 0.5) {
         return;
     }
-    /* the way of 60 ms, at least four and at most twenty columns */
+    /* The arrow is the way of 60 ms, at least five and at most twenty columns. */
     double len = cr_clamp(0.06 * v, 5 * ink->pic->m_per_col, 20 * ink->pic->m_per_col);
     arrow(ink, b->now.pos, cr_vec2_scale(b->now.vel, len / v), b->role);
 }
@@ -107,7 +107,7 @@ static void draw_coe(const struct ink *ink) {
     }
 }
 
-/* the column nearest to x at which a letter with its arrow hides nothing that is crushed */
+/* The column nearest to x at which a letter with its arrow hides no crushed voxels. */
 static int beside_crush(const struct ink *ink, int x, int y) {
     for (int k = 0; k <= 2 * REACH; k++) {
         int at = x + (k % 2 == 0 ? k / 2 : -(k + 1) / 2);
@@ -122,7 +122,7 @@ static int beside_crush(const struct ink *ink, int x, int y) {
     return x;
 }
 
-/* letter at the CG with the heading on its front side: " A> " or " <B " */
+/* Draws the letter at the CG with the heading on its front side: " A> " or " <B ". */
 static void draw_letter(const struct ink *ink, const struct cr_pic_body *b, bool selected) {
     struct cr_vec2 p = cr_pic_to_cell(ink->pic, b->now.pos);
     int x = (int)floor(p.x), y = (int)floor(p.y);
@@ -153,8 +153,8 @@ static bool hatched(const struct ink *ink, int x, int y) {
            cell->role == CR_ROLE_OBJECT;
 }
 
-/* Place nearest to the middle of a box where n cells in a row, along or down, show a rigid object.
- */
+/* Finds the place nearest to the middle of a box where n cells in a row, along or down, show a
+ * rigid object. */
 static bool find_run(const struct ink *ink, struct cr_rect box, int n, bool along, int at[2]) {
     int best = 1 << 30;
     for (int y = box.y; y < box.y + box.h; y++) {
@@ -175,7 +175,7 @@ static bool find_run(const struct ink *ink, struct cr_rect box, int n, bool alon
     return best < 1 << 30;
 }
 
-/* Name of a rigid object on it, along or down; false when it is too small for that. */
+/* Writes the name of a rigid object on it, along or down; false when it is too small for that. */
 static bool draw_object_name(const struct ink *ink, const struct cr_pic_body *b) {
     struct cr_rect box = cr_pic_cells_of(ink->pic, b);
     int n = cr_glyph_width(b->id) + 2, at[2];
@@ -239,7 +239,8 @@ static bool row_free(const struct ink *ink, int x, int y, int w) {
     return in_field(ink->pic, x, y) && (w == 0 || in_field(ink->pic, x + w - 1, y));
 }
 
-/* Above or below the body, as near as there is room; the first bodies go above, others below. */
+/* Writes a label above or below its body, as near as there is room; the labels of every other body
+ * are tried above first, those of the rest below. */
 static void draw_label(const struct ink *ink, int k) {
     const struct cr_pic_body *b = &ink->pic->body[k];
     char text[160];

@@ -1,4 +1,4 @@
-/* The page that a report is written on: cells, headings and paragraphs, added line by line. */
+/* Adds cells, headings and paragraphs to the page of a report, line by line. */
 #include "render/report.h"
 
 #include <stdio.h>
@@ -11,7 +11,6 @@ enum cr_err cr_page_emit(const struct cr_page *page, struct cr_cells *cells, str
                              : CR_ERR_OK;
 }
 
-/* "-- Title ------ note --" in the first row of the target */
 void cr_page_draw_heading(const struct cr_target *target, const char *title, const char *note) {
     struct cr_cells *c = target->cells;
     int x = target->at.x, y = target->at.y, w = target->at.w;
@@ -43,6 +42,7 @@ enum cr_err cr_page_paragraph(const struct cr_page *page, int indent, enum cr_ro
     struct cr_str shown = {0};
     int at = 1;
     cr_units_text(page->result->units, text, &shown);
+    page->out->failed = page->out->failed || shown.failed;
     text = cr_str_get(&shown);
     while (*text != '\0' && code == CR_ERR_OK) {
         struct cr_cells c;

@@ -1,4 +1,5 @@
-/* Bodies of a picture: where they stand, what the field says at a point, which scale shows all. */
+/* Sets up the bodies of a picture: where they stand, what the field says at a point, which scale
+ * shows all. */
 #include "render/picture.h"
 
 #include "base/vec.h"
@@ -7,8 +8,9 @@
 #include <math.h>
 #include <string.h>
 
-/* rows kept free of bodies: a label above, a label below, scale and legend */
-static const double post = 1.0; /* m: rigid objects below this stand out of crushed voxels */
+/* Rigid objects smaller than this are drawn also where they stand among crushed voxels, m. */
+static const double post = 1.0;
+/* Rows and columns that are kept free of bodies: a label above, a label below, scale and legend. */
 enum { ROWS_ABOVE = 1, ROWS_BELOW = 2, COLS_SIDE = 1 };
 
 static void set_box(struct cr_pic_body *b) {
@@ -106,7 +108,7 @@ bool cr_pic_look(const struct cr_pic *pic, const struct cr_pic_body *b, struct c
         return false;
     }
     hit->left = cr_pic_left(pic, b, i);
-    /* where equal materials meet, each loses half */
+    /* Where equal materials meet each loses half: that counts as crushed. */
     hit->crushed = hit->left <= 0.501 * fill;
     hit->induced = hit->crushed && b->how != NULL && (b->how[i] & CR_CRUSH_CONTACT) == 0;
     hit->value = cr_pic_field_value(b, pic->field, ix, iy, hit->left);
@@ -238,7 +240,7 @@ enum cr_err cr_pic_frame(const struct cr_result *result, struct cr_scene_view *v
     return CR_ERR_OK;
 }
 
-/* greatest force of the trace and of this instant; after the crash there is none */
+/* Finds the greatest force of the trace and of this instant; after the crash there is none. */
 static void set_forces(struct cr_pic *pic, const struct cr_solution *sol) {
     for (int i = 0; i < pic->n; i++) {
         struct cr_sample *now = &pic->body[i].now;

@@ -1,4 +1,5 @@
-/* Curves over a common axis: braille dots (or * and o), round ticks, letters at the curves. */
+/* Draws curves over a common axis: braille dots (or * and o), round ticks, letters at the
+ * curves. */
 #include "render/render_priv.h"
 
 #include "base/vec.h"
@@ -13,7 +14,7 @@ enum { Y_LABEL_MAX = 24, AXIS_ROWS = 2 };
 struct frame {
     struct cr_cells *cells;
     const struct cr_look *look;
-    struct cr_rect area; /* of the curves, cells */
+    struct cr_rect area; /* cells in which the curves are drawn */
     double x_lo, x_hi, y_lo, y_hi;
 };
 
@@ -37,7 +38,7 @@ struct cr_plot_range cr_plot_range(const struct cr_plot *plot) {
     if (r.x_lo > r.x_hi) {
         r = (struct cr_plot_range){0, 1, 0, 1};
     }
-    /* the axis includes zero unless the curve is a small change of a large number */
+    /* The axis includes zero unless the curves are a small change of a large number. */
     double span = r.y_hi - r.y_lo;
     if (!plot->close && r.y_lo > 0 && r.y_lo < 2 * span) {
         r.y_lo = 0;
@@ -49,7 +50,7 @@ struct cr_plot_range cr_plot_range(const struct cr_plot *plot) {
         r.y_lo -= 0.03 * span;
         r.y_hi += 0.03 * span;
     }
-    /* what a filter rings below zero is not worth an axis of its own */
+    /* A filter that rings below zero is not worth an axis of its own. */
     if (!plot->close && r.y_lo < 0 && -r.y_lo < 0.04 * r.y_hi) {
         r.y_lo = 0;
     }
@@ -91,7 +92,7 @@ static int row_of(const struct frame *f, double y) {
     return f->area.y + dot_y(f, y) / 4;
 }
 
-/* x label columns must not touch: room per tick is its text and two blanks */
+/* Draws the x axis with its unit; numbers that would touch the one before are left out. */
 static void draw_x_axis(const struct frame *f, const char *unit) {
     const struct cr_rect *a = &f->area;
     bool ascii = f->look->ascii;
@@ -118,7 +119,8 @@ static void draw_x_axis(const struct frame *f, const char *unit) {
 
 static int y_ticks(const struct frame *f, double *step) {
     int most = f->area.h / 3;
-    /* steps of 1, 2, 5 can leave half of what is asked for: three give at least one beside zero */
+    /* Steps of 1, 2, 5 can leave half of the ticks that are asked for: of three one is left beside
+     * zero. */
     most = most < 3 ? (f->area.h >= 5 ? 3 : 1) : most > 8 ? 8 : most;
     *step = cr_tick_step(f->y_hi - f->y_lo, most);
     return (int)(f->y_hi / *step + 1e-9) - (int)ceil(f->y_lo / *step - 1e-9) + 1;
@@ -142,7 +144,8 @@ static void draw_y_axis(const struct frame *f) {
     }
 }
 
-/* a tick just above the highest point is worth having */
+/* Lengthens the axis to a tick just above the highest point, and with down just below the
+ * lowest. */
 static void round_up(struct frame *f, bool down) {
     double step;
     y_ticks(f, &step);
@@ -174,7 +177,7 @@ static char ascii_mark(int k) {
 }
 
 static void draw_curves(const struct cr_plot *plot, const struct frame *f, struct cr_dots *dots) {
-    /* the first curve is drawn last, so that it lies on top */
+    /* The first curve is drawn last, so that it lies on top. */
     for (int k = plot->curves - 1; k >= 0; k--) {
         const struct cr_curve_line *c = &plot->curve[k];
         struct cr_pen pen = {.role = c->role, .mark = ascii_mark(k), .dashed = c->dashed};
@@ -194,7 +197,7 @@ static void draw_curves(const struct cr_plot *plot, const struct frame *f, struc
     }
 }
 
-/* value of a curve at x, NaN outside; x ascends */
+/* The value of a curve, whose x ascends, at x; NaN outside. */
 static double curve_at(const struct cr_curve_line *c, double x) {
     for (int i = 1; i < c->n; i++) {
         if (c->x[i - 1] <= x && x <= c->x[i] && c->x[i] > c->x[i - 1]) {
@@ -211,7 +214,7 @@ static bool free_cell(const struct frame *f, int x, int y) {
            y < f->area.y + f->area.h && cell != NULL && cell->ch == ' ';
 }
 
-/* The letter of curve k goes where the other curves are farthest and there is a blank beside it. */
+/* Writes the letter of curve k where the other curves are farthest and there are blanks for it. */
 static void draw_letter(const struct cr_plot *plot, const struct frame *f, int k) {
     const struct cr_curve_line *c = &plot->curve[k];
     int best_x = -1, best_y = 0;
@@ -229,7 +232,7 @@ static void draw_letter(const struct cr_plot *plot, const struct frame *f, int k
                 far = fmin(far, abs(row_of(f, y) - row_of(f, other)));
             }
         }
-        /* prefer the middle of the plot among equals */
+        /* Of equally good places the one nearest to the middle of the plot is best. */
         far -= fabs(u - 0.5);
         for (int side = -1; side <= 1; side += 2) {
             int row = row_of(f, y) + side;
@@ -367,7 +370,7 @@ const struct cr_plot *cr_plot_shown(const struct cr_plot *plot, struct cr_arena 
     to->y_unit = y_unit;
     to->curve = curve;
     to->cursor = x * plot->cursor;
-    to->units = CR_UNITS_SI; /* it is as it shall be */
+    to->units = CR_UNITS_SI; /* drawing must not convert it again */
     for (int k = 0; k < plot->curves; k++) {
         curve[k] = plot->curve[k];
         curve[k].x = scaled(plot->curve[k].x, plot->curve[k].n, x, arena);

@@ -7,10 +7,9 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 enum { MARGIN = 2, ROWS_MORE = 3, SUB = 3 };
-static const double ees_top = 100;    /* km/h, as in the scene picture */
+static const double ees_top = CR_EES_TOP;
 static const double near_depth = 0.5; /* m of material that the front view looks into */
 
 static const char *const view_words[CR_PROJECTS] = {
@@ -19,24 +18,11 @@ static const char *const view_words[CR_PROJECTS] = {
 #undef X
 };
 
-const char *cr_project_word(enum cr_project view) {
-    return view_words[view];
-}
-
-int cr_project_find(const char *word) {
-    for (int i = 0; i < CR_PROJECTS; i++) {
-        if (strcmp(view_words[i], word) == 0) {
-            return i;
-        }
-    }
-    return -1;
-}
-
 static bool is_side(enum cr_project view) {
     return view == CR_PROJECT_SIDE || view == CR_PROJECT_SLICE;
 }
 
-/* voxels along u, v and the line of sight */
+/* The numbers of voxels along u, v and the line of sight. */
 static void axes(enum cr_project view, const struct cr_voxels *m, int n[3]) {
     const int all[3] = {m->nx, m->ny, m->nz};
     static const int order[CR_PROJECTS][3] = {[CR_PROJECT_SIDE] = {0, 2, 1},
@@ -54,7 +40,7 @@ static void voxel_at(enum cr_project view, int u, int v, int w, int i[3]) {
     i[2] = view == CR_PROJECT_TOP ? w : v;
 }
 
-/* depth of a deformed column of the model below the struck face, m; 0 for one that is whole */
+/* The depth of a deformed column of the model below the struck face, m; 0 for a whole one. */
 static double depth_of(const struct cr_projection *p, int ix, int iy) {
     const struct cr_voxels *m = p->voxels;
     const struct cr_grid *g = p->grid;
@@ -79,8 +65,8 @@ static double depth_of(const struct cr_projection *p, int ix, int iy) {
     return n * g->h;
 }
 
-/* The line of sight through u, v. From before the front only what is nearest counts: further back
- * everything is as hard as the cabin. */
+/* Looks along the line of sight through u, v. From before the front only the nearest material
+ * counts: further back everything is as hard as the cabin. */
 static void look_along(const struct cr_projection *p, struct cr_plane *pl, const int n[3], int u,
                        int v) {
     const struct cr_voxels *m = p->voxels;
@@ -174,13 +160,14 @@ struct sum {
     double ees, depth;
 };
 
-/* What of a plane is shown: m to a column and half a row, from the height `top` downward. */
+/* The part of a plane that is shown: m to a column and half a row, from the height `top`
+ * downward. */
 struct window {
     const struct cr_plane *pl;
     double m, top;
 };
 
-/* samples of a part of a cell: from (col, row), one column wide and `high` rows high */
+/* Sums samples of a part of a cell: from (col, row), one column wide and `high` rows high. */
 static struct sum gather(const struct window *w, double col, double row, double high) {
     const struct cr_plane *pl = w->pl;
     struct sum s = {.n = SUB * SUB};
@@ -285,7 +272,8 @@ enum cr_err cr_render_projection(struct cr_cells *cells, struct cr_rect at,
     }
     double m = scale(p, at.w - 2 * MARGIN, at.h - ROWS_MORE);
     int rows = at.h - ROWS_MORE;
-    /* what is lower than the lines can show stands at the bottom, the road */
+    /* A view with a road stands on it, at the bottom; seen from above a vehicle is in the
+     * middle. */
     double top = is_side(p->view) || p->view == CR_PROJECT_FRONT
                      ? rows * 2 * m
                      : 0.5 * (pl.nv * pl.edge + rows * 2 * m);

@@ -1,4 +1,4 @@
-/* Plots of a result's traces: pulses, any other quantity, energies. */
+/* Makes plots of a result's traces: pulses, any other quantity, energies. */
 #include "render/picture.h"
 
 #include "base/arena.h"
@@ -38,10 +38,6 @@ enum cr_role cr_render_role_of(int body) {
     return roles[body % 3];
 }
 
-bool cr_render_moves(const struct cr_result *result, int body) {
-    return cr_result_moves(result, body);
-}
-
 int cr_render_samples(const struct cr_solution *sol) {
     double t_end = cr_render_t_main(sol);
     t_end += 0.1 * (t_end - sol->t_contact);
@@ -67,7 +63,8 @@ static void set_name(char name[2], const struct cr_result *result, int body) {
     name[1] = '\0';
 }
 
-/* value between two samples of a pulse, whose samples are means over dt; 0 beyond its ends */
+/* The value at time t between two samples of a pulse, which are means over dt; 0 beyond its
+ * ends. */
 static double pulse_at(const struct cr_pulse *p, enum cr_quantity quantity, double t) {
     double u = (t - p->t0) / p->dt - 0.5;
     int i = (int)floor(u);
@@ -79,7 +76,8 @@ static double pulse_at(const struct cr_pulse *p, enum cr_quantity quantity, doub
     return quantity == CR_QUANTITY_AX ? ax : quantity == CR_QUANTITY_AY ? ay : hypot(ax, ay);
 }
 
-/* The slices of the solver are not of one length: the filter needs the resampled pulse. */
+/* Computes filtered accelerations at the first n samples. The slices of the solver are not of one
+ * length, so the filter works on the resampled pulse. */
 static enum cr_err filtered_series(const struct cr_result *result, int body,
                                    enum cr_quantity quantity, int n, double *y) {
     const struct cr_solution *sol = result->solution;
@@ -123,7 +121,7 @@ void cr_plot_made_fini(struct cr_plot_made *made) {
     cr_arena_free(&made->arena);
 }
 
-/* times of the first n samples, ms after the first contact */
+/* The times of the first n samples, ms after the first contact. */
 static double *times(const struct cr_solution *sol, int n, struct cr_arena *arena) {
     double *t = cr_arena_take(arena, (size_t)n + 1, sizeof *t);
     for (int i = 0; t != NULL && i < n; i++) {
@@ -139,7 +137,7 @@ enum cr_err cr_plot_pulse(const struct cr_result *result, enum cr_quantity quant
     *out = (struct cr_plot_made){0};
     double *t = times(sol, n, &out->arena);
     for (int b = 0; t != NULL && b < sol->bodies; b++) {
-        if (!cr_render_moves(result, b)) {
+        if (!cr_result_moves(result, b)) {
             continue;
         }
         double *y = cr_arena_take(&out->arena, (size_t)n + 1, sizeof *y);
@@ -242,7 +240,7 @@ enum cr_err cr_render_energy(struct cr_cells *cells, struct cr_rect at, const st
     struct cr_plot_made made;
     enum cr_err code = cr_plot_energy(result, cursor, &made, err);
     if (code == CR_ERR_OK) {
-        /* the legend names all: with long words, short ones or letters alone */
+        /* The legend has room for all curves with long words, with short ones or with letters. */
         int n = made.plot.curves, w = at.w;
         const char *name = w >= 9 + 19 * n ? "deformation" : w >= 13 + 15 * n ? "deform." : NULL;
         for (int i = 1; i < n; i++) {

@@ -1,7 +1,8 @@
-/* Pictures in text: a grid of cells that a plain terminal, a file or curses can show.
+/* Draws pictures and tables in text: a grid of cells that a plain terminal, a file or curses can
+ * show.
  *
- * Drawing goes into memory only; cr_cells_text turns it into text with or without colour. Glyphs
- * degrade: UTF-8 blocks and braille, or pure ASCII; colour is never the only carrier. */
+ * Drawing goes into memory only; cr_cells_text turns the cells into text with or without colour.
+ * Glyphs are UTF-8 blocks and braille, or pure ASCII; nothing is told by colour alone. */
 #ifndef CR_RENDER_RENDER_H
 #define CR_RENDER_RENDER_H
 
@@ -39,7 +40,7 @@ enum cr_role {
 struct cr_cell {
     uint32_t ch;    /* Unicode code point, 0: the right half of a wide character */
     uint8_t role;   /* enum cr_role */
-    uint8_t fg, bg; /* field colours: step of the colour map + 1, 0: none */
+    uint8_t fg, bg; /* field colours: step 1..8 of the colour map, 9: beyond its scale, 0: none */
     uint8_t flags;  /* CR_CELL_* */
 };
 enum { CR_CELL_BOLD = 1, CR_CELL_REVERSE = 2, CR_CELL_DIM = 4 };
@@ -49,17 +50,19 @@ struct cr_cells {
     struct cr_cell *cell; /* [h * w], owned */
 };
 
+/* Makes a blank grid; cr_cells_fini gives back. Errors: RANGE for sides outside of 1..4096,
+ * MEMORY. */
 CR_MUST_CHECK enum cr_err cr_cells_new(int w, int h, struct cr_cells *out, struct cr_error *err);
 void cr_cells_fini(struct cr_cells *cells);
 void cr_cells_clear(struct cr_cells *cells);
-/* Text at column x, row y, cut with ~ at width w (0: the edge); returns the columns used. */
+/* Writes a text at column x, row y, cut with ~ at width w (0: the edge); returns the columns
+ * used. */
 int cr_cells_print(struct cr_cells *cells, int x, int y, int w, enum cr_role role,
                    const char *utf8);
 
 enum cr_color { CR_COLOR_NONE, CR_COLOR_16, CR_COLOR_256 };
 
-/* Colour maps of fields; all rise in lightness. */
-/* X(NAME, word) */
+/* Colour maps of fields; all rise in lightness. X(NAME, word) */
 #define CR_COLORMAP_LIST(X) X(VIRIDIS, "viridis") X(MAGMA, "magma") X(GRAY, "gray")
 enum cr_colormap {
 #define X(name, word) CR_COLORMAP_##name,
@@ -68,7 +71,7 @@ enum cr_colormap {
         CR_COLORMAPS
 };
 const char *cr_colormap_word(enum cr_colormap map);
-/* the words of such a list as "viridis|magma|gray" */
+/* The words of such a list as "viridis|magma|gray". */
 #define CR_WORD_OF(name, word) "|" word
 #define CR_COLORMAP_WORDS      (("" CR_COLORMAP_LIST(CR_WORD_OF)) + 1)
 
@@ -79,7 +82,7 @@ struct cr_look {
     enum cr_colormap map;
     const struct cr_theme *theme; /* NULL: auto (render/theme.h) */
 };
-/* Cells as lines of text, trailing blanks cut. */
+/* Adds the cells as lines of text, trailing blanks cut. */
 void cr_cells_text(const struct cr_cells *cells, const struct cr_look *look, struct cr_str *out);
 
 /* What a picture shows of the voxels. X(NAME, word) */
@@ -94,6 +97,10 @@ enum cr_field {
 const char *cr_field_word(enum cr_field field);
 #define CR_FIELD_WORDS (("" CR_FIELD_LIST(CR_WORD_OF)) + 1)
 
+/* Upper end of the EES scale, km/h. It is fixed, so that pictures can be compared; harder material
+ * is drawn as a last step beyond it. */
+#define CR_EES_TOP 100
+
 struct cr_rect {
     int x, y, w, h;
 };
@@ -105,7 +112,7 @@ struct cr_target {
     const struct cr_look *look;
 };
 
-/* Blanks into a rectangle that lies within the cells. */
+/* Fills a rectangle that lies within the cells with blanks. */
 void cr_cells_wipe(struct cr_cells *cells, struct cr_rect at);
 
 struct cr_scene_view {
@@ -116,11 +123,12 @@ struct cr_scene_view {
     bool vectors;          /* velocity and force arrows */
     bool ghost;            /* outlines of the bodies at the first contact */
     int selected;          /* participant to mark, -1: none */
-    enum cr_units units;   /* of the words, where there is no result that says it */
+    enum cr_units units;   /* units of labels, where no result says them */
 };
 
-/* The scene, before (result NULL), at a time, or after; with outline, heading, overlap and crushed
- * voxels, arrows, scale bar and legend. compiled gives the voxels when there is no result yet. */
+/* Draws the scene, before (result NULL), at a time, or after; with outline, heading, overlap and
+ * crushed voxels, arrows, scale bar and legend. compiled gives the voxels when there is no result
+ * yet. Errors: MEMORY. */
 CR_MUST_CHECK enum cr_err cr_render_scene(const struct cr_target *target,
                                           const struct cr_compiled *compiled,
                                           const struct cr_scene *scene,
@@ -130,37 +138,36 @@ CR_MUST_CHECK enum cr_err cr_render_scene(const struct cr_target *target,
 /* The one character that stands for a participant in pictures, plots and lines: the first of its
  * name that no earlier one has, else a letter or digit that is free. */
 char cr_render_mark(const struct cr_scene *scene, int body);
-/* Role (colour) of a participant, and whether it can move at all. */
+/* The role (colour) of a participant. */
 enum cr_role cr_render_role_of(int body);
-bool cr_render_moves(const struct cr_result *result, int body);
 
-/* A solve under way as a result to draw: case and trace are borrowed, measures are missing (the
- * pictures then show what there is so far). NULL when memory is out; free() it. */
+/* Makes a result to draw of a solve under way: scene, case and trace are borrowed, measures are
+ * missing, so that pictures show only what there is so far. NULL without memory; free() it. */
 struct cr_result *cr_render_live(const struct cr_scene *scene, const struct cr_case *cs,
                                  const struct cr_solution *live);
 
 struct cr_curve_line {
     const double *x, *y;
     int n;
-    char mark;        /* letter at its end, 'A' */
-    const char *name; /* legend */
+    char mark;        /* letter beside it, 'A' */
+    const char *name; /* name in the legend */
     enum cr_role role;
     bool dashed;
-    bool points; /* not joined by lines; x need not rise */
+    bool points; /* its points are not joined by lines, and x need not rise */
 };
 struct cr_plot {
     const char *title, *x_unit, *y_unit;
-    const char *x_name; /* stands above in place of the unit below; NULL: none */
-    bool close;         /* the axis is as long as the curves, zero is not drawn in */
+    const char *x_name; /* name above, in place of the unit below; NULL: none */
+    bool close;         /* the y axis is as long as the curves and need not include zero */
     int curves;
     const struct cr_curve_line *curve;
     double cursor;       /* x of a vertical cursor, NaN: none */
-    enum cr_units units; /* in which it is drawn: curves and units above are metric */
+    enum cr_units units; /* units it is drawn in; curves and units above are metric */
 };
-/* The plot itself, or where its units ask for it a copy in them that lives in the arena; NULL: no
+/* The plot itself, or where its units differ a copy in them that lives in the arena; NULL without
  * memory. */
 const struct cr_plot *cr_plot_shown(const struct cr_plot *plot, struct cr_arena *arena);
-/* Curves over a common axis with round 1-2-5 ticks (braille, or * and o). */
+/* Draws curves over a common axis with round 1-2-5 ticks (braille, or * and o). Errors: MEMORY. */
 CR_MUST_CHECK enum cr_err cr_render_plot(struct cr_cells *cells, struct cr_rect at,
                                          const struct cr_look *look, const struct cr_plot *plot,
                                          struct cr_error *err);
@@ -170,43 +177,47 @@ struct cr_heat_map {
     const char *title;           /* with the unit of the values */
     const char *x_name, *y_name; /* with their units */
     int nx, ny;
-    const double *x, *y;                       /* [nx], [ny] rising; words: their index */
+    const double *x, *y;                       /* [nx], [ny] rising; of words their index */
     const double *value;                       /* [ny * nx], x fastest; NaN: none */
     int decimals;                              /* of the values as shown */
     const char *const *x_word, *const *y_word; /* NULL: the input is a number */
     int chosen;                                /* value that is marked, counted from 1; 0: none */
 };
-/* Least and greatest value; false: there is none. */
+/* Finds the least and the greatest value; false: there is none. */
 bool cr_heat_range(const struct cr_heat_map *map, double *lo, double *hi);
-/* Pieces of the line on which the value is `level`, linear between the values; in places of the
- * grid, 0..nx-1 and 0..ny-1. Nothing where an input is a word. */
+/* Tells piece() the pieces of the line on which the value is `level`, linear between the values, in
+ * places of the grid, 0..nx-1 and 0..ny-1. There are none where an input is a word. */
 void cr_heat_contour(const struct cr_heat_map *map, double level,
                      void (*piece)(void *user, const double from[2], const double to[2]),
                      void *user);
-/* The same as a picture: shades or colours between the values, lines with their values. */
+/* Draws a map: shades or colours between the values, lines with their values. Errors: MEMORY. */
 CR_MUST_CHECK enum cr_err cr_render_map(struct cr_cells *cells, struct cr_rect at,
                                         const struct cr_look *look, const struct cr_heat_map *map,
                                         struct cr_error *err);
 
-/* Round tick step 1, 2 or 5 times a power of ten with at most `most` steps in span (> 0). */
+/* A round tick step, 1, 2 or 5 times a power of ten, with at most `most` steps in span (> 0). */
 double cr_tick_step(double span, int most);
-/* A number with the digits that ticks of this step need. */
+/* Writes a number with the digits that ticks of this step need. */
 void cr_tick_text(double value, double step, char *buf, int size);
-/* Least and greatest x and y that the axes of a plot show: zero is among the y unless the curves
- * are a small change of a large number. */
+/* The least and greatest x and y that the axes of a plot show: zero is among the y unless the
+ * curves are a small change of a large number. */
 struct cr_plot_range {
     double x_lo, x_hi, y_lo, y_hi;
 };
 struct cr_plot_range cr_plot_range(const struct cr_plot *plot);
 
-/* A plot of a result with the memory of its curves; what cr_render_pulse and cr_render_energy
- * draw, for other back ends. cr_plot_made_fini after success. Errors: MEMORY. */
+/* A plot of a result with the memory of its curves. It must not be copied: the plot points into
+ * it. */
 struct cr_plot_made {
-    struct cr_plot plot; /* points into this struct and its arena */
+    struct cr_plot plot;
     struct cr_curve_line curve[CR_BODY_MAX + 1];
     char name[CR_BODY_MAX][2];
     struct cr_arena arena;
 };
+/* Make the plots of a quantity of all participants that move (CR_QUANTITIES: |a| = sqrt(ax2 + ay2),
+ * g), and of the kinetic energy of all and the deformation energy of each, kJ; over ms after first
+ * contact. cursor: a time of the scene, s, NaN: none. cr_plot_made_fini gives back after success.
+ * Errors: MEMORY. */
 CR_MUST_CHECK enum cr_err cr_plot_pulse(const struct cr_result *result, enum cr_quantity quantity,
                                         double cursor, struct cr_plot_made *out,
                                         struct cr_error *err);
@@ -214,34 +225,31 @@ CR_MUST_CHECK enum cr_err cr_plot_energy(const struct cr_result *result, double 
                                          struct cr_plot_made *out, struct cr_error *err);
 void cr_plot_made_fini(struct cr_plot_made *made);
 
-/* Pulse plot of participants' quantity from a result. magnitude: sqrt(ax2+ay2) in g when quantity
- * is CR_QUANTITIES. */
+/* Draw these plots. Errors: MEMORY. */
 CR_MUST_CHECK enum cr_err cr_render_pulse(const struct cr_target *target,
                                           const struct cr_result *result, enum cr_quantity quantity,
                                           double cursor, struct cr_error *err);
-
-/* Kinetic energy of all and deformation energy of each, kJ over ms. */
 CR_MUST_CHECK enum cr_err cr_render_energy(struct cr_cells *cells, struct cr_rect at,
                                            const struct cr_look *look,
                                            const struct cr_result *result, double cursor,
                                            struct cr_error *err);
 
-/* The results table (quantities with units, a column per participant), as text lines;
- * time NaN: final values, else those of that instant. */
+/* Draws the results table (quantities with units, a column per participant). time NaN: final
+ * values, else those of that instant, s. */
 CR_MUST_CHECK enum cr_err cr_render_table(struct cr_cells *cells, struct cr_rect at,
                                           const struct cr_look *look,
                                           const struct cr_result *result, double time,
                                           struct cr_error *err);
-/* Rows the table needs for this result, for sizing. */
+/* The rows that the table needs for this result. */
 int cr_render_table_rows(const struct cr_result *result);
 
-/* A table of all impacts with what each did to either participant; times after the first contact.
- * Columns that have no room are left out from the right. */
+/* Draws a table of all impacts with what each did to either participant; times after the first
+ * contact. Columns that have no room are left out from the right. */
 void cr_render_impacts(struct cr_cells *cells, struct cr_rect at, const struct cr_result *result);
 int cr_render_impacts_rows(const struct cr_result *result);
 
-/* Lines about how far the numbers hang on chance, of a result that was checked (result/robust.h).
- */
+/* Adds lines that say how far the numbers depend on chance, of a result that was checked
+ * (result/robust.h). */
 void cr_render_robust(const struct cr_result *result, struct cr_str *out);
 
 /* Measured values of participants, to stand beside a result; NaN: not measured. */
@@ -250,8 +258,8 @@ struct cr_reference {
     char id[CR_BODY_MAX][CR_NAME_MAX];
     struct cr_severity of[CR_BODY_MAX];
 };
-/* The same table and its rows with the measured values, and a row with the errors below each;
- * where there is no room for them, or reference is NULL, without. */
+/* Draws the results table with measured values beside it, and below each row the errors, if
+ * reference is not NULL and there is room; below it the impacts if there were several. */
 CR_MUST_CHECK enum cr_err cr_render_table_beside(const struct cr_target *target,
                                                  const struct cr_result *result,
                                                  const struct cr_reference *reference, double time,
@@ -259,8 +267,8 @@ CR_MUST_CHECK enum cr_err cr_render_table_beside(const struct cr_target *target,
 int cr_render_table_rows_beside(const struct cr_result *result,
                                 const struct cr_reference *reference);
 
-/* The whole report of `crumple run --format text`: before, after, pulses, table, balance,
- * assumptions, warnings; width in columns. */
+/* Adds the whole report of `crumple run --format text`: before, after, pulses, table, balance,
+ * assumptions, warnings; width in columns, 60..300. Errors: MEMORY. */
 CR_MUST_CHECK enum cr_err cr_render_report(const struct cr_result *result,
                                            const struct cr_look *look, int width,
                                            struct cr_str *out, struct cr_error *err);

@@ -1,4 +1,4 @@
-/* The report of a run: pictures, pulses, table, phases, balance, assumptions, warnings. */
+/* Writes the report of a run: pictures, pulses, table, phases, balance, assumptions, warnings. */
 #include "render/picture.h"
 #include "render/report.h"
 #include "render/table.h"
@@ -13,7 +13,7 @@ enum { WIDTH_LEAST = 60, WIDTH_MOST = 300, BESIDE = 158 };
 
 /* ---- sections ---- */
 
-/* the answer first: EES and delta-v of each */
+/* Gives the answer first: EES and delta-v of each participant. */
 static enum cr_err summary(const struct cr_page *page, struct cr_error *err) {
     const struct cr_result *r = page->result;
     struct cr_str text = {0};
@@ -25,7 +25,7 @@ static enum cr_err summary(const struct cr_page *page, struct cr_error *err) {
         if (cr_result_grid(r, body[i])->nx > 0) {
             cr_str_addf(&text, "  EES %.1f km/h", cr_kmh(of->ees));
         }
-        if (cr_render_moves(r, body[i])) {
+        if (cr_result_moves(r, body[i])) {
             cr_str_addf(&text, "  delta-v %.1f km/h", cr_kmh(of->delta_v));
         }
     }
@@ -57,7 +57,7 @@ struct shot {
     struct cr_scene_view view;
 };
 
-/* pictures beside each other, with a heading each */
+/* Draws n pictures beside each other, each with a heading. */
 static enum cr_err strip(const struct cr_page *page, const struct shot *shot, int n, int rows,
                          struct cr_error *err) {
     const struct cr_result *r = page->result;
@@ -78,7 +78,7 @@ static enum cr_err strip(const struct cr_page *page, const struct shot *shot, in
     return cr_page_emit(page, &c, err);
 }
 
-/* where the bodies come to rest, with the ways they took */
+/* Shows where the bodies come to rest, with the ways they took. */
 static enum cr_err rest_picture(const struct cr_page *page, struct cr_error *err) {
     const struct cr_solution *sol = page->result->solution;
     double end = sol->t[sol->samples - 1];
@@ -94,7 +94,7 @@ static enum cr_err rest_picture(const struct cr_page *page, struct cr_error *err
     snprintf(note, sizeof note, "%.2f s after the first touch", end - cr_render_t_contact(sol));
     struct shot shot = {"At rest", note, view};
     for (int i = 0; i < sol->bodies; i++) {
-        if (cr_render_moves(page->result, i) && !isfinite(sol->body[i].t_rest)) {
+        if (cr_result_moves(page->result, i) && !isfinite(sol->body[i].t_rest)) {
             shot.name = "At the end, not all at rest";
         }
     }
@@ -104,7 +104,7 @@ static enum cr_err rest_picture(const struct cr_page *page, struct cr_error *err
 static enum cr_err pictures(const struct cr_page *page, struct cr_error *err) {
     const struct cr_solution *sol = page->result->solution;
     double t0 = cr_render_t_contact(sol), t1 = cr_render_t_main(sol);
-    /* a hand's breadth apart, so that one sees where one body ends and the other begins */
+    /* "Before" shows the bodies 0.3 m apart, so that one sees where each of them ends. */
     double closing = sol->contacts > 0 ? sol->contact[0].closing : 0;
     double lead = closing > 1 ? fmin(0.3 / closing, t0) : 0;
     struct cr_scene_view view = {.field = CR_FIELD_EES,
@@ -168,7 +168,7 @@ static enum cr_err tables(const struct cr_page *page, struct cr_error *err) {
     return code;
 }
 
-/* one blow is told by the table above */
+/* Adds the table of impacts if there were several; of one impact the results tell all. */
 static enum cr_err impacts(const struct cr_page *page, struct cr_error *err) {
     struct cr_cells c;
     if (page->result->impacts < 2) {
@@ -190,7 +190,6 @@ static bool has_profile(const struct cr_result *r, int b) {
 
 static enum cr_err profile_line(const struct cr_page *page, int b, double most,
                                 struct cr_error *err) {
-    static const char *const faces[CR_FACES] = {"front", "left", "rear", "right"};
     const struct cr_severity *of = &page->result->of[b];
     struct cr_cells c;
     enum cr_err code = cr_cells_new(page->width, 1, &c, err);
@@ -198,7 +197,8 @@ static enum cr_err profile_line(const struct cr_page *page, int b, double most,
         return code;
     }
     char text[CR_NAME_MAX + 16];
-    snprintf(text, sizeof text, "%s %s", page->result->resolved.part[b].id, faces[of->face]);
+    snprintf(text, sizeof text, "%s %s", page->result->resolved.part[b].id,
+             cr_render_face(of->face));
     cr_cells_print(&c, 1, 0, 16, cr_render_role_of(b), text);
     for (int i = 0; i < CR_PROFILE; i++) {
         int level = (int)ceil(of->profile[i] / most * 8 - 1e-9);
@@ -214,7 +214,7 @@ static enum cr_err profile_line(const struct cr_page *page, int b, double most,
     return cr_page_emit(page, &c, err);
 }
 
-/* C1..C6 as numbers and as a small bar each, all bars to one scale */
+/* Tells C1..C6 as numbers and as a small bar each, all bars to one scale. */
 static enum cr_err profiles(const struct cr_page *page, struct cr_error *err) {
     const struct cr_result *r = page->result;
     double most = 0;
@@ -323,6 +323,7 @@ static enum cr_err robust(const struct cr_page *page, struct cr_error *err) {
         return CR_ERR_OK;
     }
     cr_render_robust(page->result, &text);
+    page->out->failed = page->out->failed || text.failed;
     enum cr_err code = cr_page_heading(page, "Robustness", "what hangs on chance", err);
     code = code == CR_ERR_OK ? lines_of(page, cr_str_get(&text), err) : code;
     cr_str_fini(&text);
@@ -340,7 +341,8 @@ static enum cr_err write_all(const struct cr_page *page, const section *of, size
     return code;
 }
 
-/* columns of a line of text up to its end, escape sequences not counted; *next: the line after */
+/* The columns of a line of text without its escape sequences; *len gets its bytes, *next the line
+ * after it. */
 static int line_width(const char *line, size_t *len, const char **next) {
     int width = 0;
     const char *s = line;
@@ -357,6 +359,7 @@ static int line_width(const char *line, size_t *len, const char **next) {
     return width;
 }
 
+/* Adds two texts beside each other, the right one from the column on. */
 static void join(struct cr_str *out, const char *left, const char *right, int column) {
     while (*left != '\0' || *right != '\0') {
         size_t len;
@@ -376,7 +379,7 @@ static void join(struct cr_str *out, const char *left, const char *right, int co
 static const section right_column[] = {impacts, profiles, cr_page_phases, balance, robust, notes};
 enum { RIGHTS = sizeof right_column / sizeof right_column[0] };
 
-/* the table, and beside it on a wide page (below it else) what remains to be said */
+/* Adds the table and, beside it on a wide page, else below it, the other sections. */
 static enum cr_err tables_and_rest(const struct cr_page *page, struct cr_error *err) {
     if (page->width < BESIDE) {
         enum cr_err code = tables(page, err);

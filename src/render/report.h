@@ -1,4 +1,4 @@
-/* The report, inside: a page that grows line by line. */
+/* What the files that write the report in text share: a page that grows line by line. */
 #ifndef CR_RENDER_REPORT_H
 #define CR_RENDER_REPORT_H
 
@@ -11,18 +11,20 @@ struct cr_page {
     struct cr_str *out;
 };
 
-/* Add cells to the page and free them. */
+/* Adds cells to the page and frees them. Errors: MEMORY. */
 CR_MUST_CHECK enum cr_err cr_page_emit(const struct cr_page *page, struct cr_cells *cells,
                                        struct cr_error *err);
-/* A blank line and "-- Title ------ note --". */
+/* Adds a blank line and "-- Title ------ note --". Errors: MEMORY. */
 CR_MUST_CHECK enum cr_err cr_page_heading(const struct cr_page *page, const char *title,
                                           const char *note, struct cr_error *err);
-/* The same into cells. */
+/* Draws such a heading into the first row of the target. */
 void cr_page_draw_heading(const struct cr_target *target, const char *title, const char *note);
-/* Text broken at blanks to the width, lines after the first indented. */
+/* Adds a text, broken at blanks to the width; lines after the first are indented. Errors:
+ * MEMORY. */
 CR_MUST_CHECK enum cr_err cr_page_paragraph(const struct cr_page *page, int indent,
                                             enum cr_role role, const char *text,
                                             struct cr_error *err);
+/* Adds the phases of the crash, a line per contact. Errors: MEMORY. */
 CR_MUST_CHECK enum cr_err cr_page_phases(const struct cr_page *page, struct cr_error *err);
 
 #endif

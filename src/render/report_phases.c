@@ -1,4 +1,4 @@
-/* The phases of a crash in the report: a line per contact. */
+/* Writes the phases of a crash in the report, a line per contact. */
 #include "render/picture.h"
 #include "render/report.h"
 #include "render/table.h"
@@ -11,7 +11,7 @@
 enum { CONTACT_LINES = 12 };
 static const struct {
     const char *head, *unit;
-    int end; /* column it ends before; the first is left-aligned */
+    int end; /* the column ends before this one; the first is left-aligned */
 } phase_rows[] = {
     {"contact", "", 12},     {"plastic", "ms", 26}, {"elastic", "ms", 37},   {"stop", "", 48},
     {"closing", "km/h", 56}, {"e", "", 61},         {"impulse", "kN s", 69}, {"friction", "kJ", 78},
@@ -41,7 +41,7 @@ static enum cr_err phase_line(const struct cr_page *page, enum cr_role role,
     return cr_page_emit(page, &c, err);
 }
 
-/* "12.5 + 5.0": two times in ms, of which what has not come about is a dash */
+/* Writes two times in ms, "12.5 + 5.0"; a dash stands for a time that has not come. */
 static void pair_of(double a, const char *between, double b, char *out, size_t size) {
     char one[24], two[24];
     cr_render_number(a * 1e3, 1, one, sizeof one);
@@ -49,7 +49,7 @@ static void pair_of(double a, const char *between, double b, char *out, size_t s
     snprintf(out, size, "%s%s%s", one, between, two);
 }
 
-/* a number of a column, in the unit that it shows */
+/* Writes a number of a column in the unit that the column shows. */
 static void put(const struct cr_page *page, int column, double x, int decimals, char out[64]) {
     cr_units_shown(page->result->units, phase_rows[column].unit, &x, &decimals);
     cr_render_number(x, decimals, out, 64);
@@ -65,7 +65,7 @@ static enum cr_err contact_line(const struct cr_page *page, const struct cr_cont
     pair_of(k->t_begin - t0, "-", k->t_plastic_end - t0, text[1], sizeof text[1]);
     pair_of(k->t_elastic_end - k->t_plastic_end, " + ", k->t_end - k->t_elastic_end, text[2],
             sizeof text[2]);
-    bool cut = k->stop == CR_STOP_INTERRUPTED; /* a longer word than the column is wide */
+    bool cut = k->stop == CR_STOP_INTERRUPTED; /* its word is longer than the column is wide */
     snprintf(text[3], sizeof text[3], "%s", cut ? "^C" : cr_stop_word(k->stop));
     put(page, 4, cr_kmh(k->closing), 1, text[4]);
     put(page, 5, k->restitution, 2, text[5]);
@@ -77,7 +77,7 @@ static enum cr_err contact_line(const struct cr_page *page, const struct cr_cont
     return phase_line(page, CR_ROLE_TEXT, at, err);
 }
 
-/* what the words of the stop criteria mean that were used */
+/* Explains the words of the stop criteria that were used. */
 static enum cr_err stop_notes(const struct cr_page *page, struct cr_error *err) {
     const struct cr_solution *sol = page->result->solution;
     enum cr_err code = CR_ERR_OK;
@@ -95,7 +95,7 @@ static enum cr_err stop_notes(const struct cr_page *page, struct cr_error *err) 
     return code;
 }
 
-/* where friction, restitution and elastic times were not given but follow from the contact */
+/* Tells how friction, restitution and elastic times follow from the contact if they are "auto". */
 static enum cr_err auto_notes(const struct cr_page *page, struct cr_error *err) {
     const struct cr_settings *set = &page->result->resolved.set;
     const struct {

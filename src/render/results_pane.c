@@ -1,4 +1,4 @@
-/* The narrow pane beside the scene, and the pulses as lines of text. */
+/* Draws the narrow pane of results beside the scene, and the pulses as lines of text. */
 #include "render/panes.h"
 #include "render/picture.h"
 #include "render/table.h"
@@ -76,14 +76,14 @@ static int column_end(const struct spot *p, int k) {
 
 enum { FOOT = 4 };
 
-/* the values to show are the final ones, not those of an instant */
+/* Whether the final values are shown, not those of an instant. */
 static bool at_end(const struct cr_result *result, double time) {
     return cr_render_final(result->solution) &&
            (isnan(time) || time >= cr_render_t_after(result->solution));
 }
 
 static void write_rows(struct spot *p, const struct cr_result *result, double time) {
-    /* the last rows are the least important: they give way to the foot */
+    /* The last rows are the least important: they give way to the foot. */
     int end = p->at.y + p->at.h - (p->at.h >= 14 ? FOOT : 0);
     bool final = at_end(result, time);
     for (size_t i = 0; i < sizeof value_rows / sizeof value_rows[0] && p->y < end; i++) {
@@ -109,7 +109,7 @@ static void write_rows(struct spot *p, const struct cr_result *result, double ti
     }
 }
 
-/* plastic energy of all bodies until a time, J */
+/* The plastic energy of all bodies until a time, J. */
 static double plastic_until(const struct cr_result *result, double time) {
     double sum = 0;
     if (at_end(result, time)) {
@@ -151,7 +151,8 @@ static void write_foot(struct spot *p, const struct cr_result *result, double ti
     }
 }
 
-/* of n bodies the first that is shown where there is room for `most` */
+/* The first of n bodies that is shown where there is room for `most`, so that the selected one is
+ * among them. */
 static int first_shown(const int *body, int n, int most, int selected) {
     for (int k = most; k < n; k++) {
         if (body[k] == selected) {
@@ -246,7 +247,7 @@ enum cr_err cr_render_sparks(struct cr_cells *cells, struct cr_rect at, const st
     int all[CR_BODY_MAX];
     double cursor = view->time;
     for (int b = 0; b < sol->bodies; b++) {
-        if (cr_render_moves(result, b)) {
+        if (cr_result_moves(result, b)) {
             all[moving++] = b;
         }
     }

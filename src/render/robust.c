@@ -1,4 +1,4 @@
-/* How far the numbers of a result hang on chance, in lines of text. */
+/* Tells in lines of text how far the numbers of a result depend on chance. */
 #include "render/render.h"
 #include "result/robust.h"
 
@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* a table of the numbers that are judged, and the direction of force */
+/* The table shows the measures that are judged, and the direction of force. */
 static bool is_shown(const struct cr_measure *m) {
     return cr_robust_is_judged(m) || strcmp(m->name, "pdof") == 0;
 }

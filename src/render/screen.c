@@ -31,7 +31,7 @@ static void say(const struct stage *st, struct cr_rect in, const char *text) {
 static enum cr_err draw_scene(const struct stage *st, struct cr_rect in) {
     const struct cr_screen *s = st->screen;
     struct cr_scene_view view = s->scene_view;
-    if (s->result == NULL) { /* what was solved, if anything, is no longer this scene */
+    if (s->result == NULL) { /* if something was solved, it was another scene */
         view.time = (double)NAN;
     }
     return cr_render_scene(&(struct cr_target){st->cells, in, st->look}, s->compiled, s->scene,
@@ -74,7 +74,7 @@ static enum cr_err draw_table(const struct stage *st, struct cr_rect in) {
     int down = s->table_down > rows - in.h ? rows - in.h : s->table_down;
     down = down < 0 ? 0 : down;
     for (int y = 0; y < in.h && code == CR_ERR_OK; y++) {
-        /* the head stays when the rows below it are scrolled */
+        /* The head stays when the rows below it are scrolled. */
         int from = y == 0 ? 0 : y + down;
         memcpy(&st->cells->cell[(in.y + y) * st->cells->w + in.x + 1], &whole.cell[from * whole.w],
                (size_t)whole.w * sizeof *whole.cell);
@@ -100,7 +100,7 @@ static enum cr_err draw_log(const struct stage *st, struct cr_rect in) {
     return CR_ERR_OK;
 }
 
-static enum cr_err (*const PANES[CR_AREAS])(const struct stage *, struct cr_rect) = {
+static enum cr_err (*const panes[CR_AREAS])(const struct stage *, struct cr_rect) = {
     [CR_AREA_SCENE] = draw_scene, [CR_AREA_PULSE] = draw_pulse, [CR_AREA_ENERGY] = draw_energy,
     [CR_AREA_TABLE] = draw_table, [CR_AREA_SWEEP] = draw_sweep, [CR_AREA_LOG] = draw_log,
 };
@@ -120,7 +120,7 @@ static enum cr_err draw_panes(const struct stage *st, const struct cr_layout *l)
                                  tabs ? NULL : cr_area_title(i), st->screen->view,
                                  st->screen->active == (enum cr_area)i, false);
         }
-        code = PANES[i](st, in);
+        code = panes[i](st, in);
     }
     return code;
 }

@@ -1,4 +1,4 @@
-/* Where the bodies are at a time, from the case and the trace of a solution. */
+/* Finds where the bodies are at a time, from the case and the trace of a solution. */
 #include "render/picture.h"
 
 #include "base/vec.h"
@@ -69,7 +69,7 @@ static struct cr_sample start_of(const struct cr_body *body) {
 }
 
 static struct cr_sample mix(const struct cr_sample *a, const struct cr_sample *b, double u) {
-    struct cr_sample s = *b; /* what acted in the slice belongs to its end */
+    struct cr_sample s = *b; /* forces are those of the slice, which the trace has at its end */
     s.pos = cr_vec2_axpy(a->pos, u, cr_vec2_sub(b->pos, a->pos));
     s.vel = cr_vec2_axpy(a->vel, u, cr_vec2_sub(b->vel, a->vel));
     s.heading = a->heading + u * (b->heading - a->heading);
@@ -97,7 +97,7 @@ static struct cr_sample on_path(const struct cr_body *body, double time) {
     return s;
 }
 
-/* pose at the moment of the very first contact, one slice before the first sample */
+/* The state at the first contact of all, which is one slice before the first sample. */
 static struct cr_sample at_contact(const struct cr_solution *sol, int body) {
     const struct cr_sample *first = &sol->trace[body];
     struct cr_sample s = sol->body[body].before;
@@ -113,8 +113,7 @@ static struct cr_sample at_contact(const struct cr_solution *sol, int body) {
 static struct cr_sample in_trace(const struct cr_solution *sol, int body, double time) {
     int lo = 0, hi = sol->samples - 1;
     if (time >= sol->t[hi]) {
-        struct cr_sample s = sol->trace[hi * sol->bodies + body];
-        return s;
+        return sol->trace[hi * sol->bodies + body];
     }
     while (lo < hi) {
         int mid = (lo + hi) / 2;

@@ -1,4 +1,4 @@
-/* The results table: one row per quantity, one column per participant. */
+/* Draws the results table: one row per quantity, one column per participant. */
 #include "render/picture.h"
 #include "render/table.h"
 
@@ -23,13 +23,13 @@ struct row {
     int decimals;             /* < 0: text */
     double (*number)(const struct source *s);
     void (*text)(const struct source *s, char *buf, int size);
-    bool grid_only; /* of deformable participants only */
-    bool several;   /* only where somebody had several impacts */
+    bool grid_only; /* shown only for deformable participants */
+    bool several;   /* shown only where there were several impacts */
 };
 
 /* ---- what the rows show ---- */
 
-/* what moves still has no place of rest */
+/* A participant that still moves has no place of rest. */
 static double at_rest_or_none(const struct cr_outcome *o, double x) {
     return isfinite(o->t_rest) ? x : (double)NAN;
 }
@@ -110,7 +110,7 @@ static void put_cdc(const struct source *s, char *buf, int size) {
     snprintf(buf, (size_t)size, "%s", s->of->cdc);
 }
 
-/* three depths of the profile, in whole cm or tenths of an inch */
+/* Writes three depths of the profile, in whole cm or tenths of an inch. */
 static void put_depths(const struct source *s, int from, char *buf, int size) {
     int n = 0;
     for (int i = 0; i < 3 && n < size; i++) {
@@ -228,7 +228,7 @@ static bool at_rest(const struct cr_result *result) {
     return result->resolved.set.end == CR_END_REST;
 }
 
-/* the injury functions in order of first appearance; returns how many */
+/* Lists the injury functions in order of first appearance; returns how many there are. */
 static int injuries(const struct cr_result *result, const struct cr_injury *list[CR_INJURY_MAX]) {
     int n = 0;
     for (int b = 0; b < result->solution->bodies; b++) {
@@ -271,14 +271,14 @@ struct layout {
     int y, label, column;
     const int *body;
     int n;
-    const struct cr_reference *reference; /* measured values beside them, NULL: none */
+    const struct cr_reference *reference; /* measured values beside the results, NULL: none */
 };
 
 static int column_end(const struct layout *l, int k) {
     return l->at.x + l->label + (k + 1) * l->column;
 }
 
-/* a number of a row as it is shown */
+/* Writes a number of a row in the unit and with the decimals that are shown. */
 static void put_number(const struct cr_result *result, const struct row *row, double x, char *buf,
                        int size) {
     int decimals = row->decimals;
@@ -288,7 +288,7 @@ static void put_number(const struct cr_result *result, const struct row *row, do
 
 /* ---- measured values beside the results ---- */
 
-/* what was measured of a participant for a row; NaN: nothing */
+/* The value that was measured of a participant for a row; NaN: none. */
 static double measured(const struct cr_reference *ref, const struct cr_result *result, int body,
                        const struct row *row) {
     for (int i = 0; ref != NULL && row->number != NULL && i < ref->n; i++) {
@@ -303,7 +303,8 @@ static double measured(const struct cr_reference *ref, const struct cr_result *r
     return (double)NAN;
 }
 
-/* Rows of severity and below: the others say what went in. */
+/* Whether a row may have a measured value: rows of severity and below have, the others are
+ * inputs. */
 static bool has_measures(const struct row *row) {
     return row >= result_rows && row < result_rows + FINALS && row->number != NULL &&
            row->number != get_mass && row->number != get_before;
@@ -322,7 +323,7 @@ static int test_end(const struct layout *l, int k) {
     return column_end(l, l->n - 1) + UNIT + (k + 1) * TEST;
 }
 
-/* beside a row what was measured, and below it how far off the result is */
+/* Writes the measured values beside a row, and below it how far off the result is. */
 static void write_measured(struct layout *l, const struct cr_result *result,
                            const struct row *row) {
     bool angle = strcmp(row->unit, "deg") == 0, off = false; /* a share of an angle means nothing */
@@ -429,7 +430,7 @@ static void write_injuries(struct layout *l, const struct cr_result *result) {
     }
 }
 
-/* widths of the columns; what was measured stands beside them if there is room */
+/* Sets the widths of the columns; measured values stand beside the results if there is room. */
 static struct layout set_out(const struct cr_target *target, const struct cr_reference *reference,
                              const int *body, int n) {
     struct cr_rect at = target->at;

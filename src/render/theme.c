@@ -1,4 +1,5 @@
-/* Themes: which colour each role of a cell has, for 16, 256 or all colours. */
+/* Holds the themes, which say what colour each role of a cell has, of 16 and of 256, and the colour
+ * maps of fields. */
 #include "render/theme.h"
 #include "render/render_priv.h"
 
@@ -9,8 +10,8 @@
 #define INK(fg256, fg16, attr)                                                                     \
     { fg256, -1, fg16, -1, attr }
 
-/* Colours of what is beyond the scale, for 256 and 16 of them: magenta, which no map has, no
- * background is, and nobody takes for the grey of "no data". */
+/* The colour of values beyond the scale, of 256 and of 16: magenta, which no map has, no background
+ * is, and nobody takes for the grey of "no data". */
 #define BEYOND 201, 13
 
 /* In every theme but contrast, plain words are the terminal's own, so they can be read whatever

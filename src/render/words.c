@@ -1,5 +1,7 @@
-/* Numbers and words as all tables show them. */
+/* Writes numbers and words as all tables show them, and finds the marks of participants. */
 #include "render/table.h"
+
+#include "result/cdc.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -16,11 +18,10 @@ void cr_render_number(double x, int decimals, char *buf, int size) {
 }
 
 const char *cr_render_face(enum cr_face face) {
-    static const char *const words[CR_FACES] = {"front", "left", "rear", "right"};
-    return face < CR_FACES ? words[face] : "-";
+    return face < CR_FACES ? cr_face_word(face) : "-";
 }
 
-/* a mark for this name that is not among the n given */
+/* A mark for this name that is not among the n taken ones; the wished one if all are taken. */
 static char free_mark(const char *id, int body, const char *taken, int n) {
     static const char others[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZ123456789";
     char wish[CR_NAME_MAX + sizeof others + 1];

@@ -1,4 +1,4 @@
-/* A paper as a list of blocks. */
+/* Builds a paper block by block. */
 #include "report/document.h"
 
 #include "base/grow.h"
@@ -65,7 +65,7 @@ const char *cr_doc_keep(struct cr_document *doc, const char *text) {
     return s;
 }
 
-/* Code with blanks where it has tabs, which no font draws, and without the CR of other systems. */
+/* Keeps code with blanks for its tabs, which no font draws, and without the CR of other systems. */
 static const char *keep_code(struct cr_document *doc, const char *text) {
     struct cr_str plain = {0};
     for (const char *p = text; *p != '\0';) {
@@ -106,14 +106,13 @@ void cr_doc_table(struct cr_document *doc, int columns) {
 }
 
 struct cr_doc_row *cr_doc_row(struct cr_document *doc, const char *const *cell) {
-    static struct cr_doc_row *const none = NULL;
     struct cr_block *b = doc->blocks > 0 ? &doc->block[doc->blocks - 1] : NULL;
     if (b == NULL || b->kind != CR_BLOCK_TABLE || doc->failed) {
-        return none;
+        return NULL;
     }
     if (!cr_grow(&b->row, &b->row_size, b->rows, sizeof *b->row)) {
         doc->failed = true;
-        return none;
+        return NULL;
     }
     struct cr_doc_row *row = &b->row[b->rows++];
     *row = (struct cr_doc_row){.head = false};

@@ -1,4 +1,5 @@
-/* German for every English text of the report and its pictures, sorted by the English. */
+/* The German for every English text of the report and its pictures, sorted by the English, because
+ * cr_words searches by halves. */
 #ifndef CR_REPORT_GERMAN_H
 #define CR_REPORT_GERMAN_H
 
@@ -6,9 +7,11 @@ static const struct {
     const char *english, *german;
 } german_words[] = {
     {"%d draws (%s, seed %lu), %d without a result. The scatter of stiffness within a "
-     "vehicle type, known from the calibration, is an input.",
+     "vehicle type, known from the calibration, is an input, and so is that of "
+     "measured cars about the rules that assumed what was not given.",
      "%d Ziehungen (%s, Startwert %lu), %d ohne Ergebnis. Die Streuung der Steifigkeit "
-     "innerhalb eines Fahrzeugtyps, bekannt aus der Kalibrierung, ist eine der Eingaben."},
+     "innerhalb eines Fahrzeugtyps, bekannt aus der Kalibrierung, ist eine der Eingaben, ebenso "
+     "die gemessener Fahrzeuge um die Regeln, nach denen Fehlendes angenommen wurde."},
     {"%d o'clock", "%d Uhr"},
     {"%s was measured on another face than the one that was struck.",
      "%s wurde an einer anderen Seite gemessen als der getroffenen."},

@@ -1,4 +1,4 @@
-/* A paper as one HTML file with its pictures inside, without scripts, ready for print. */
+/* Writes a paper as one HTML file with its pictures inside, without scripts, ready for print. */
 #include "report/document.h"
 
 #include <stdio.h>
@@ -16,7 +16,7 @@ static const char style[] =
     "font-variant-numeric:tabular-nums}"
     "th,td{text-align:left;vertical-align:top;padding:.7mm 3mm .7mm 1mm;"
     "border-bottom:1px solid #dedede}"
-    "td:last-child{overflow-wrap:anywhere}" /* hashes and paths; else words stay whole */
+    "td:last-child{overflow-wrap:anywhere}" /* it may hold hashes and paths */
     "th{border-bottom:1px solid #808080}thead{display:table-header-group}"
     "tr{break-inside:avoid}"
     "tr.assumed td:first-child{border-left:3px solid #d55e00;padding-left:2mm}"
@@ -27,7 +27,7 @@ static const char style[] =
     "overflow-wrap:anywhere;background:#f6f6f6;padding:2mm}"
     "@media print{body{margin:0;max-width:none;padding:0}}";
 
-/* control characters have no place in a page: blanks stand for them */
+/* Adds a text with blanks for control characters, which have no place in a page. */
 static void escape(struct cr_str *out, const char *s) {
     for (; *s != '\0'; s++) {
         bool control = (unsigned char)*s < 32 && *s != '\n' && *s != '\t';

@@ -1,4 +1,4 @@
-/* A paper laid out on pages: lines are folded, tables broken between rows, figures kept whole. */
+/* Lays a paper out on pages: lines are folded, tables broken between rows, figures kept whole. */
 #include "report/document.h"
 
 #include "base/grow.h"
@@ -14,7 +14,7 @@ enum { INK_WARN = 0xb00000, INK_ASSUMED = 0xd55e00, INK_CODE = 0xf6f6f6 };
 
 struct layout {
     const struct cr_document *doc;
-    double w, h, y; /* of the page; where the next line begins */
+    double w, h, y; /* size of the page, and where the next line begins, points */
     int pages, size;
     struct cr_canvas **page;
     bool failed;
@@ -45,7 +45,7 @@ static double bottom(const struct layout *l) {
     return l->h - MARGIN - FOOT + 18;
 }
 
-/* a new page unless so much room is left */
+/* Begins a new page unless so much room is left; false when there can be none. */
 static bool need(struct layout *l, double h) {
     return l->y + h <= bottom(l) || new_page(l);
 }
@@ -63,8 +63,9 @@ static int letter_length(const char *s) {
     return n;
 }
 
-/* Bytes of the next line of a text that fits a width: up to a newline, a blank, or in the middle
- * of a word that is too long by itself. *skip: of the blank or newline after it. */
+/* The length in bytes of the next line of a text that fits a width: it ends at a newline, at a
+ * blank, or in the middle of a word that is too long by itself. *skip is that of the blank or
+ * newline after it. */
 static int next_line(const char *s, const struct cr_type_face *face, double width, int *skip) {
     char line[LINE_MOST];
     int n = 0, blank = -1;
@@ -95,7 +96,7 @@ static int count_lines(const char *s, const struct cr_type_face *face, double wi
     return n;
 }
 
-/* one line of a text onto a page */
+/* Puts one line of a text, n bytes, onto a page. */
 static void put_line(struct cr_canvas *c, double x, double y, const struct cr_type_face *face,
                      const char *s, int n) {
     char line[LINE_MOST];
@@ -114,7 +115,7 @@ static void bar(struct cr_canvas *c, double x, double y, double h, uint32_t ink)
     cr_canvas_paint(c, &(struct cr_paint){.fill = ink, .line = CR_NO_INK});
 }
 
-/* A text folded to the width, over as many pages as it takes. */
+/* Puts a text, folded to the width, on as many pages as it takes. */
 static void put_text(struct layout *l, const struct cr_block *b, const struct cr_type_face *face,
                      double lead, double indent) {
     const char *s = b->text;
@@ -145,7 +146,7 @@ static struct cr_type_face cell_face(bool head) {
     return (struct cr_type_face){.size = cell_size, .ink = INK, .bold = head};
 }
 
-/* Each column as wide as its longest cell; what is too much is taken from the widest. */
+/* Makes each column as wide as its longest cell; if that is too much, the widest get narrower. */
 static void column_widths(const struct layout *l, const struct cr_block *b, double *w) {
     double sum = 0;
     for (int k = 0; k < b->columns; k++) {
@@ -206,7 +207,7 @@ static void table(struct layout *l, const struct cr_block *b) {
     for (int i = 0; i < b->rows && !l->failed; i++) {
         double h = row_height(b, i, w);
         int pages = l->pages;
-        /* a head is not left alone at the foot */
+        /* A head is not left alone at the foot of a page. */
         bool next = b->row[i].head && i + 1 < b->rows;
         if (!need(l, next ? h + row_height(b, i + 1, w) : h)) {
             return;
@@ -219,13 +220,13 @@ static void table(struct layout *l, const struct cr_block *b) {
     l->y += 8;
 }
 
-/* how much a figure is made smaller, so that it fits a page with its caption */
+/* The scale, at most 1, at which a figure fits a page with its caption. */
 static double figure_scale(const struct layout *l, const struct cr_block *b) {
     double most = l->h - 2 * MARGIN - FOOT - CAPTION;
     return fmin(1, fmin(inner(l) / cr_canvas_w(b->figure), most / cr_canvas_h(b->figure)));
 }
 
-/* the least of that at which its words can still be read */
+/* The least height, with the caption, at which the words of a figure can still be read. */
 static double least_height(const struct layout *l, const struct cr_block *b) {
     return 0.8 * figure_scale(l, b) * cr_canvas_h(b->figure) + CAPTION;
 }
@@ -250,7 +251,7 @@ static const struct {
     double size, before, after;
 } looks[] = {{18, 0, 8}, {13, 16, 6}, {10.5, 8, 2}}; /* of title, heading, minor */
 
-/* Room for a heading with the headings below it and the first of what they are about. */
+/* The room for a heading, the headings below it and the begin of the block that they head. */
 static double with_first(const struct layout *l, int block) {
     const struct cr_block *b = &l->doc->block[block];
     double w[CR_COLUMNS];
@@ -266,7 +267,7 @@ static double with_first(const struct layout *l, int block) {
                (b->rows > 1 ? row_height(b, 1, w) : 0);
     case CR_BLOCK_FIGURE:
         return least_height(l, b);
-    default: { /* a text stays with the figure that it is about */
+    default: { /* a text stays with the figure that follows it */
         bool figure = block + 1 < l->doc->blocks && b[1].kind == CR_BLOCK_FIGURE;
         return 40 + (figure ? least_height(l, b + 1) : 0);
     }
@@ -345,7 +346,11 @@ enum cr_err cr_document_pdf(const struct cr_document *doc, double w, double h, s
         lay_out(&l);
         feet(&l);
     }
-    if (l.failed || doc->failed) {
+    if (l.failed && l.pages == PAGES_MOST) {
+        cr_err_set(err, CR_ERR_RANGE, "the report has more than %d pages", PAGES_MOST);
+        cr_err_hint(err, "write it as .html");
+        code = CR_ERR_RANGE;
+    } else if (l.failed || doc->failed) {
         code = cr_err_set(err, CR_ERR_MEMORY, "no memory for the report");
     } else {
         code = cr_canvas_pdf(l.page, l.pages, &about, out, err);

@@ -1,4 +1,4 @@
-/* The expert's report from its sections. */
+/* Makes the expert's report from its sections. */
 #include "report/sections.h"
 
 #include <string.h>

@@ -1,4 +1,5 @@
-/* Sections 12 and 13: how to repeat it; the scene as given and resolved, the motion in 100 rows. */
+/* Sections 12 and 13: how to repeat the computation; the scene as given and resolved, the motion in
+ * about 100 rows. */
 #include "report/sections.h"
 
 #include "base/json.h"

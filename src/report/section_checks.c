@@ -1,4 +1,4 @@
-/* Sections 8 to 11: balance, uncertainty, validity, limits. */
+/* Sections 8 to 11: the balance of energy and momentum, uncertainty, validity, limits. */
 #include "report/sections.h"
 
 #include "base/vec.h"
@@ -34,15 +34,7 @@ void cr_section_balance(struct cr_paper *p) {
 
 /* ---- 9 ---- */
 
-static const char *german(const char *english) {
-    return cr_words(CR_LANG_DE, english);
-}
-
-static struct cr_figure_words words_of(const struct cr_paper *p) {
-    return (struct cr_figure_words){p->s->lang == CR_LANG_DE ? german : NULL, p->r->units};
-}
-
-/* in the unit of the paper */
+/* A value in the unit of the paper. */
 static double shown(const struct cr_paper *p, const struct cr_measure *m, double si) {
     double x = cr_unit_from_si(cr_measure_unit(m), si);
     cr_units_shown(p->r->units, m->unit, &x, NULL);
@@ -57,19 +49,20 @@ static enum cr_err charts(struct cr_paper *p, int body, int measure, const struc
         cr_doc_text(p->doc,
                     W(p, "Linear regression over all draws; it explains %.0f %% of the variance."),
                     100 * st->explained)};
-    struct cr_figure_words words = words_of(p);
+    struct cr_figure_words words = cr_paper_words(p);
     for (int chart = CR_MC_HISTOGRAM; chart <= CR_MC_TORNADO; chart++) {
         struct cr_canvas *c;
         enum cr_err code = cr_mc_chart(p->s->mc, (enum cr_mc_chart)chart, &plot, &words, &c, err);
         if (code == CR_ERR_OK) {
             cr_doc_figure(p->doc, c, caption[chart]);
-        } else if (code != CR_ERR_MISSING) { /* what does not scatter has no picture */
+        } else if (code != CR_ERR_MISSING) { /* a result that does not scatter has no picture */
             return code;
         }
     }
     return CR_ERR_OK;
 }
 
+/* A row of the table for a drawn result, or its pictures. */
 static enum cr_err drawn_result(struct cr_paper *p, int body, const char *name, bool pictures,
                                 struct cr_error *err) {
     const struct cr_measure *m = cr_measure_find(name);
@@ -107,9 +100,11 @@ static void drawn_inputs(struct cr_paper *p) {
                                ? cr_doc_text(p->doc, "\u00b1 %.0f %%", 100 * in->half)
                                : cr_doc_text(p->doc, "\u00b1 %.4g %s",
                                              cr_unit_from_si(in->unit, in->half), in->unit->name);
-        ROW(p, in->key,
-            cr_doc_text(p->doc, "%.6g %s", cr_unit_from_si(in->unit, in->value), in->unit->name),
-            half, in->group);
+        const char *middle =
+            in->of[0] != '\0' ? cr_doc_text(p->doc, "1 (%.4g %s)", in->assumed, in->of_unit->name)
+                              : cr_doc_text(p->doc, "%.6g %s", cr_unit_from_si(in->unit, in->value),
+                                            in->unit->name);
+        ROW(p, in->key, middle, half, in->group);
     }
 }
 
@@ -120,7 +115,8 @@ static enum cr_err draws(struct cr_paper *p, struct cr_error *err) {
     cr_doc_addf(p->doc, CR_BLOCK_TEXT,
                 W(p,
                   "%d draws (%s, seed %lu), %d without a result. The scatter of stiffness within "
-                  "a vehicle type, known from the calibration, is an input."),
+                  "a vehicle type, known from the calibration, is an input, and so is that of "
+                  "measured cars about the rules that assumed what was not given."),
                 mc->done, cr_sampling_word(mc->opts.sampling), mc->opts.seed, mc->failed);
     drawn_inputs(p);
     cr_doc_table(p->doc, 10);
@@ -183,7 +179,7 @@ enum cr_err cr_section_uncertainty(struct cr_paper *p, struct cr_error *err) {
 
 /* ---- 10, 11 ---- */
 
-/* "delta-v 63.9 km/h; damaged area 0.5 m2" */
+/* The values of a test in one text: "delta-v 63.9 km/h; damaged area 0.5 m2". */
 static const char *values_of(struct cr_paper *p, const struct cr_validity_test *t, bool computed) {
     const char *text = "";
     for (int i = 0; i < t->values; i++) {
@@ -224,6 +220,7 @@ void cr_section_validity(struct cr_paper *p) {
     for (int i = 0; i < p->r->warnings; i++) {
         struct cr_str text = {0};
         cr_warning_words(p->s->lang, p->r->warning[i], &text);
+        p->doc->failed = p->doc->failed || text.failed;
         cr_doc_addf(p->doc, CR_BLOCK_WARNING, "%s", cr_str_get(&text));
         cr_str_fini(&text);
     }

@@ -1,4 +1,5 @@
-/* Sections 1 and 2: who, what, with which program; the question and the answers with intervals. */
+/* Sections 1 and 2: who asked what of which program; the question and the answers with
+ * intervals. */
 #include "report/sections.h"
 
 #include "base/vec.h"
@@ -6,6 +7,14 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+
+static const char *german(const char *english) {
+    return cr_words(CR_LANG_DE, english);
+}
+
+struct cr_figure_words cr_paper_words(const struct cr_paper *p) {
+    return (struct cr_figure_words){p->s->lang == CR_LANG_DE ? german : NULL, p->r->units};
+}
 
 bool cr_paper_is_vehicle(const struct cr_paper *p, int body) {
     return p->r->resolved.part[body].kind == CR_KIND_VEHICLE;
@@ -21,7 +30,8 @@ static int measure_index(const struct cr_measure *m) {
     return (int)(m - cr_measures(&n));
 }
 
-/* the range of 95 % of the draws in the unit of a measure */
+/* Finds the range that holds 95 % of the draws, in the unit of a measure; false if there are too
+ * few draws. */
 static bool range_of(const struct cr_paper *p, int body, const struct cr_measure *m,
                      double range[2]) {
     struct cr_mc_stats stats;
@@ -99,7 +109,7 @@ void cr_section_head(struct cr_paper *p) {
     }
 }
 
-/* direction from which the impulse came: degrees are of no use where there was no impulse */
+/* The direction from which the impulse came, in degrees and as an hour; "-" without an impulse. */
 static const char *pdof(const struct cr_paper *p, int body) {
     const struct cr_severity *of = &p->r->of[body];
     const struct cr_measure *m = cr_measure_find("pdof");

@@ -12,7 +12,8 @@ static const struct cr_assumed *assumed_of(const struct cr_paper *p) {
     return p->s->assumed != NULL ? p->s->assumed : &p->r->assumed;
 }
 
-/* where an assumed value comes from, "" when from type and mass; NULL: it was not assumed */
+/* The car of the catalogue from which an assumed value comes, "" for one that comes from type and
+ * mass; NULL: the value was not assumed. */
 static const char *assumed_from(const struct cr_paper *p, const char *key) {
     const struct cr_assumed *a = assumed_of(p);
     for (int i = 0; i < a->n; i++) {
@@ -23,21 +24,22 @@ static const char *assumed_from(const struct cr_paper *p, const char *key) {
     return NULL;
 }
 
-/* given, or taken from a file, a row of the catalogue, a rule, the program */
+/* Says where a value comes from: it was given, or a file, a row of the catalogue, a rule or the
+ * program gave it. */
 static const char *origin_of(struct cr_paper *p, const struct cr_key *key, const char *assumed,
                              bool given) {
     if (assumed != NULL) {
         return assumed[0] != '\0' ? cr_doc_text(p->doc, W(p, "catalogue: %s"), assumed)
                                   : W(p, "assumed: from type and mass");
     }
-    if (!given && strcmp(key->name, "mass_kg") == 0) { /* else it would be assumed */
+    if (!given && strcmp(key->name, "mass_kg") == 0) { /* a mass by rule counts as assumed above */
         return W(p, "kerb mass and load");
     }
     bool imported = p->r->scene.source[CR_SOURCE_FILE][0] != '\0';
     return !given ? W(p, "the program's default") : imported ? W(p, "imported") : W(p, "given");
 }
 
-/* "+- 3 km/h, normal", "" without a tolerance */
+/* The tolerance of a value, "+- 3 km/h" with the proper sign; "" without. */
 static const char *tolerance(const struct cr_paper *p, const struct cr_tolerances *list, int row,
                              const struct cr_key *key) {
     const char *text = "";
@@ -51,7 +53,7 @@ static const char *tolerance(const struct cr_paper *p, const struct cr_tolerance
     return text;
 }
 
-/* a line of the table; false where the value stands for "nothing" */
+/* Adds a row for a value; none where it is empty. */
 static void value_row(struct cr_paper *p, const char *id, const struct cr_key *key, bool given,
                       const char *half) {
     struct cr_str value = {0};
@@ -59,7 +61,7 @@ static void value_row(struct cr_paper *p, const char *id, const struct cr_key *k
     snprintf(full, sizeof full, "%s%s%s", id, id[0] != '\0' ? "." : "", key->name);
     if (cr_scene_get(&p->r->resolved, full, &value, NULL) == CR_ERR_OK && value.len > 0) {
         const char *assumed = assumed_from(p, full);
-        /* of a list the commas separate */
+        /* The commas of a list separate its numbers: its points must not become commas. */
         const char *text = cr_str_get(&value);
         text = text[0] == '[' ? text : cr_doc_text(p->doc, "%s", text);
         char *end;
@@ -77,8 +79,8 @@ static void value_row(struct cr_paper *p, const char *id, const struct cr_key *k
     cr_str_fini(&value);
 }
 
-/* Parts of a choice that was not made say nothing: of the model, of a car of the catalogue, and how
- * somebody stands who has a position of his own. */
+/* Whether a value says nothing because its choice was not made: of a model, of a car of the
+ * catalogue, or of a place relation for a participant that has its own position. */
 static bool is_idle(const struct cr_key *key, const struct cr_participant *part, bool given) {
     if (key->type == CR_KEY_PDOF) {
         enum cr_pdof_kind kind = part->model.pdof_kind;
@@ -90,8 +92,8 @@ static bool is_idle(const struct cr_key *key, const struct cr_participant *part,
                       (place && !cr_scene_is_placed(part)));
 }
 
-/* The x_ keys of a scene or participant, in the words of who wrote them: sources, assumptions,
- * what an import or a catalogue left. */
+/* Repeats the x_ keys of a scene or participant in their author's words: sources, assumptions, what
+ * an import or a catalogue left. */
 static void notes(struct cr_paper *p, const char *extra) {
     cJSON *json = extra != NULL ? cJSON_Parse(extra) : NULL;
     const cJSON *item;
@@ -110,7 +112,7 @@ static void notes(struct cr_paper *p, const char *extra) {
     cJSON_Delete(json);
 }
 
-/* the file that the scene was imported from, and what is known of it */
+/* Tells the file that the scene was imported from, and what is known of it. */
 static void imported(struct cr_paper *p) {
     const struct cr_scene *scene = &p->r->scene;
     if (scene->source[CR_SOURCE_FILE][0] == '\0') {

@@ -1,4 +1,4 @@
-/* Sections 5 to 7: the scene, the pulses, the deformation and every impact. */
+/* Sections 5 to 7: pictures of the scene, the pulses, the deformation and every impact. */
 #include "report/sections.h"
 
 #include "base/vec.h"
@@ -7,10 +7,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-static const char *german(const char *english) {
-    return cr_words(CR_LANG_DE, english);
-}
 
 static struct cr_picture_source source_of(const struct cr_paper *p) {
     return (struct cr_picture_source){.result = p->r,
@@ -23,7 +19,7 @@ static struct cr_picture_source source_of(const struct cr_paper *p) {
                                                .selected = -1},
                                       .body = -1,
                                       .quantity = CR_QUANTITIES,
-                                      .words = {.say = p->s->lang == CR_LANG_DE ? german : NULL}};
+                                      .words = cr_paper_words(p)};
 }
 
 static enum cr_err draw(struct cr_paper *p, enum cr_picture picture,
@@ -99,12 +95,12 @@ enum cr_err cr_section_pulses(struct cr_paper *p, struct cr_error *err) {
 
 /* ---- 7 ---- */
 
-/* what was measured of a vehicle; NULL: nothing */
+/* The crush that was measured of a vehicle; NULL: none. */
 static const struct cr_face_measured *measured_of(const struct cr_paper *p, int body) {
     return p->s->measured != NULL && p->s->measured[body].n > 0 ? &p->s->measured[body] : NULL;
 }
 
-/* depth of the computed profile at a place along the face; NaN beyond its ends */
+/* The depth of the computed profile at the place `at` along the face, m; NaN beyond its ends. */
 static double computed_at(const struct cr_severity *of, double from, double to, double at) {
     double u = (at - from) / (to - from) * (CR_PROFILE - 1);
     int i = (int)cr_clamp(floor(u), 0, CR_PROFILE - 2);
@@ -141,7 +137,7 @@ static void beside_measured(struct cr_paper *p, int body) {
     }
 }
 
-/* what the scene says was measured */
+/* Compares with what the scene says was measured. */
 static void expected(struct cr_paper *p) {
     if (p->s->unexpected != NULL) {
         cr_doc_addf(p->doc, CR_BLOCK_WARNING,
@@ -181,6 +177,36 @@ static void profile(struct cr_paper *p, int body) {
     cr_doc_row(p->doc, cell);
 }
 
+static void one_impact(struct cr_paper *p, const struct cr_impact *k, int side) {
+    const struct cr_severity *of = &k->of[side];
+    int body = k->body[side];
+    if (!cr_paper_is_vehicle(p, body)) {
+        return;
+    }
+    ROW(p, cr_doc_text(p->doc, "%.1f", 1e3 * (k->t_begin - p->r->solution->t_contact)),
+        p->r->resolved.part[body].id, p->r->resolved.part[k->body[!side]].id,
+        cr_doc_text(p->doc, "%.1f", cr_kmh(of->delta_v)),
+        cr_doc_text(p->doc, "%.1f", cr_kmh(of->ees)),
+        cr_doc_text(p->doc, "%.0f", cr_bearing_deg(of->pdof)), of->cdc,
+        cr_doc_text(p->doc, "%.1f", of->acceleration_max / CR_G),
+        cr_doc_text(p->doc, "%.0f", 1e3 * of->pulse),
+        cr_doc_text(p->doc, "%s, e %.2f", W(p, cr_stop_word(k->stop)), k->restitution));
+}
+
+static void impacts(struct cr_paper *p) {
+    cr_doc_add(p->doc, CR_BLOCK_MINOR, W(p, "Every impact by itself"));
+    cr_doc_table(p->doc, 10);
+    HEAD(p, "t, ms", W(p, "Vehicle"), W(p, "Partner"), "delta-v, km/h", "EES, km/h", "PDOF, \u00b0",
+         "CDC", W(p, "Peak, g"), W(p, "Pulse, ms"), W(p, "End"));
+    for (int i = 0; i < p->r->impacts; i++) {
+        one_impact(p, &p->r->impact[i], 0);
+        one_impact(p, &p->r->impact[i], 1);
+    }
+    cr_doc_add(p->doc, CR_BLOCK_TEXT,
+               W(p, "The totals of section 2 add the sizes of the velocity changes of separate "
+                    "impacts; they are never netted."));
+}
+
 enum cr_err cr_section_damage(struct cr_paper *p, struct cr_error *err) {
     struct cr_picture_source source = source_of(p);
     enum cr_err code = CR_ERR_OK;
@@ -216,36 +242,6 @@ enum cr_err cr_section_damage(struct cr_paper *p, struct cr_error *err) {
                  "C1 to C6 stand at equal spaces over the width; they are measured square to the "
                  "face from a straight line along the foremost point of the undeformed face, "
                  "left to right on the ends and rear to front on the sides."));
-    cr_section_impacts(p);
+    impacts(p);
     return code;
-}
-
-static void one_impact(struct cr_paper *p, const struct cr_impact *k, int side) {
-    const struct cr_severity *of = &k->of[side];
-    int body = k->body[side];
-    if (!cr_paper_is_vehicle(p, body)) {
-        return;
-    }
-    ROW(p, cr_doc_text(p->doc, "%.1f", 1e3 * (k->t_begin - p->r->solution->t_contact)),
-        p->r->resolved.part[body].id, p->r->resolved.part[k->body[!side]].id,
-        cr_doc_text(p->doc, "%.1f", cr_kmh(of->delta_v)),
-        cr_doc_text(p->doc, "%.1f", cr_kmh(of->ees)),
-        cr_doc_text(p->doc, "%.0f", cr_bearing_deg(of->pdof)), of->cdc,
-        cr_doc_text(p->doc, "%.1f", of->acceleration_max / CR_G),
-        cr_doc_text(p->doc, "%.0f", 1e3 * of->pulse),
-        cr_doc_text(p->doc, "%s, e %.2f", W(p, cr_stop_word(k->stop)), k->restitution));
-}
-
-void cr_section_impacts(struct cr_paper *p) {
-    cr_doc_add(p->doc, CR_BLOCK_MINOR, W(p, "Every impact by itself"));
-    cr_doc_table(p->doc, 10);
-    HEAD(p, "t, ms", W(p, "Vehicle"), W(p, "Partner"), "delta-v, km/h", "EES, km/h", "PDOF, \u00b0",
-         "CDC", W(p, "Peak, g"), W(p, "Pulse, ms"), W(p, "End"));
-    for (int i = 0; i < p->r->impacts; i++) {
-        one_impact(p, &p->r->impact[i], 0);
-        one_impact(p, &p->r->impact[i], 1);
-    }
-    cr_doc_add(p->doc, CR_BLOCK_TEXT,
-               W(p, "The totals of section 2 add the sizes of the velocity changes of separate "
-                    "impacts; they are never netted."));
 }

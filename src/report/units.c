@@ -1,4 +1,5 @@
-/* A paper in US units: what its sections wrote in metric ones is told anew, number by number. */
+/* Turns a paper into US units: the numbers that its sections wrote in metric units are converted
+ * one by one. */
 #include "report/document.h"
 
 #include "base/str.h"
@@ -9,15 +10,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* "EES, km/h" or "km/h": what behind the comma is a metric unit with a counterpart; else NULL */
+/* The metric unit at the end of "EES, km/h" or "km/h", if it has a counterpart; else NULL. */
 static const char *unit_of(const char *head) {
     const char *comma = strrchr(head, ',');
     const char *unit = comma != NULL ? comma + 1 + strspn(comma + 1, " ") : head;
     return cr_units_shown(CR_UNITS_US, unit, NULL, NULL) != unit ? unit : NULL;
 }
 
-/* Converts a number with so many decimals; one that was put in is exact to four digits at least,
- * however few it was typed with. */
+/* Converts a number with so many decimals. An input is exact, however few digits were typed, so it
+ * keeps four of them at least. */
 static double convert(const char *unit, double x, bool input, int *decimals) {
     cr_units_shown(CR_UNITS_US, unit, &x, decimals);
     int least = input && x != 0 ? 3 - (int)floor(log10(fabs(x))) : 0;
@@ -25,7 +26,7 @@ static double convert(const char *unit, double x, bool input, int *decimals) {
     return x;
 }
 
-/* "[2.3,0.7]": the commas separate in every language */
+/* Converts a list "[2.3,0.7]"; its commas separate in every language. */
 static const char *list(struct cr_document *doc, const char *cell, const char *unit, bool input) {
     struct cr_str out = {0};
     for (const char *p = cell; *p != '\0';) {
@@ -47,7 +48,8 @@ static const char *list(struct cr_document *doc, const char *cell, const char *u
     return kept;
 }
 
-/* a cell that is nothing but a number or a list, in the unit of its row or column */
+/* Converts a cell that is nothing but a number or a list, from the unit of its row or column; other
+ * cells stay. */
 static const char *number(struct cr_document *doc, const char *cell, const char *unit, bool input) {
     char plain[64], *end;
     if (cell[0] == '[') {
@@ -71,13 +73,14 @@ static const char *number(struct cr_document *doc, const char *cell, const char 
 static const char *words(struct cr_document *doc, const char *text) {
     struct cr_str shown = {0};
     cr_units_words(CR_UNITS_US, doc->comma ? ',' : '.', text, &shown);
+    doc->failed = doc->failed || shown.failed;
     const char *kept =
         strcmp(cr_str_get(&shown), text) != 0 ? cr_doc_text(doc, "%s", cr_str_get(&shown)) : text;
     cr_str_fini(&shown);
     return kept;
 }
 
-/* "EES, mph" */
+/* Makes "EES, mph" of "EES, km/h". */
 static const char *head(struct cr_document *doc, const char *text, const char *unit) {
     char shown[200];
     snprintf(shown, sizeof shown, "%.*s%s", (int)(unit - text), text,
@@ -89,7 +92,7 @@ static void row(struct cr_document *doc, const struct cr_block *b, struct cr_doc
                 const struct cr_doc_row *top, const char *unit_head) {
     const char *of_row = r->cell[0] != NULL ? unit_of(r->cell[0]) : NULL;
     bool input = false;
-    for (int i = 0; i < b->columns && of_row == NULL; i++) { /* a column of units */
+    for (int i = 0; i < b->columns && of_row == NULL; i++) { /* is there a column of units? */
         if (top->cell[i] != NULL && strcmp(top->cell[i], unit_head) == 0 && r->cell[i] != NULL) {
             of_row = unit_of(r->cell[i]);
             input = true;

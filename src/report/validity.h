@@ -1,4 +1,5 @@
-/* What a report says of crash tests like the crash, and of other slices and voxels: plain data. */
+/* What a report says of crash tests that are like the crash, of measured values, and of the same
+ * crash with other slices and voxels: plain data, which src/expert fills in. */
 #ifndef CR_REPORT_VALIDITY_H
 #define CR_REPORT_VALIDITY_H
 
@@ -8,7 +9,7 @@
 struct cr_validity_row {
     const char *what, *unit; /* "EES", "km/h" */
     int n;
-    double bias, sd; /* % where relative, else in the unit */
+    double bias, sd; /* mean error and its standard deviation: % if relative, else in the unit */
     bool relative;
 };
 enum { CR_VALIDITY_ROWS = 16, CR_VALIDITY_TESTS = 5, CR_VALIDITY_VALUES = 2 };
@@ -29,11 +30,11 @@ struct cr_validity {
     struct cr_validity_test nearest[CR_VALIDITY_TESTS];
 };
 
-/* What the scene says was measured of a participant (x_expect), and what came out. */
+/* What the scene says was measured of a participant (x_expect), and the computed value. */
 struct cr_expected {
     char id[CR_NAME_MAX];
     const char *what, *unit;
-    double measured, computed; /* measured NaN: a rating, which is computed only */
+    double measured, computed; /* measured is NaN for a rating, which is only computed */
     bool relative;             /* the difference is told in % */
 };
 enum { CR_EXPECTED_MOST = 64 };

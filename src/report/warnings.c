@@ -1,17 +1,21 @@
-/* The warnings of a result in the report's languages. A result holds them in English, with their
- * numbers and names; here they are recognised by their pattern and said again. */
+/* Says the warnings of a result in the report's languages. A result holds them in English, with
+ * their numbers and names; here they are recognised by their pattern. */
 #include "report/report.h"
 
 #include <stdio.h>
 #include <string.h>
 
-/* "%" stands for a number or name, in the order of the English. Within one, words that the
- * language knows ("front", "length") are said in it too. */
+/* "%" stands for a number or name, in the order of the English. A name that is a word of the
+ * language ("front", "length") is translated too. */
 static const struct {
     const char *english, *german;
 } warnings[] = {
     {"%: mass assumed, % kg +- % % (one standard deviation): EES and delta-v follow it",
      "%: Masse angenommen, % kg +- % % (eine Standardabweichung): EES und Delta-v folgen ihr"},
+    {"%: its mass as crashed, % kg, is less than its kerb mass, % kg: a car weighs that much when "
+     "it is empty; check the two",
+     "%: Masse beim Unfall, % kg, unter der Leermasse, % kg: so viel wiegt ein leerer Wagen; beide "
+     "prüfen"},
     {"%: side struck by the wide %, but the sides of the models rest on narrow poles: depth and "
      "EES are estimates; own A, B stiffness of the side can be given",
      "%: Seite vom breiten % getroffen; die Seiten der Modelle beruhen auf schmalen Pfählen: Tiefe "
@@ -37,15 +41,13 @@ static const struct {
      "%: am Heck getroffen, wo die Modelle auf wenigen Versuchen beruhen: EES und Tiefe sind "
      "Schätzungen; eigene Steifigkeiten A, B des Hecks können angegeben werden"},
     {"%: its own A, B leave the % uncrushed up to an EES of % km/h, where tests say 8 to 20: it "
-     "acts "
-     "as rigid; check the units, B is too small or A too large",
+     "acts as rigid; check the units, B is too small or A too large",
      "%: eigene Steifigkeiten A, B lassen: % bis zu einer EES von % km/h unverformt, wo Versuche 8 "
      "bis 20 nennen: das wirkt starr; Einheiten prüfen, B ist zu klein oder A zu groß"},
     {"%: its own B lets an EES of 50 km/h crush the % by no more than % m, where tests say 0.3 to "
      "0.6: it acts as rigid; check the units, B is too large",
      "%: die eigene Steifigkeit B lässt eine EES von 50 km/h so wenig eindrücken: %, höchstens % "
-     "m, "
-     "wo Versuche 0,3 bis 0,6 nennen: das wirkt starr; Einheiten prüfen, B ist zu groß"},
+     "m, wo Versuche 0,3 bis 0,6 nennen: das wirkt starr; Einheiten prüfen, B ist zu groß"},
     {"%: EES % km/h is above the % km/h of the tests behind the models",
      "%: EES % km/h liegt über % km/h der Versuche hinter den Modellen"},
     {"%: crushed over % % of its %: structures behind that depth are an assumption of the model; "
@@ -71,16 +73,13 @@ static const struct {
      "% und % nähern sich noch mit % km/h, wenn ihr Kontakt mangels Material endet: sie gleiten "
      "oder rutschen aneinander vorbei, oder es fehlt etwas"},
     {"% and % graze each other (% kJ of friction, % kJ of deformation): EES is good to 20 % at "
-     "best; "
-     "compare with half the voxel",
+     "best; compare with half the voxel",
      "% und % streifen einander (% kJ Reibung, % kJ Verformung): die EES stimmt bestenfalls auf 20 "
-     "%; "
-     "mit halbem Voxel vergleichen"},
+     "%; mit halbem Voxel vergleichen"},
     {"% and % rub against each other for % s from % s on: that is no crash pulse, and what their "
      "tyres do in that time is in its delta-v",
      "% und % reiben % s lang aneinander, von % s an: das ist kein Kollisionspuls, und was die "
-     "Reifen "
-     "in dieser Zeit tun, steckt in seinem Delta-v"},
+     "Reifen in dieser Zeit tun, steckt in seinem Delta-v"},
     {"%: % g in a plastic phase of % ms is no crash pulse: take its delta-v, not its "
      "accelerations",
      "%: % g in einer plastischen Phase von % ms ist kein Kollisionspuls: Delta-v verwenden, "
@@ -132,6 +131,7 @@ static const struct {
      "mehr Warnungen als hier stehen können: die Teile dieser Szene einzeln rechnen"},
 };
 
+/* The parts of a text that stand where a pattern has "%". */
 enum { HOLES = 8 };
 struct holes {
     int n;
@@ -139,8 +139,8 @@ struct holes {
     size_t len[HOLES];
 };
 
-/* Each hole takes as little as lets the words behind it follow. A percent sign of the text is what
- * a hole holds: it goes through like a number. */
+/* Whether a text follows a pattern. Each hole takes as little as lets the words behind it follow; a
+ * percent sign in the text goes into a hole like a number. */
 static bool fits(const char *pattern, const char *text, struct holes *holes) {
     for (holes->n = 0; *pattern != '\0';) {
         if (*pattern != '%') {

@@ -1,4 +1,5 @@
-/* The words of the report's languages: English in the code, the others in one table. */
+/* Finds the words of the report's languages: English stands in the code, the others in one
+ * table. */
 #include "report/german.h"
 #include "report/report.h"
 

@@ -1,4 +1,5 @@
-/* The participants of a result as they were solved, for who has no need of the case itself. */
+/* Tells of each participant what the solve used (mass, inertia, voxels, model), so that readers of
+ * a result need not know the solver's case. */
 #include "result/result.h"
 
 #include "scene/compiled.h"

@@ -1,15 +1,23 @@
-/* Collision deformation classification of SAE J224. */
+/* Writes the collision deformation classification of SAE J224, and the words of the faces. */
 #include "result/result_priv.h"
 
 #include <math.h>
 #include <stdio.h>
 
-/* direct damage narrower than 16 in counts as narrow [CDC-J224] */
+/* Direct damage narrower than 16 in counts as narrow, m [CDC-J224]. */
 static const double narrow = 0.41;
-/* share of a third that must be struck for the third to count */
+/* This share of a third must be struck for the third to count (our choice). */
 static const double touched = 0.1;
 
-/* letter of column 4: which thirds of the face were struck, bit 0 the first of them */
+const char *cr_face_word(enum cr_face face) {
+    static const char *const words[CR_FACES] = {[CR_FACE_FRONT] = "front",
+                                                [CR_FACE_LEFT] = "left",
+                                                [CR_FACE_REAR] = "rear",
+                                                [CR_FACE_RIGHT] = "right"};
+    return face < CR_FACES ? words[face] : "";
+}
+
+/* The letter of column 4 tells which thirds of the face were struck; bit 0 is the first third. */
 static char lateral(enum cr_face face, int thirds) {
     /* front and rear from left to right: L C R, Y = L + C, Z = C + R */
     static const char end_letter[8] = {'C', 'L', 'C', 'Y', 'R', 'D', 'Z', 'D'};

@@ -1,4 +1,4 @@
-/* Channels as texts of numbers, and what is needed of them: the change of velocity. */
+/* Reads a channel from a text of numbers and integrates it to the change of velocity. */
 #include "result/channel.h"
 
 #include "base/grow.h"
@@ -28,7 +28,7 @@ static enum cr_err add(struct cr_channel *ch, double t, double x, struct cr_erro
     return CR_ERR_OK;
 }
 
-/* the number at *at, which is set behind it and blanks */
+/* Reads the number at *at and moves *at behind the number and the blanks that follow. */
 static bool number(const char **at, double *out) {
     const char *end, *p = *at + strspn(*at, " \t");
     *out = cr_number_scan(p, &end);
@@ -37,7 +37,8 @@ static bool number(const char **at, double *out) {
 }
 
 static enum cr_err bad_line(const char *shown, int line, const char *text, struct cr_error *err) {
-    cr_err_set(err, CR_ERR_SYNTAX, "no sample: \"%.*s\"", (int)(strcspn(text, "\r\n") % 60), text);
+    size_t len = strcspn(text, "\r\n");
+    cr_err_set(err, CR_ERR_SYNTAX, "no sample: \"%.*s\"", (int)(len < 60 ? len : 60), text);
     cr_err_place(err, shown, line, 0);
     return CR_ERR_SYNTAX;
 }

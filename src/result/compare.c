@@ -10,8 +10,9 @@
 #include <string.h>
 
 static const double step = 1e-4;    /* s, the rate of ISO/TS 18571 */
-static const double longest = 0.25; /* s of a crash pulse */
-/* margin in s that is filtered along, so that the ends of the interval are not those of the data */
+static const double longest = 0.25; /* s; a crash pulse lasts no longer */
+/* This much before and after the interval is filtered along, s: where the record goes on, the
+ * filter must not see an end. */
 static const double margin = 0.02;
 
 struct cr_compare_opts cr_compare_default(void) {
@@ -19,7 +20,7 @@ struct cr_compare_opts cr_compare_default(void) {
         .axis = CR_COMPARE_FORWARD, .sign = 1, .from = (double)NAN, .to = (double)NAN, .cfc = 60};
 }
 
-/* interval of the comparison in s after first contact */
+/* Fixes the interval of the comparison and makes room for both curves. */
 static enum cr_err interval(const struct cr_signal *m, const struct cr_compare_opts *opts,
                             struct cr_compare *out, struct cr_error *err) {
     double end = m->t[m->n - 1];
@@ -29,6 +30,12 @@ static enum cr_err interval(const struct cr_signal *m, const struct cr_compare_o
         cr_err_set(err, CR_ERR_RANGE,
                    "no measured values from %g to %g ms: the record goes from %g to %g ms",
                    1e3 * from, 1e3 * to, 1e3 * m->t[0], 1e3 * end);
+        return CR_ERR_RANGE;
+    }
+    if (to - from > CR_RATING_MAX * step) { /* also keeps the number of samples in an int */
+        cr_err_set(err, CR_ERR_RANGE, "%.6g to %.6g ms is more than the %g s that are rated",
+                   1e3 * from, 1e3 * to, CR_RATING_MAX * step);
+        cr_err_hint(err, "choose a shorter interval");
         return CR_ERR_RANGE;
     }
     out->t0 = from;
@@ -51,7 +58,7 @@ static bool names_filter(const char *name) {
     return false;
 }
 
-/* measured values on the axis of the comparison, filtered with a margin where the record has one */
+/* Puts the measured values on the time axis of the comparison, filtered with a margin. */
 static enum cr_err take_measured(const struct cr_signal *m, const struct cr_compare_opts *opts,
                                  struct cr_compare *out, struct cr_error *err) {
     int pad = (int)(margin / step), n = out->n + 2 * pad;
@@ -70,7 +77,7 @@ static enum cr_err take_measured(const struct cr_signal *m, const struct cr_comp
     return code;
 }
 
-/* simulated acceleration, or velocity change since first contact */
+/* Puts the simulated acceleration, or the change of velocity since first contact, on that axis. */
 static enum cr_err take_simulated(const struct cr_solution *sol, int body, bool velocity,
                                   const struct cr_compare_opts *opts, struct cr_compare *out,
                                   struct cr_error *err) {
@@ -86,7 +93,6 @@ static enum cr_err take_simulated(const struct cr_solution *sol, int body, bool 
     }
     int start = (int)lround((sol->body[body].t_first - p.t0) / p.dt);
     if (velocity) {
-        /* value at the end of each sample */
         double v = 0;
         for (int i = 0; i < p.n; i++) {
             v = i < start ? 0 : v + a[i] * p.dt;

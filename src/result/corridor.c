@@ -1,5 +1,5 @@
-/* A result against the cumulative delta-v of a recorder: inside of the accuracy that the rule asks
- * of it, with its time 0, the trigger, free to move. */
+/* Compares a result with the cumulative delta-v of an event data recorder: inside of the accuracy
+ * that the rule asks of recorders, with the trigger, time 0 of the record, free to move. */
 #include "result/compare.h"
 
 #include "result/pulse.h"
@@ -9,15 +9,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* 49 CFR 563.8: 10 %; recorded in steps of 1 km/h [EDR-ACCURACY] */
-static const double share = 0.1, least = 1 / 3.6;
+/* 49 CFR 563.8 allows 10 %, and delta-v is recorded in steps of 1 km/h [EDR-ACCURACY]. */
+static const double half_share = 0.1, half_least = 1 / 3.6;
 /* s: a trigger comes with the first milliseconds of the pulse, or late in a soft one */
 static const double earliest = -0.02, latest = 0.05, step = 1e-4;
 
-/* change of velocity since the first contact, m/s, at the ends of the samples of a pulse */
+/* The change of velocity since the first contact, m/s, at the ends of the samples of a pulse. */
 struct course {
     int n;
-    double dt, start; /* s; time of sample 0 after the first contact */
+    double dt, start; /* s; sample 0 begins this long after the first contact */
     double *v;
 };
 
@@ -30,18 +30,18 @@ static double at(const struct course *c, double t) {
     return i + 1 < c->n ? c->v[i] + (k - i) * (c->v[i + 1] - c->v[i]) : c->v[c->n - 1];
 }
 
-static double half_of(double measured) {
-    return fmax(share * fabs(measured), least);
+static double half_width(double measured) {
+    return fmax(half_share * fabs(measured), half_least);
 }
 
-/* mean square of what is off, in half widths, at a shift; counts the times that are inside */
+/* Mean square of the differences at a shift, in half widths; counts the times that are inside. */
 static double misfit(const struct course *c, const struct cr_signal *m, double sign, double shift,
                      int *inside) {
     double sum = 0;
     *inside = 0;
     for (int i = 0; i < m->n; i++) {
         double off = at(c, m->t[i] + shift) - at(c, shift) - sign * m->x[i];
-        double x = off / half_of(m->x[i]);
+        double x = off / half_width(m->x[i]);
         sum += x * x;
         *inside += fabs(x) <= 1;
     }
@@ -56,7 +56,7 @@ static void search(const struct course *c, const struct cr_signal *m, double sig
         double shift = earliest + i * step;
         int inside;
         double x = misfit(c, m, sign, shift, &inside);
-        /* of equal ones that nearest to the first contact */
+        /* Of shifts that fit equally well the one nearest to the first contact counts. */
         if (x < best - 1e-12 || (x <= best + 1e-12 && fabs(shift) < fabs(out->shift))) {
             best = x;
             out->shift = shift;

@@ -1,11 +1,11 @@
-/* Result -> CSV for spreadsheets: a row per participant, or with trace a row per time slice and
- * participant; the unit is part of every column's name. */
+/* Writes a result as CSV for spreadsheets: a row per participant, with impacts a row per impact and
+ * participant, with trace a row per time slice and participant; every column names its unit. */
 #include "result/result_priv.h"
 
 #include <math.h>
 #include <string.h>
 
-/* what is not a number is an empty field */
+/* Adds a comma and the number; NaN and infinity leave the field empty. */
 static void number(struct cr_str *out, double x) {
     if (isfinite(x)) {
         cr_str_addf(out, ",%.12g", x);
@@ -64,11 +64,6 @@ static void row(const struct cr_result *r, int i, struct cr_str *out) {
     cr_str_add(out, "\n");
 }
 
-static const char *face_word(enum cr_face face) {
-    static const char *const words[CR_FACES] = {"front", "left", "rear", "right"};
-    return face < CR_FACES ? words[face] : "";
-}
-
 static void impact_row(const struct cr_result *r, int impact, int side, struct cr_str *out) {
     const struct cr_impact *one = &r->impact[impact];
     const struct cr_severity *s = &one->of[side];
@@ -111,8 +106,8 @@ static void impact_row(const struct cr_result *r, int impact, int side, struct c
     cr_str_csv(out, r->resolved.part[i].id);
     cr_str_add(out, ",");
     cr_str_csv(out, r->resolved.part[one->body[!side]].id);
-    cr_str_addf(out, ",%s,%s,%s,%s", deforms ? face_word(s->face) : "",
-                deforms ? face_word(s->second.face) : "", cr_stop_word(one->stop), s->cdc);
+    cr_str_addf(out, ",%s,%s,%s,%s", deforms ? cr_face_word(s->face) : "",
+                deforms ? cr_face_word(s->second.face) : "", cr_stop_word(one->stop), s->cdc);
     for (size_t k = 0; k < sizeof value / sizeof *value; k++) {
         number(out, value[k]);
     }
@@ -134,7 +129,6 @@ static void table(const struct cr_result *r, struct cr_str *out) {
     }
 }
 
-/* a row per impact and participant that moves */
 static void impacts(const struct cr_result *r, struct cr_str *out) {
     cr_str_add(out, "scene,impact,id,partner,face,second_face,stop,cdc,t_s,end_s,ees_kmh,energy_kJ,"
                     "energy_induced_kJ,delta_v_kmh,delta_v_forward_kmh,delta_v_left_kmh,"

@@ -1,51 +1,54 @@
-/* The damage one impact left on one vehicle: struck faces, depths, crush profile, CDC. */
+/* Measures the damage one impact left on one vehicle: struck faces, depths, crush profile, CDC. */
 #include "result/damage.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* residual depth from which a column counts as damaged, m: what a tape measure shows */
+/* From this residual depth on a column counts as damaged, m: a tape measure shows no less. */
 static const double damaged = 0.01;
-/* Front and rear are measured along the bumper beam: recorded damage width over overall width of
- * 186 full-width wall tests [RESIDUAL-SHAPE]. */
+/* Front and rear are measured along the bumper beam, whose width is this share of the vehicle's:
+ * recorded damage width over overall width of 186 full-width wall tests [RESIDUAL-SHAPE]. */
 static const double beam_width = 0.83;
-/* Beyond where the undeformed outline lies this far back, m, it is the corner that leads round to
- * the next face. */
+/* Where the undeformed outline lies further back than this, m, the corner begins that leads round
+ * to the next face; the crush profile ends there. */
 static const double corner = 0.15;
-/* B-pillar, behind the front axle as a share of the wheelbase; only for the extent zones */
+/* The B-pillar stands this share of the wheelbase behind the front axle; only the extent zones of
+ * the CDC use it. */
 static const double b_pillar = 0.5;
-/* belt line and upper edge of the frame as shares of the height: the paper models' profiles put
- * the sill at 0.3 and the lower edge of the windows at 0.62 of the height */
+/* Belt line and upper edge of the frame as shares of the height: the paper models' profiles put
+ * the sill at 0.3 and the lower edge of the windows at 0.62 of the height. */
 static const double belt = 0.62, frame = 0.35;
-/* share of the height from which an object at a flank reaches above the belt line */
+/* From this share of the height on an object at a flank reaches above the belt line. */
 static const double roof = 0.75;
-/* SAE J224: direct damage of an end no wider than 4 in (0.1 m) that runs along the flank is the
- * flank's */
+/* SAE J224 counts direct damage of an end as the flank's if it runs along the flank and is no wider
+ * than 4 in, m. */
 static const double scrape = 0.102;
 /* A second face is reported from this share of the energy and this depth on, m. */
 static const double second_share = 0.2, second_depth = 0.05;
-/* share of a voxel's material below which a loss is rounding */
+/* A loss below this share of a voxel's material is rounding. */
 static const double nothing = 1e-9;
 
-/* A body's damage and whose doing it is. */
+/* What the steps of measuring one impact on one body share. */
 struct damage {
     const struct cr_result *r;
     const struct cr_events *all;
     const struct cr_event *event;
     int side, body;
-    struct cr_deform deform; /* after the impact: with what earlier ones did to the same face */
-    double *left;            /* its material where there were several impacts, owned */
-    const short *of;         /* impact each voxel was crushed in, NULL: all in this one */
+    struct cr_deform deform; /* after the impact, with the damage of earlier ones to this face */
+    double *left;            /* [ny * nx] material left then, where there were several; owned */
+    const short *of;         /* impact that crushed each voxel, NULL: this one crushed all */
 };
 
 struct face_damage {
-    int lo, hi; /* first and last damaged column, lo > hi without damage */
-    int direct_lo, direct_hi;
-    double residual_sum, dynamic_sum; /* of the columns, m */
+    int lo, hi;                       /* first and last damaged column, lo > hi without damage */
+    int direct_lo, direct_hi;         /* the same of direct damage */
+    double residual_sum, dynamic_sum; /* sums of the columns' depths, m */
     double depth;                     /* deepest mean over 0.1 m, as the grid has it, m */
 };
 
+/* The residual and the dynamic depth of a loss: the grid holds one of the two, the springback of
+ * the face gives the other. */
 static struct cr_depth both(const struct cr_deform *d, enum cr_face face, double lost) {
     double back = d->grid->springback[face];
     return d->residual_curve ? (struct cr_depth){lost, cr_deform_dynamic(lost, back)}
@@ -63,8 +66,8 @@ static bool same_body(const struct cr_event *e, int body, int *side) {
     return e->body[0] == body || e->body[1] == body;
 }
 
-/* The impact of the body that lasted then; of several the one that pressed nearest; where none
- * lasted (rubbing) the latest before. */
+/* The impact that crushed a voxel at time t: the impact of the body that lasted then, of several
+ * the one that pressed nearest to the voxel; where none lasted (rubbing) the latest before. */
 static int owner(const struct cr_events *all, int body, double t, struct cr_vec2 at) {
     int best = -1;
     double nearest = INFINITY;
@@ -106,7 +109,7 @@ enum cr_err cr_damage_owners(const struct cr_result *r, const struct cr_events *
 
 /* ---- faces ---- */
 
-/* how the partner moved over the body then, own frame */
+/* Unit vector in which the partner moved over the body at time t, own frame. */
 static struct cr_vec2 way_at(const struct cr_solution *sol, const struct cr_event *e, int side,
                              double t) {
     const struct cr_vec2 *way = e->of[side].way;
@@ -122,7 +125,7 @@ static struct cr_vec2 way_at(const struct cr_solution *sol, const struct cr_even
     return e->samples > 0 ? way[lo] : cr_vec2(0, 0);
 }
 
-/* first known direction of an impact; (0, 0) where the solution has no slices */
+/* The first known such direction of an impact; (0, 0) where the solution has no slices. */
 static struct cr_vec2 first_way(const struct cr_event *e, int side) {
     for (int i = 0; i < e->samples; i++) {
         if (cr_vec2_len(e->of[side].way[i]) > 0) {
@@ -138,7 +141,8 @@ static enum cr_face began_at(const struct damage *m, struct cr_vec2 inward) {
                                 : cr_deform_face(&m->deform, inward);
 }
 
-/* Energy and material of this impact by the face through which its partner came. */
+/* Splits the energy of this impact by the face through which its partner came, J; with left
+ * (nullable, [ny * nx]) also the material that is left if only the damage through `face` counts. */
 static void split_faces(const struct damage *m, double energy[CR_FACES], double *left, int face) {
     const struct cr_grid *g = m->deform.grid;
     const float *when = m->r->solution->body[m->body].t_crushed;
@@ -185,18 +189,19 @@ static struct face_damage scan_face(const struct cr_deform *d, enum cr_face face
     return f;
 }
 
-/* width between two columns, both included, m; 0 without any */
+/* Width of the columns from lo to hi, both included, m; 0 for lo > hi, which is none. */
 static double width_of(const struct cr_deform *d, int lo, int hi) {
     return hi < lo ? 0 : (hi + 1 - lo) * d->grid->h;
 }
 
-/* the flank that an end's damage lies at */
+/* The flank that lies nearer to the damage of an end. */
 static enum cr_face flank_beside(const struct damage *m, const struct face_damage *f) {
     int n = cr_face_lines(m->deform.grid, CR_FACE_FRONT);
     return f->lo + f->hi < n - 1 ? CR_FACE_LEFT : CR_FACE_RIGHT;
 }
 
-/* Where the contact began; but what only scrapes past an end has struck the flank. */
+/* The struck face is where the contact began; but a partner that only scrapes past an end has
+ * struck the flank. */
 static struct face_damage choose_face(struct damage *m, struct cr_severity *s,
                                       struct cr_vec2 inward) {
     s->face = began_at(m, inward);
@@ -222,7 +227,8 @@ static enum cr_err second_face(struct damage *m, struct cr_severity *s, struct c
         sum += energy[f];
         best = f != (int)s->face && (best < 0 || energy[f] > energy[best]) ? f : best;
     }
-    /* a flank that was only scraped past holds what its way counts for the end */
+    /* In a scrape along the flank the partner's direction may count all its energy for the end:
+     * then the struck face has none, and the energy of the end makes no second face. */
     bool beside = !(energy[s->face] > 0);
     if (beside || !(energy[best] > second_share * sum)) {
         return CR_ERR_OK;
@@ -243,7 +249,7 @@ static enum cr_err second_face(struct damage *m, struct cr_severity *s, struct c
                                             .depth = deep.residual,
                                             .depth_dynamic = deep.dynamic,
                                             .width = width_of(&d, f.lo, f.hi)};
-        m->deform.through = false; /* what lies behind sound material is the other face's */
+        m->deform.through = false; /* damage behind intact material belongs to the second face */
     }
     free(left);
     return CR_ERR_OK;
@@ -251,8 +257,8 @@ static enum cr_err second_face(struct damage *m, struct cr_severity *s, struct c
 
 /* ---- C1..C6 ---- */
 
-/* depth of the face at column position x (columns from 0.5), linear between their middles, and how
- * far the undeformed outline lies back there */
+/* Depth of the face at position x, in columns, whose middles lie at 0.5, 1.5, ...; linear between
+ * the middles. *setback gets how far the undeformed outline lies back there, both m. */
 static double depth_at(const struct cr_deform *d, enum cr_face face, double x, double *setback) {
     int n = cr_face_lines(d->grid, face);
     double at = cr_clamp(x - 0.5, 0, n - 1);
@@ -265,13 +271,13 @@ static double depth_at(const struct cr_deform *d, enum cr_face face, double x, d
     return a + f * (b - a);
 }
 
-/* Six equal spaces over the damaged width [CRUSH-POINTS]: from a straight line
- * along the foremost point of the undeformed face, as a string is stretched, and from the
- * undeformed outline, whose curvature is then taken off. */
+/* Takes C1..C6 at six equally spaced points of the damaged width [CRUSH-POINTS]: once from a
+ * straight line along the foremost point of the undeformed face, as a string is stretched, and once
+ * from the undeformed outline, so that the curvature of the face does not count as crush. */
 static void crush_profile(const struct cr_deform *d, const struct face_damage *f,
                           struct cr_severity *s) {
     int n = cr_face_lines(d->grid, s->face);
-    double lo = f->lo + 0.5, hi = f->hi + 0.5; /* middles of the outermost damaged columns */
+    double lo = f->lo + 0.5, hi = f->hi + 0.5; /* these are middles of columns */
     double foremost = INFINITY, setback;
     for (int k = 0; k < n; k++) {
         foremost = fmin(foremost, cr_deform_setback(d->grid, s->face, k));
@@ -289,7 +295,7 @@ static void crush_profile(const struct cr_deform *d, const struct face_damage *f
     while (lo < hi && cr_deform_setback(d->grid, s->face, (int)hi) - foremost > corner) {
         hi = (int)hi - 0.5;
     }
-    /* the whole face springs back by one share, so that what was straight stays straight */
+    /* The whole face springs back by one share, so that a straight line stays straight. */
     struct cr_depth deep = both(d, s->face, f->depth);
     double residual = f->depth > 0 ? deep.residual / f->depth : 1;
     double dynamic = f->depth > 0 ? deep.dynamic / f->depth : 1;
@@ -301,7 +307,7 @@ static void crush_profile(const struct cr_deform *d, const struct face_damage *f
         s->profile_dynamic[i] = dynamic * (lost + setback - foremost);
         s->profile_outline[i] = c.residual;
     }
-    /* columns run from left to right and from rear to front */
+    /* Columns run from left to right on the ends, and y is positive to the left. */
     double mid = (lo + hi) / 2 * d->grid->h;
     s->profile_width = (hi - lo) * d->grid->h;
     s->profile_middle =
@@ -314,7 +320,7 @@ static double or_else(double x, double fallback) {
     return isfinite(x) && x > 0 ? x : fallback;
 }
 
-/* slid along its partner: little of the closing speed was lost, most of it is left */
+/* A sideswipe changes the body's velocity by little of the closing speed and leaves most of it. */
 static bool is_sideswipe(const struct damage *m) {
     const struct cr_event *e = m->event;
     int other = e->body[!m->side];
@@ -325,8 +331,8 @@ static bool is_sideswipe(const struct damage *m) {
     return after > speed / 2 && cr_vec2_len(e->of[m->side].delta_v) < speed / 4;
 }
 
-/* Column 5 of J224 for an object that stands off the road or reaches above the belt line; vehicles
- * meet below it. */
+/* Column 5 of J224, the heights that were struck: of an object they follow from its lower and upper
+ * edge; vehicles meet each other below the belt line. */
 static char vertical(const struct damage *m, enum cr_face face) {
     const struct cr_participant *p = &m->r->resolved.part[m->body];
     const struct cr_participant *q = &m->r->resolved.part[m->event->body[!m->side]];
@@ -342,7 +348,8 @@ static char vertical(const struct damage *m, enum cr_face face) {
     if (q->z_hi <= frame * p->height) {
         return 'L';
     }
-    /* the classification counts a side hit to the roof, a front hit below the belt line */
+    /* J224 counts a tall object at a flank as a hit up to the roof, at an end below the belt
+     * line. */
     return !cr_face_is_end(face) && q->z_hi > roof * p->height ? 'A' : 'E';
 }
 
@@ -370,7 +377,8 @@ static void classify(const struct damage *m, const struct face_damage *f, struct
 
 /* ---- the whole ---- */
 
-/* Material after the impact: gone is what it took, and what earlier ones took of the same face. */
+/* The material that is left after this impact: it and earlier impacts of the same face have taken
+ * theirs, the damage of later ones and of other faces is undone. */
 static enum cr_err take_left(struct damage *m, enum cr_face face, const struct cr_impact *before,
                              struct cr_error *err) {
     const struct cr_grid *g = m->deform.grid;
@@ -404,7 +412,7 @@ static void measure_area(const struct damage *m, const struct face_damage *f,
     area *= g->h * g->h;
     s->area_induced *= g->h * g->h;
     s->area_contact = area - s->area_induced;
-    /* the residual share of the area is that of the struck face's columns */
+    /* The area springs back by the same share as the columns of the struck face. */
     double lost = m->deform.residual_curve ? f->residual_sum : f->dynamic_sum;
     s->deformation_area = lost > 0 ? area * f->residual_sum / lost : 0;
 }

@@ -1,4 +1,5 @@
-/* Damage of one impact on one vehicle, and which impact crushed which voxel. */
+/* Measures the damage that one impact left on one vehicle, and finds which impact crushed which
+ * voxel where a vehicle had several. */
 #ifndef CR_RESULT_DAMAGE_H
 #define CR_RESULT_DAMAGE_H
 
@@ -12,23 +13,23 @@ struct cr_depth {
 
 struct cr_damage_case {
     const struct cr_result *result; /* its impacts before this one are measured already */
-    const struct cr_events *all;
-    int event, side;
-    const short *owner; /* of cr_damage_owners; NULL: the body had only this impact */
+    const struct cr_events *all;    /* the impacts of the whole crash */
+    int event, side;                /* which of them, and which of its two bodies */
+    const short *owner;             /* of cr_damage_owners; NULL: the body had only this impact */
 };
 
-/* The body's damage as the solution has it at its end. */
+/* The body's damage at the end of the solve, by all impacts; it borrows from the result. */
 struct cr_deform cr_damage_of(const struct cr_result *result, int body);
 
-/* Index of the impact that crushed each voxel, by its time and place; -1 for what is whole. *out is
- * to be freed. Errors: MEMORY. */
+/* Index of the impact that crushed each voxel, by its time and place, [ny * nx]; -1 for voxels that
+ * are whole. The caller frees *out. Errors: MEMORY. */
 CR_MUST_CHECK enum cr_err cr_damage_owners(const struct cr_result *result,
                                            const struct cr_events *all, int body, short **out,
                                            struct cr_error *err);
 
-/* Faces, depths, profile, areas and CDC into the severity, whose delta-v and PDOF are known.
- * Depths, profile and CDC are those found after the impact, with what earlier ones did to the same
- * face; areas are its own. Errors: MEMORY. */
+/* Fills in faces, depths, profile, areas and CDC of a severity whose delta-v and PDOF are known.
+ * Depths, profile and CDC are as found after the impact, with the damage of earlier impacts to the
+ * same face; areas are of this impact alone. Errors: MEMORY. */
 CR_MUST_CHECK enum cr_err cr_damage_measure(const struct cr_damage_case *what,
                                             struct cr_severity *severity, struct cr_error *err);
 

@@ -1,4 +1,5 @@
-/* The hash that stands for all data a computation reads. */
+/* Makes the one hash that stands for all data a computation reads, so that results can be told
+ * apart that were made with other models, risk functions or damage rules. */
 #include "result/result.h"
 
 #include "base/file.h"

@@ -6,14 +6,15 @@
 #include <math.h>
 #include <string.h>
 
-/* intact material behind damage that ends a column, m: thicker than any gap between structures */
+/* So much intact material behind damage ends a column, m: the damage beyond came from elsewhere. */
 static const double intact_least = 0.3;
-/* share of a voxel's material below which a loss is rounding */
+/* A loss below this share of a voxel's material is rounding. */
 static const double nothing = 1e-9;
 
-/* share of a shallow crush that springs back: walls at 23 to 40 km/h of share/validation/data */
+/* This share of a shallow crush springs back, as in the tests against walls at 23 to 40 km/h of
+ * share/validation/data. */
 static const double shallow = 0.4;
-/* crush that leaves nothing, m: of fronts on a wall at 8 km/h [LOW-SPEED] */
+/* A crush of fronts up to this depth leaves no residual one, m: a wall at 8 km/h [LOW-SPEED]. */
 static const double elastic_depth = 0.053;
 
 double cr_deform_residual(double dynamic, double springback) {
@@ -32,7 +33,8 @@ double cr_deform_dynamic(double residual, double springback) {
     return fmin(residual + back, fmax(residual + elastic_depth, residual / (1 - shallow)));
 }
 
-/* one step along a line or column; true when the line is over */
+/* Goes one step along a line or column and adds the loss to *sum; true when the line has ended.
+ * *intact is the intact material since the last loss, m. */
 static bool walk(double fill, double lost, double step, double *sum, double *intact) {
     if (lost > nothing) {
         *sum += lost * step;
@@ -43,7 +45,7 @@ static bool walk(double fill, double lost, double step, double *sum, double *int
     return *sum > 0 && *intact > intact_least;
 }
 
-/* box of the voxels that lost material, in voxels; false if none did */
+/* The box of the voxels that lost material, from lo to hi, both included; false if none did. */
 static bool lost_box(const struct cr_deform *d, int lo[2], int hi[2]) {
     const struct cr_grid *g = d->grid;
     lo[0] = g->nx;
@@ -74,7 +76,7 @@ void cr_deepest_add(struct cr_deepest *d, double depth) {
     for (int i = d->n - whole; i < d->n; i++) {
         sum += d->last[i % MOST];
     }
-    /* a window ends or begins between two strips where its mean is greatest */
+    /* The mean is greatest where the window begins or ends exactly between two strips. */
     double before = part > 1e-9 ? d->last[(d->n - whole - 1) % MOST] : 0;
     double after = part > 1e-9 ? sum - d->last[(d->n - 1) % MOST] + before : sum;
     d->top = fmax(d->top, (sum + part * before) / lines);
@@ -85,7 +87,8 @@ double cr_deepest_get(const struct cr_deepest *d) {
     return d->n > 0 && d->n * d->step < CR_DEFORM_WIDTH - 1e-9 ? d->sum / d->n : d->top;
 }
 
-/* part [*t0, *t1] of the line at + t dir (in voxels) inside the box lo..hi+1 */
+/* Cuts the line at + t dir (in voxels) to the part [*t0, *t1] inside the box lo..hi+1; false if it
+ * misses the box. */
 static bool clip(struct cr_vec2 at, struct cr_vec2 dir, const int lo[2], const int hi[2],
                  double *t0, double *t1) {
     double p[2] = {at.x, at.y}, v[2] = {dir.x, dir.y};
@@ -105,7 +108,7 @@ static bool clip(struct cr_vec2 at, struct cr_vec2 dir, const int lo[2], const i
     return *t1 > *t0;
 }
 
-/* material lost along at + t dir, both in voxels; result in voxels */
+/* The length of material lost along the line at + t dir; everything is in voxels. */
 static double line_loss(const struct cr_deform *d, struct cr_vec2 at, struct cr_vec2 dir,
                         const int lo[2], const int hi[2]) {
     static const double step_most = 0.25; /* voxels */
@@ -129,16 +132,6 @@ static double line_loss(const struct cr_deform *d, struct cr_vec2 at, struct cr_
     return sum;
 }
 
-double cr_deform_line(const struct cr_deform *d, struct cr_vec2 at, struct cr_vec2 inward) {
-    const struct cr_grid *g = d->grid;
-    int lo[2], hi[2];
-    if (!lost_box(d, lo, hi)) {
-        return 0;
-    }
-    struct cr_vec2 p = {(at.x - g->x0) / g->h, (at.y - g->y0) / g->h};
-    return g->h * line_loss(d, p, inward, lo, hi);
-}
-
 double cr_deform_max(const struct cr_deform *d, struct cr_vec2 inward) {
     int lo[2], hi[2];
     if (!lost_box(d, lo, hi)) {
@@ -147,10 +140,10 @@ double cr_deform_max(const struct cr_deform *d, struct cr_vec2 inward) {
     struct cr_vec2 side = cr_vec2_perp(inward);
     struct cr_vec2 mid = {(lo[0] + hi[0] + 1) / 2.0, (lo[1] + hi[1] + 1) / 2.0};
     double half = (fabs(side.x) * (hi[0] + 1 - lo[0]) + fabs(side.y) * (hi[1] + 1 - lo[1])) / 2;
-    /* lines one voxel apart, through voxel centres when the direction is along the grid */
+    /* The lines are one voxel apart and go through voxel centres if they run along the grid. */
     int n = (int)ceil(2 * half - 1e-9);
     double pitch = 2 * half / n;
-    /* lines beside the damage too, as a narrow one is measured with what stands beside it */
+    /* Lines beside the damage count too: the mean over a narrow damage includes what stands. */
     int beside = (int)ceil(CR_DEFORM_WIDTH / (pitch * d->grid->h));
     struct cr_deepest top = {.step = pitch * d->grid->h};
     for (int i = -beside; i < n + beside; i++) {
@@ -160,11 +153,11 @@ double cr_deform_max(const struct cr_deform *d, struct cr_vec2 inward) {
     return cr_deepest_get(&top) * d->grid->h;
 }
 
-/* index of place i, counted from the face, in column k */
+/* The index of the voxel at place i of column k, counted from the face. */
 static int place(const struct cr_grid *g, enum cr_face face, int k, int i) {
     bool along = cr_face_is_end(face);
     int j = cr_face_from_high(face) ? cr_face_line_length(g, face) - 1 - i : i;
-    /* left to right means falling y */
+    /* Columns of the ends run from left to right, which is falling y. */
     return along ? (g->ny - 1 - k) * g->nx + j : j * g->nx + k;
 }
 
@@ -203,7 +196,7 @@ enum cr_face cr_deform_face_at(const struct cr_grid *g, struct cr_vec2 at, struc
     double x = at.x - g->x0, y = at.y - g->y0;
     double to_end = fmax(0, end == CR_FACE_FRONT ? g->nx * g->h - x : x);
     double to_flank = fmax(0, flank == CR_FACE_LEFT ? g->ny * g->h - y : y);
-    /* the nearer in time when going out against inward */
+    /* Both divided by the speed towards the face, which may be 0, say which is met first. */
     return to_end * fabs(inward.y) <= to_flank * fabs(inward.x) ? end : flank;
 }
 
@@ -214,7 +207,7 @@ void cr_deform_relax(const struct cr_deform *d, enum cr_face face, double *left)
         double lost = cr_deform_column(d, face, k, false), sum = 0;
         double back = (lost - cr_deform_residual(lost, g->springback[face])) / g->h;
         int deep = 0;
-        /* the place in which the last of the column's loss lies */
+        /* The last of the column's loss lies at place `deep`. */
         for (int i = 0; sum * g->h < lost - nothing && i < cr_face_line_length(g, face); i++) {
             int at = place(g, face, k, i);
             sum += fmax(0, g->fill[at] - left[at]);
@@ -227,21 +220,6 @@ void cr_deform_relax(const struct cr_deform *d, enum cr_face face, double *left)
             back -= more;
         }
     }
-}
-
-double cr_deform_area(const struct cr_deform *d, double *induced) {
-    const struct cr_grid *g = d->grid;
-    double all = 0;
-    *induced = 0;
-    for (int i = 0; i < g->nx * g->ny; i++) {
-        double lost = g->fill[i] - d->left[i];
-        all += lost;
-        if (d->how && !(d->how[i] & CR_CRUSH_CONTACT)) {
-            *induced += lost;
-        }
-    }
-    *induced *= g->h * g->h;
-    return all * g->h * g->h;
 }
 
 enum cr_face cr_deform_face(const struct cr_deform *d, struct cr_vec2 inward) {

@@ -1,4 +1,4 @@
-/* Two results side by side: crumple diff, and compare with a result. */
+/* Puts two results side by side, for crumple diff and for compare with a result. */
 #include "result/diff.h"
 
 #include "base/show.h"
@@ -17,7 +17,7 @@ bool cr_diff_is_result(const cJSON *json) {
            cJSON_IsArray(cJSON_GetObjectItemCaseSensitive(json, "participants"));
 }
 
-/* member of a list of objects that has this id */
+/* The element of a list of objects whose "id" is this one, NULL without. */
 static const cJSON *by_id(const cJSON *list, const cJSON *id) {
     for (const cJSON *p = list != NULL ? list->child : NULL; p != NULL; p = p->next) {
         const cJSON *own = cJSON_GetObjectItemCaseSensitive(p, "id");
@@ -31,12 +31,12 @@ static const cJSON *by_id(const cJSON *list, const cJSON *id) {
 
 /* ---- inputs ---- */
 
-/* a value in a few characters */
+/* Shows a value in a few characters. */
 static const char *shown(const cJSON *json, char buf[TEXT]) {
     if (json == NULL || cJSON_IsNull(json)) {
         snprintf(buf, TEXT, "-");
     } else if (cJSON_IsString(json)) {
-        cr_show(json->valuestring, buf, TEXT / 2 + 1); /* of a file of anybody */
+        cr_show(json->valuestring, buf, TEXT / 2 + 1); /* anybody may have written the file */
     } else if (cJSON_IsBool(json)) {
         snprintf(buf, TEXT, "%s", cJSON_IsTrue(json) ? "yes" : "no");
     } else if (cJSON_IsNumber(json)) {
@@ -61,7 +61,8 @@ static void say_input(struct cr_diff *d, struct cr_str *out, const char *path, c
     cr_str_add(out, "\n");
 }
 
-/* what one tree has and the other has not, or has otherwise; notes of the user are no inputs */
+/* Tells what only one tree has, or what both have otherwise. Keys x_... are notes of the user, no
+ * inputs. */
 static void compare_inputs(struct cr_diff *d, struct cr_str *out, const char *path, const cJSON *a,
                            const cJSON *b, int depth) {
     if (depth > DEPTH || cJSON_Compare(a, b, true)) {
@@ -118,7 +119,7 @@ static void say_inputs(struct cr_diff *d, struct cr_str *out) {
 
 /* ---- results ---- */
 
-/* a rounded zero has no sign of its own */
+/* Writes a number; what rounds to zero loses its sign. */
 static const char *number(double x, int decimals, bool sign, char buf[TEXT]) {
     double least = 0.5 * pow(10, -decimals);
     snprintf(buf, TEXT, sign ? "%+.*f" : "%.*f", decimals, fabs(x) < least ? 0 : x);
@@ -130,7 +131,7 @@ static void say_value(struct cr_diff *d, struct cr_str *out, const struct cr_mea
     double change = b - a, share = a != 0 ? 100 * change / fabs(a) : (double)NAN;
     double one = a, two = b, by = change;
     int decimals;
-    if (m->dim == CR_DIM_ANGLE) { /* 350 and 10 degrees are 20 apart, of nothing */
+    if (m->dim == CR_DIM_ANGLE) { /* 350 and 10 degrees are 20 apart; a share of 350 says nothing */
         by = change = cr_deg(cr_angle_wrap(cr_rad(change)));
         share = NAN;
     }

@@ -1,14 +1,16 @@
-/* The EES field of a plan model: how severe a crush down to each voxel is. */
+/* Computes the EES field of a plan model: how severe a crush down to each voxel is. */
 #include "result/result.h"
 
 #include <math.h>
 
-/* EES in km/h of a line of voxels crushed from its end down to each of its voxels, if the whole
- * face were like this line (`lines` of them): sqrt(2 E lines / m). Keeps the lesser of this and
- * what is there, so that every voxel ends with the value of the face that reaches it first. */
+/* A line of voxels, square to a face. */
 struct line {
-    int start, step, n, lines; /* first voxel, way to the next, how many; lines of the face */
+    int start, step, n, lines; /* first voxel, step to the next, how many; lines of the face */
 };
+
+/* EES in km/h of a line of voxels crushed from its end down to each of its voxels, if the whole
+ * face were like this line: sqrt(2 E lines / m). Keeps the lesser of this and the value that is
+ * there, so that every voxel ends with the value of the face that reaches it at the least EES. */
 static void walk(const struct cr_grid *g, double mass, struct line line, double *ees) {
     double sum = 0;
     for (int k = 0, i = line.start; k < line.n; k++, i += line.step) {

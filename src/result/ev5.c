@@ -1,4 +1,5 @@
-/* The text of NHTSA's EV5 files: sections in dashes, a record on each line, fields between bars. */
+/* Reads the text of NHTSA's EV5 files: sections in dashes, a record on each line, fields between
+ * bars. */
 #include "result/ev5.h"
 
 #include "base/csv.h"
@@ -33,7 +34,7 @@ static enum cr_err add(struct cr_ev5 *out, const char *section, int line, char *
     return CR_ERR_OK;
 }
 
-/* "----- NAME -----": its name, cut out; NULL for another line */
+/* The name in a line "----- NAME -----", cut out; NULL for another line. */
 static const char *section_of(char *line) {
     size_t n = strspn(line, "-");
     char *name = line + n + strspn(line + n, " ");

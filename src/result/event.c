@@ -7,30 +7,33 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* 49 CFR 563.5: an event is over when the velocity changes by no more than this within 20 ms */
+/* 49 CFR 563.5: an event is over when the velocity changes by no more than this, m/s, within 20
+ * ms. */
 static const double quiet_speed = 0.8 / 3.6, quiet_window = 0.020;
-/* the same for pairs that do not reach it by far, as a share of their greatest change */
+/* For pairs that hardly reach that change the limit is this share of their greatest change. */
 static const double faint_share = 0.05;
-/* touches that follow each other sooner are one impact, s: the length of a crash pulse */
+/* Touches that follow each other sooner are one impact, s: a crash pulse is about as long. */
 static const double gap_between = 0.1;
 /* A contact is reported whole unless it rubs for longer than this before or after, s. */
 static const double rub_most = 0.1;
-/* Below this share of the first relative speed its direction is chance. */
+/* Below this share of the first relative speed the direction of the motion is chance. */
 static const double slow_share = 0.2;
 
-/* What the passes over the slices share; a contact's span is where it is more than rubbing. */
+/* The part of a contact in which it is more than rubbing. */
 struct span {
-    int first, last; /* of its slices; last < first without any */
-    double begin, end, peak;
-    int event;
+    int first, last;   /* its slices; last < first without any */
+    double begin, end; /* s; NaN where it only rubs */
+    double peak;       /* greatest velocity change within the window, m/s */
+    int event;         /* the impact it belongs to */
 };
 
+/* What the passes over the slices share. */
 struct work {
     const struct cr_solution *sol;
     const struct cr_case *cs;
     struct span *span; /* [contacts] */
-    double *turned;    /* [bodies * samples] change of yaw rate by contacts */
-    unsigned char *at; /* [bodies * samples] impacts that last there */
+    double *turned;    /* [bodies * samples] change of yaw rate by contacts, rad/s */
+    unsigned char *at; /* [bodies * samples] how many impacts of the body last there */
 };
 
 static double inverse(double x) {
@@ -45,12 +48,12 @@ static double sample_begin(const struct cr_solution *sol, int k) {
     return k > 0 ? sol->t[k - 1] : sol->t_contact;
 }
 
-/* what a slice gives to the second body, N s */
+/* The impulse that a slice gives to the second body, N s. */
 static struct cr_vec2 push(const struct cr_slice *s) {
     return cr_vec2_scale(s->direction, s->impulse);
 }
 
-/* the lighter of the two shows it most, 1/kg */
+/* The inverse mass of the lighter of the two, whose velocity an impulse changes most, 1/kg. */
 static double lightness(const struct work *w, int contact) {
     const struct cr_contact *c = &w->sol->contact[contact];
     return fmax(inverse(w->cs->body[c->a].mass), inverse(w->cs->body[c->b].mass));
@@ -61,8 +64,8 @@ static double contact_end(const struct cr_solution *sol, const struct cr_contact
     return isfinite(c->t_end) ? c->t_end : last;
 }
 
-/* Greatest velocity change of a contact within the window, m/s; from where to where it is at least
- * `least` goes into the span. */
+/* Slides the window over a contact and returns its greatest velocity change within, m/s; the span
+ * gets from where to where the change is at least `least`, m/s. */
 static double sweep(const struct work *w, int contact, double least) {
     const struct cr_solution *sol = w->sol;
     struct span *of = &w->span[contact];
@@ -91,7 +94,7 @@ static double sweep(const struct work *w, int contact, double least) {
     return top;
 }
 
-/* what counts as rubbing between the two bodies of a contact, m/s within the window */
+/* The velocity change within the window below which the two bodies of a contact only rub, m/s. */
 static double quiet_of(const struct work *w, int contact) {
     const struct cr_contact *c = &w->sol->contact[contact];
     double top = 0;
@@ -129,7 +132,7 @@ static void find_spans(struct work *w) {
     }
 }
 
-/* the latest impact of the two bodies so far; -1 without one */
+/* The latest impact of the two bodies so far; -1 without one. */
 static int latest(const struct cr_events *all, const struct cr_contact *c) {
     for (int i = all->n - 1; i >= 0; i--) {
         if (all->event[i].body[0] == c->a && all->event[i].body[1] == c->b) {
@@ -154,7 +157,7 @@ static void group(struct work *w, struct cr_events *out) {
                                                .main = k,
                                                .closing = c->closing};
         } else if (!faint && w->span[out->event[at].main].peak < quiet_of(w, k)) {
-            out->event[at].t_begin = of->begin; /* until here it had only rubbed */
+            out->event[at].t_begin = of->begin; /* until here the pair had only rubbed */
             out->event[at].t_end = of->end;
             out->event[at].main = k;
             out->event[at].closing = c->closing;
@@ -165,7 +168,7 @@ static void group(struct work *w, struct cr_events *out) {
     }
 }
 
-/* sums over the contacts of each impact */
+/* Adds up impulse, energy and places of the contacts of each impact. */
 static void add_contacts(const struct work *w, struct cr_events *all) {
     const struct cr_solution *sol = w->sol;
     for (int k = 0; k < sol->contacts; k++) {
@@ -192,7 +195,7 @@ static void add_contacts(const struct work *w, struct cr_events *all) {
         }
         e->coe = size > 0 ? cr_vec2_scale(e->coe, 1 / size) : c->coe;
         e->normal = cr_vec2_unit(e->normal, c->normal);
-        /* what still rubs when all has come to rest has parted */
+        /* Bodies that still touch when all has come to rest count as parted. */
         bool open = c->stop == CR_STOP_NONE && !sol->interrupted;
         e->stop = open ? CR_STOP_SEPARATION : c->stop;
         e->t_plastic_end = isfinite(c->t_plastic_end) ? c->t_plastic_end : e->t_end;
@@ -202,7 +205,8 @@ static void add_contacts(const struct work *w, struct cr_events *all) {
     }
 }
 
-/* time slices that lie in each impact, and room for what is known of them */
+/* Finds the time slices that lie in each impact and makes room for vel and way; false without
+ * memory. */
 static bool take_samples(struct work *w, struct cr_events *all) {
     const struct cr_solution *sol = w->sol;
     size_t sum = 0;
@@ -240,7 +244,7 @@ static const struct cr_sample *end_of(const struct cr_solution *sol, int k, int 
                  : &sol->trace[(size_t)k * (size_t)sol->bodies + (size_t)body];
 }
 
-/* velocity of a point of a body at the beginning of a time slice */
+/* The velocity of the point `at` (world) of a body at the beginning of time slice k. */
 static struct cr_vec2 point_velocity(const struct cr_solution *sol, int k, int body,
                                      struct cr_vec2 at) {
     const struct cr_sample *was = end_of(sol, k - 1, body), *is = end_of(sol, k, body);
@@ -260,7 +264,8 @@ static void add_slice_to(const struct work *w, struct cr_event *e, int side,
     of->coe = cr_vec2_axpy(of->coe, fabs(s->impulse), at);
     of->pushed += fabs(s->impulse);
     of->touch = isnan(of->touch.x) ? at : of->touch;
-    /* how the partner moves over it: rel is the motion of the second body against the first */
+    /* rel is the motion of the second body against the first; way is the partner's over this
+     * one. */
     struct cr_vec2 way = cr_vec2_unrotate(side == 0 ? rel : cr_vec2_scale(rel, -1), c, sn);
     of->way[k] = cr_vec2_unit(way, of->way[k]);
 }
@@ -292,7 +297,8 @@ static void add_slices(struct work *w, struct cr_events *all) {
     }
 }
 
-/* What is no contact's doing, above all the tyres', is shared by the impacts that last there. */
+/* Sums the velocity change of an impact slice by slice. What no contact did, above all what tyres
+ * did, is shared by the impacts that last in that slice. */
 static void add_rest(const struct work *w, struct cr_event *e, int side) {
     const struct cr_solution *sol = w->sol;
     struct cr_event_body *of = &e->of[side];

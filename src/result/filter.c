@@ -1,17 +1,18 @@
-/* CFC filter of SAE J211-1: a two-pole Butterworth low pass, run forward and backward so that it
- * does not shift in time [CFC-FILTER]. */
+/* The CFC filter of SAE J211-1, which every published crash pulse has gone through: a two-pole
+ * Butterworth low pass, run forward and backward so that it does not shift in time [CFC-FILTER]. */
 #include "result/result.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* wd = 2 pi CFC 2.0775 (SAE J211); the ISO 6487 text has 1.25/0.6 = 2.0833 */
+/* wd = 2 pi CFC 2.0775 (SAE J211); the text of ISO 6487 has 1.25/0.6 = 2.0833. */
 static const double cutoff = 2.0775;
-/* -3 dB of both passes together lies at CFC / 0.6: 100 Hz for CFC60 */
+/* The -3 dB point of both passes together lies at CFC / 0.6: 100 Hz for CFC60. */
 static const double two_pass = 0.6;
-/* share of the Nyquist frequency above which NHTSA's BWFILT refuses to filter */
+/* NHTSA's BWFILT refuses to filter above this share of the Nyquist frequency. */
 static const double nyquist_share = 0.775;
-static const double pad_s = 0.010; /* of mirrored signal at either end, ISO variant */
+/* So much of the signal is mirrored at either end, s, as ISO 6487 has it. */
+static const double pad_s = 0.010;
 enum { PAD_MIN = 100, START_MEAN = 10 };
 
 struct biquad {
@@ -25,7 +26,7 @@ static struct biquad design(double cfc, double dt) {
         .b0 = wa * wa / d, .a1 = -2 * (wa * wa - 1) / d, .a2 = (-1 + sqrt(2.0) * wa - wa * wa) / d};
 }
 
-/* one pass over x[0], x[step], ... in place, settled on the mean of its first values */
+/* One pass over x[0], x[step], ... in place; it begins settled on the mean of its first values. */
 static void pass(const struct biquad *f, double *x, int n, int step) {
     int m = n < START_MEAN ? n : START_MEAN;
     double start = 0;
@@ -61,7 +62,8 @@ enum cr_err cr_cfc_filter(double cfc, double dt, double *x, int n, struct cr_err
     if (y == NULL) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory to filter %d samples", n);
     }
-    /* point mirror at both ends, so that a signal that starts off zero keeps its first value */
+    /* Both ends are mirrored at their last point, so that a signal that starts off zero keeps its
+     * first value. */
     for (int i = 0; i < pad; i++) {
         y[pad - 1 - i] = 2 * x[0] - x[i + 1];
         y[pad + n + i] = 2 * x[n - 1] - x[n - 2 - i];

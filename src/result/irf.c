@@ -1,10 +1,9 @@
-/* Injury risk functions from data files (share/irf): each with its source, covariate, unit
- * and range. Three forms are known: logistic, p = 1 / (1 + exp(-(b0 + b1 x + ...))), and power,
- * p = (x / ref)^exponent. */
+/* Injury risk functions: how probable an injury is at a delta-v, closing speed or EES. They are
+ * read from data files (share/irf), each with its source, covariate, unit and range, in two forms:
+ * logistic, p = 1 / (1 + exp(-(b0 + b1 x + offset))), and power, p = (x / reference)^exponent. */
 #include "result/result_priv.h"
 
 #include "base/file.h"
-
 #include "base/grow.h"
 
 #include <cjson/cJSON.h>
@@ -23,7 +22,8 @@ static const struct {
     double mps;
 } unit_words[] = {{"m/s", 1}, {"km/h", 1 / 3.6}, {"mph", 0.44704}};
 
-/* sector -> number: the clock hour, else left or right, else front, side or rear, else all */
+/* The directions for which a function may have a number of its own: clock hours 1 to 12, then these
+ * words; by_sector says which goes before which. */
 enum sector { FRONT = 13, SIDE, LEFT, RIGHT, REAR, ALL, SECTORS };
 static const char *const sector_words[SECTORS] = {
     "",   "1",  "2",  "3",     "4",    "5",    "6",     "7",    "8",  "9",
@@ -32,12 +32,12 @@ static const char *const sector_words[SECTORS] = {
 struct irf {
     char name[CR_NAME_MAX], title[CR_NAME_MAX], level[16];
     enum covariate covariate;
-    double unit; /* m/s */
+    double unit; /* of the covariate, in m/s */
     bool power, vehicle_partner, front_only, by_default;
-    double intercept, slope; /* logistic, constants added to the intercept */
-    double exponent;
-    double lo, hi;          /* range of the data, in its unit */
-    double sector[SECTORS]; /* offsets (logistic) or references (power); NaN: not given */
+    double intercept, slope; /* logistic; the intercept includes the constants */
+    double exponent;         /* power */
+    double lo, hi;           /* range of the data, in its unit */
+    double sector[SECTORS];  /* offsets (logistic) or references (power); NaN: not given */
 };
 
 struct cr_irf_set {
@@ -103,7 +103,7 @@ static double find_unit(const char *s) {
     return NAN;
 }
 
-/* formula, its coefficients and what they depend on */
+/* Reads the form of a function and its coefficients, with those by direction. */
 static enum cr_err read_formula(const cJSON *json, const char *path, struct irf *f,
                                 struct cr_error *err) {
     const char *formula = word(json, "formula");
@@ -256,7 +256,8 @@ void cr_irf_free(struct cr_irf_set *set) {
     }
 }
 
-/* Whether words with commas between choose a function; none at all are the default ones. */
+/* Whether words with commas between choose a function; without words the default ones are
+ * chosen. */
 static bool is_chosen(const struct irf *f, const char *words) {
     bool chosen = false;
     for (const char *at = words == NULL || words[0] == '\0' ? "auto" : words; *at != '\0';) {
@@ -270,44 +271,44 @@ static bool is_chosen(const struct irf *f, const char *words) {
     return chosen;
 }
 
-enum cr_err cr_irf_check(const struct cr_irf_set *set, const char *words, struct cr_error *err) {
+static enum cr_err unknown(const struct cr_irf_set *set, const char *name, struct cr_error *err) {
     const char *known[CR_INJURY_MAX + 2] = {"auto", "all"};
     int n = 2;
     for (int i = 0; i < set->n && i < CR_INJURY_MAX; i++) {
         known[n++] = set->irf[i].name;
     }
+    const char *near = cr_str_nearest(name, known, n);
+    cr_err_set(err, CR_ERR_NAME, "there is no injury risk function \"%s\"", name);
+    cr_err_hint(err, near != NULL ? "did you mean \"%s\"?" : "\"%s\" shows their names",
+                near != NULL ? near : "all");
+    return CR_ERR_NAME;
+}
+
+enum cr_err cr_irf_check(const struct cr_irf_set *set, const char *words, struct cr_error *err) {
     for (const char *at = words; *at != '\0';) {
         char one[CR_NAME_MAX];
         size_t len = strcspn(at, ",");
         snprintf(one, sizeof one, "%.*s", (int)(len < sizeof one ? len : sizeof one - 1), at);
-        int k = 0;
-        while (k < n && strcmp(known[k], one) != 0) {
-            k++;
+        bool known = strcmp(one, "auto") == 0 || strcmp(one, "all") == 0;
+        for (int i = 0; i < set->n && !known; i++) {
+            known = strcmp(set->irf[i].name, one) == 0;
         }
-        if (k == n) {
-            const char *near = cr_str_nearest(one, known, n);
-            cr_err_set(err, CR_ERR_NAME, "there is no injury risk function \"%s\"", one);
-            cr_err_hint(err, near != NULL ? "did you mean \"%s\"?" : "\"%s\" shows their names",
-                        near != NULL ? near : "all");
-            return CR_ERR_NAME;
+        if (!known) {
+            return unknown(set, one, err);
         }
         at += len + (at[len] == ',');
     }
     return CR_ERR_OK;
 }
 
-/* the most particular number given for the direction; `fallback` if none is */
+/* The most particular number that is given for the direction: that of the clock hour, else of left
+ * or right, else of front, side or rear, else of all; `fallback` if none is. */
 static double by_sector(const double sector[SECTORS], double pdof, double fallback) {
     double deg = cr_deg(cr_angle_wrap(pdof)); /* + right, - left */
     bool front = fabs(deg) <= 45, rear = fabs(deg) > 135;
-    const int order[] = {cr_pdof_clock(pdof),
-                         front || rear ? ALL
-                         : deg > 0     ? RIGHT
-                                       : LEFT,
-                         front  ? FRONT
-                         : rear ? REAR
-                                : SIDE,
-                         ALL};
+    const int end = front ? FRONT : REAR;
+    const int order[] = {cr_pdof_clock(pdof), front || rear ? end : (deg > 0 ? RIGHT : LEFT),
+                         front || rear ? end : SIDE, ALL};
     for (size_t i = 0; i < sizeof order / sizeof *order; i++) {
         if (isfinite(sector[order[i]])) {
             return sector[order[i]];
@@ -336,7 +337,7 @@ void cr_irf_apply(const struct cr_irf_set *set, const struct cr_irf_case *what,
         to->probability = f->power ? fmin(1, pow(fmax(0, x) / by, f->exponent))
                                    : 1 / (1 + exp(-(f->intercept + f->slope * x + by)));
         to->extrapolated = x < f->lo || x > f->hi;
-        /* a direction the function says nothing of */
+        /* A function need not know every direction: where it has no number it gives no risk. */
         if (!isfinite(to->probability)) {
             severity->injuries--;
         }

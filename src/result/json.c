@@ -1,6 +1,6 @@
-/* Result -> JSON (share/schema, version 2, version 1 on request). Every number passes
- * cr_round12, so that the text is the same wherever the last bits differ; what is not a number
- * becomes null. */
+/* Writes a result as JSON (share/schema, version 2, version 1 on request). Every number passes
+ * cr_round12, so that the text is the same on machines whose last bits differ; NaN and infinity
+ * become null. */
 #include "config.h"
 
 #include "result/json_priv.h"
@@ -39,7 +39,8 @@ enum cr_err cr_result_scene_hash(const struct cr_scene *scene, char hex[CR_HASH_
     return code;
 }
 
-/* what the scene says of the file it was made from, and which values a car of the catalogue gave */
+/* Repeats what the scene says of the file it was made from, and which values a car of the catalogue
+ * gave; false without memory. */
 static bool put_origin(const struct cr_result *r, cJSON *input) {
     cJSON *scene = cr_scene_to_json(&r->scene, false);
     cJSON *source = cJSON_DetachItemFromObjectCaseSensitive(scene, "source");
@@ -109,7 +110,7 @@ static void put_time(const struct cr_result *r, cJSON *json) {
     cr_json_put(time, "passes", r->passes);
 }
 
-/* what moves still at the end has no place of rest; the first version told where it was */
+/* A participant that still moves at the end has no place of rest; version 1 told where it was. */
 static void put_rest(const struct cr_outcome *o, int version, cJSON *p) {
     cJSON *rest = cr_tree_object(p, "rest");
     bool rests = version == 1 || isfinite(o->t_rest);
@@ -163,7 +164,7 @@ static void put_contacts(const struct cr_result *r, cJSON *json) {
         cr_tree_text(one, "a", r->resolved.part[c->a].id);
         cr_tree_text(one, "b", r->resolved.part[c->b].id);
         cr_json_put(one, "begin_s", c->t_begin);
-        /* what still rubs, or springs back, when all has come to rest has parted */
+        /* Bodies that still touch when all has come to rest count as parted. */
         bool closed = !r->solution->interrupted, open = c->stop == CR_STOP_NONE && closed;
         double end = closed ? r->solution->t[r->solution->samples - 1] : (double)NAN;
         cr_json_put(one, "plastic_end_s", isfinite(c->t_plastic_end) ? c->t_plastic_end : end);
@@ -212,7 +213,7 @@ static void put_trace(const struct cr_result *r, cJSON *json) {
     }
 }
 
-/* text of json with a newline into out; deletes json */
+/* Adds the text of json with a newline to out; deletes json. */
 static enum cr_err print(cJSON *json, bool pretty, struct cr_str *out, struct cr_error *err) {
     bool done = cr_json_add(json, pretty, out);
     cr_str_add(out, "\n");

@@ -1,4 +1,4 @@
-/* Result -> JSON: what is told of a participant, in all or in one impact, and the impacts. */
+/* Writes as JSON what a result tells of a participant, in all or in one impact, and the impacts. */
 #include "result/json_priv.h"
 #include "result/robust.h"
 
@@ -31,12 +31,6 @@ static double course_deg(double rad) {
     return cr_deg(cr_angle_wrap(rad));
 }
 
-static const char *const face_words[CR_FACES] = {
-    [CR_FACE_FRONT] = "front",
-    [CR_FACE_LEFT] = "left",
-    [CR_FACE_REAR] = "rear",
-    [CR_FACE_RIGHT] = "right",
-};
 void cr_json_motion(const struct cr_severity *s, int version, cJSON *p) {
     cr_json_put(p, "ees_kmh", cr_kmh(s->ees));
     cr_json_put(p, "energy_kJ", s->energy / 1e3);
@@ -59,14 +53,14 @@ void cr_json_motion(const struct cr_severity *s, int version, cJSON *p) {
     }
 }
 
-/* null where one face alone was crushed */
+/* The second face is null where only one face was crushed. */
 static void put_second(const struct cr_second_face *second, cJSON *p) {
     if (second->face == CR_FACES) {
         cr_tree_put(p, "second_face", cJSON_CreateNull());
         return;
     }
     cJSON *to = cr_tree_object(p, "second_face");
-    cr_tree_text(to, "face", face_words[second->face]);
+    cr_tree_text(to, "face", cr_face_word(second->face));
     cr_json_put(to, "face_depth_m", second->depth);
     cr_json_put(to, "face_depth_dynamic_m", second->depth_dynamic);
     cr_json_put(to, "damage_width_m", second->width);
@@ -78,7 +72,7 @@ void cr_json_deformation(const struct cr_severity *s, int version, cJSON *p) {
     cr_json_put(p, "deformation_area_m2", s->deformation_area);
     cr_tree_put(p, "crush_profile_m",
                 cr_json_numbers(version > 1 ? s->profile : s->profile_outline, CR_PROFILE));
-    cr_tree_text(p, "face", face_words[s->face]);
+    cr_tree_text(p, "face", cr_face_word(s->face));
     cr_json_put(p, "face_depth_m", s->face_depth);
     cr_json_put(p, "face_depth_dynamic_m", s->face_depth_dynamic);
     cr_json_put(p, "damage_width_m", s->damage_width);
@@ -128,7 +122,7 @@ void cr_json_injury(const struct cr_severity *s, cJSON *p) {
     }
 }
 
-/* What a deformable barrier took, also one that is fixed and so has no motion to tell. */
+/* What a deformable barrier took up, also one that is fixed and has no motion to tell. */
 void cr_json_barrier(const struct cr_result *r, int i, cJSON *p) {
     const struct cr_severity *s = &r->of[i];
     double plastic = r->solution->balance.plastic;
@@ -194,7 +188,7 @@ void cr_json_impacts(const struct cr_result *r, cJSON *json) {
     }
 }
 
-/* the doubts among the warnings, each code once */
+/* Lists the doubts among the warnings, each code once. */
 void cr_json_quality(const struct cr_result *r, cJSON *json) {
     cJSON *quality = cr_tree_object(json, "quality"), *flags = cJSON_CreateArray();
     for (int i = 0; i < r->warnings; i++) {
@@ -210,7 +204,6 @@ void cr_json_quality(const struct cr_result *r, cJSON *json) {
     cr_tree_put(quality, "doubts", flags);
 }
 
-/* version 1: the text alone */
 cJSON *cr_json_warning(const struct cr_result *r, int i, int version) {
     if (version == 1) {
         return cJSON_CreateString(r->warning[i]);

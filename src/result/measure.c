@@ -1,4 +1,5 @@
-/* What is reported of a finished solution (share/doc/sources.md, "Measures"). */
+/* Computes what is reported of a finished solution: EES, delta-v, PDOF, pulse, damage and injury
+ * risk, for each impact and in all (share/doc/sources.md, "Measures"). */
 #include "result/result_priv.h"
 
 #include "result/damage.h"
@@ -10,9 +11,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* shortest pulse record, s: OLC and VPI need the time after the contact too */
+/* A pulse record is at least this long, s: OLC and VPI need the time after the contact too. */
 static const double record = 0.3;
-/* share of the greatest acceleration below which the tail of a pulse does not count */
+/* The tail of a pulse does not count below this share of the greatest acceleration. */
 static const double tail = 0.05;
 
 int cr_result_main_contact(const struct cr_solution *sol, int body) {
@@ -30,16 +31,16 @@ int cr_result_main_contact(const struct cr_solution *sol, int body) {
 }
 
 double cr_result_pdof(struct cr_vec2 dv) {
-    /* the impulse comes from where it does not push to; right is -y */
+    /* The impulse comes from the side opposite to the velocity change; right is -y. */
     double pdof = atan2(dv.y, -dv.x);
     if (pdof < 0) {
         pdof += 2 * CR_PI;
     }
-    /* straight ahead is 0, whichever side rounding falls to */
+    /* Straight ahead is 0, to whichever side rounding falls. */
     return pdof > 2 * CR_PI - 1e-12 ? 0 : pdof;
 }
 
-/* What the functions below share: a body in one impact, or in all of them. */
+/* What the functions below share. */
 struct taking {
     struct cr_result *r;
     const struct cr_events *all;
@@ -55,8 +56,8 @@ static int impacts_of(const struct cr_events *all, int body) {
     return n;
 }
 
-/* The model of a vehicle by name; strengths that are mixed by the force are told by the sector
- * that the force lies in. */
+/* Names the model of a vehicle. Where the direction of the force mixes the sectors' strengths, the
+ * name is that of the sector in which the force lies. */
 static void name_model(const struct cr_result *r, int i, struct cr_severity *s) {
     const struct cr_participant *p = &r->resolved.part[i];
     memcpy(s->model, r->compiled->model[i], sizeof s->model);
@@ -99,7 +100,7 @@ static enum cr_err filter(struct cr_pulse *p, struct cr_error *err) {
     return code ? code : cr_cfc_filter(60, p->dt, p->ay, p->n, err);
 }
 
-/* time in the body's impacts with an acceleration that counts */
+/* Time within the body's impacts with an acceleration of at least `least`, s. */
 static double lasting(const struct cr_events *all, int body, const struct cr_pulse *p,
                       double least) {
     double sum = 0, until = -INFINITY;
@@ -114,7 +115,8 @@ static double lasting(const struct cr_events *all, int body, const struct cr_pul
     return sum;
 }
 
-/* The pulse of the body as an accelerometer in it has it, tyres and all its impacts included. */
+/* Measures the pulse of the body as an accelerometer in it records it, with tyres and all its
+ * impacts. */
 static enum cr_err measure_record(const struct taking *t, int i, struct cr_severity *s) {
     const struct cr_outcome *o = &t->r->solution->body[i];
     struct cr_vec2 u = cr_vec2_unit(s->delta_v_world, cr_vec2(1, 0));
@@ -139,7 +141,7 @@ static enum cr_err measure_record(const struct taking *t, int i, struct cr_sever
     return code;
 }
 
-/* The same of one impact among several. */
+/* Measures the pulse of one impact among several. */
 static enum cr_err measure_pulse(const struct taking *t, const struct cr_event *e, int side,
                                  struct cr_severity *s) {
     struct cr_pulse p;
@@ -212,7 +214,7 @@ static enum cr_err measure_impacts(const struct taking *t, int body) {
     return code;
 }
 
-/* adds one impact of the body to its totals, which begin as those of the severest */
+/* Adds one impact of the body to its totals, which begin as those of the severest. */
 static void add_up(const struct cr_severity *one, double heading, struct cr_severity *s) {
     s->impacts++;
     s->delta_v += one->delta_v;
@@ -270,7 +272,7 @@ static void measure_totals(const struct taking *t, int body, struct cr_severity 
     s->yaw_rate_after = o->after.yaw_rate;
 }
 
-/* outline of what is left on the car, after springback */
+/* Takes the outline of the material that is left, after springback. */
 static enum cr_err measure_outline(const struct taking *t, int body, struct cr_severity *s) {
     struct cr_deform d = cr_damage_of(t->r, body);
     const struct cr_grid *g = d.grid;

@@ -1,5 +1,5 @@
-/* Measured curves out of the files of crash tests: channels of NHTSA and of ISO-MME, named by
- * themselves, or the one that is meant of a whole test. */
+/* Loads a measured curve from the files of a crash test of NHTSA or in ISO-MME: a channel that is
+ * named itself, or the one of a whole test that is meant. */
 #include "result/ev5.h"
 #include "result/mme.h"
 #include "result/signal.h"
@@ -19,7 +19,7 @@ static bool ends(const char *path, const char *with) {
     return n > m && strcasecmp(path + n - m, with) == 0;
 }
 
-/* the number of "v07292.008", 0 for another name */
+/* The number 8 of "v07292.008", 0 for a name of another form. */
 static long channel_number(const char *path) {
     const char *dot = strrchr(path, '.');
     bool digits = dot != NULL && strlen(dot) >= 4 && dot[1 + strspn(dot + 1, "0123456789")] == '\0';
@@ -44,7 +44,7 @@ static enum cr_err fault(const char *path, struct cr_error *err, enum cr_err cod
     return code;
 }
 
-/* the samples as a signal, in SI units, y to the left and z up; they are taken over */
+/* Turns the samples of a channel into a signal in SI units, with y to the left and z up. */
 static enum cr_err become(struct cr_channel *ch, const char *unit_text, char axis, const char *path,
                           struct cr_signal *out, struct cr_error *err) {
     const struct cr_unit *unit;
@@ -98,7 +98,8 @@ static enum cr_err load_pairs(const char *path, const struct cr_ev5_record *r,
     return code;
 }
 
-/* the record that was named, or is meant; `column` may be "8" */
+/* The record that was named by its curve number in pick->column, else that of the acceleration that
+ * is meant; NULL with an error. */
 static const struct cr_ev5_record *choose_record(const struct cr_ev5 *ev5, const char *path,
                                                  const struct cr_signal_pick *pick,
                                                  struct cr_error *err) {
@@ -123,7 +124,8 @@ static const struct cr_ev5_record *choose_record(const struct cr_ev5 *ev5, const
     return r;
 }
 
-/* TEST.EV5, or with `number` the channel TEST.008 beside which it lies */
+/* Loads the curve that is meant of TEST.EV5, with number > 0 that of the channel TEST.008 beside
+ * it; pick is not read then. */
 static enum cr_err load_ev5(const char *path, long number, const struct cr_signal_pick *pick,
                             struct cr_signal *out, struct cr_error *err) {
     struct cr_ev5 ev5;
@@ -163,7 +165,8 @@ out:
     return code;
 }
 
-/* "dir/v07292.EV5" of "dir/v07292.008", its suffix in either case; false if there is none */
+/* Finds "dir/v07292.EV5", its suffix in either case, of "dir/v07292.008"; false if there is
+ * none. */
 static bool test_beside(const char *channel, char *buf, size_t size) {
     static const char *const suffixes[] = {"EV5", "ev5"};
     int stem = (int)(strrchr(channel, '.') - channel);
@@ -178,12 +181,11 @@ static bool test_beside(const char *channel, char *buf, size_t size) {
 
 /* ---- ISO-MME ---- */
 
-static enum cr_err load_mme_channel(const char *path, const char *text, struct cr_signal *out,
-                                    struct cr_error *err) {
+static enum cr_err load_mme_channel(const char *path, struct cr_signal *out, struct cr_error *err) {
     struct cr_mme_channel ch;
-    enum cr_err code = cr_mme_channel(text, path, &ch, err);
+    enum cr_err code = cr_mme_channel_load(path, &ch, err);
     if (code == CR_ERR_OK) {
-        /* the 16th character is the filter: D is CFC 60 */
+        /* The 15th character of a code is the axis, the 16th the filter: D is CFC 60. */
         bool whole = strlen(ch.code) == CR_MME_CODE - 1;
         code = become(&ch.samples, ch.unit, whole ? ch.code[14] : '\0', path, out, err);
         snprintf(out->name, sizeof out->name, "%s%s", ch.code,
@@ -193,15 +195,18 @@ static enum cr_err load_mme_channel(const char *path, const char *text, struct c
     return code;
 }
 
+/* The search for the channel that is meant among those of a test. */
 struct search {
     const struct cr_signal_pick *pick;
-    char path[4096];
-    int rank;               /* of what was found: 2 what is meant, 1 that of another test object */
-    char object;            /* of that one */
-    bool several;           /* objects have one */
-    struct cr_str channels; /* their codes */
+    char path[4096];        /* the best channel so far */
+    int rank;               /* of that channel, see rank_of */
+    char object;            /* test object of the last acceleration that was met */
+    bool several;           /* several test objects have such an acceleration */
+    struct cr_str channels; /* codes of all channels */
 };
 
+/* 2 for the channel that is meant, 1 for the acceleration that is meant but of another test object
+ * (which will do if no other has one), 0 else. */
 static int rank_of(struct search *s, const char *code, const char *name, long number) {
     const char *column = s->pick->column;
     if (column != NULL) {
@@ -222,14 +227,7 @@ static int rank_of(struct search *s, const char *code, const char *name, long nu
 static enum cr_err look_at(void *user, const char *path, const char *file, struct cr_error *err) {
     struct search *s = user;
     struct cr_mme mme;
-    char *text;
-    size_t len;
-    enum cr_err code = cr_file_read_regular(path, &text, &len, err);
-    if (code != CR_ERR_OK) {
-        return code;
-    }
-    code = cr_mme_parse(text, path, &mme, err);
-    free(text);
+    enum cr_err code = cr_mme_load(path, &mme, err);
     const char *iso = code == CR_ERR_OK ? cr_mme_get(&mme, "Channel code", NULL) : NULL;
     if (iso != NULL) {
         const char *name = cr_mme_get(&mme, "Name of the channel", NULL);
@@ -247,8 +245,6 @@ static enum cr_err look_at(void *user, const char *path, const char *file, struc
 static enum cr_err load_mme(const char *path, const char *dir, const struct cr_signal_pick *pick,
                             struct cr_signal *out, struct cr_error *err) {
     struct search s = {.pick = pick};
-    char *text;
-    size_t len;
     enum cr_err code = cr_mme_channels(dir, look_at, &s, err);
     if (code == CR_ERR_OK && (s.rank == 0 || (s.rank == 1 && s.several))) {
         code = CR_ERR_NAME;
@@ -266,12 +262,7 @@ static enum cr_err load_mme(const char *path, const char *dir, const struct cr_s
         }
     }
     cr_str_fini(&s.channels);
-    code = code == CR_ERR_OK ? cr_file_read_regular(s.path, &text, &len, err) : code;
-    if (code == CR_ERR_OK) {
-        code = load_mme_channel(s.path, text, out, err);
-        free(text);
-    }
-    return code;
+    return code == CR_ERR_OK ? load_mme_channel(s.path, out, err) : code;
 }
 
 /* ---- any ---- */
@@ -280,7 +271,7 @@ static int is_ev5(const struct dirent *entry) {
     return ends(entry->d_name, ".ev5");
 }
 
-/* the one EV5 file in a folder; false if there is none or more */
+/* Finds the one EV5 file in a folder; false if there is none, or more than one. */
 static bool ev5_in(const char *dir, char *buf, size_t size) {
     struct dirent **entry;
     int n = scandir(dir, &entry, is_ev5, cr_file_by_bytes);
@@ -294,26 +285,21 @@ static bool ev5_in(const char *dir, char *buf, size_t size) {
     return one;
 }
 
+/* Loads TEST.001, which both formats may be called; ISO-MME begins with descriptors. */
 static enum cr_err load_channel(const char *path, struct cr_signal *out, struct cr_error *err) {
-    char test[4096], *text;
+    char test[4096];
     struct cr_mme mme;
-    size_t len;
-    enum cr_err code = cr_file_read_regular(path, &text, &len, err);
-    if (code != CR_ERR_OK) {
-        return code;
-    }
-    code = cr_mme_parse(text, path, &mme, err);
+    enum cr_err code = cr_mme_load(path, &mme, err);
     bool iso = code == CR_ERR_OK && mme.n > 0;
     cr_mme_fini(&mme);
     if (iso) {
-        code = load_mme_channel(path, text, out, err);
+        code = load_mme_channel(path, out, err);
     } else if (code == CR_ERR_OK && test_beside(path, test, sizeof test)) {
         code = load_ev5(test, channel_number(path), NULL, out, err);
     } else if (code == CR_ERR_OK) {
         code = fault(path, err, CR_ERR_MISSING, "the test of this channel is not beside it",
                      "its unit and axis stand in the file .EV5 of the test");
     }
-    free(text);
     return code;
 }
 

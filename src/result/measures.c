@@ -7,7 +7,7 @@
 
 #define OF(field) offsetof(struct cr_severity, field)
 
-/* in the order of the result file; `name` is the key without its unit */
+/* The measures stand in the order of the result file; `name` is the key without its unit. */
 static const struct cr_measure measures[] = {
     {"ees", "EES", "ees_kmh", CR_DIM_SPEED, "km/h", 1, OF(ees)},
     {"energy", "deformation energy", "energy_kJ", CR_DIM_ENERGY, "kJ", 1, OF(energy)},
@@ -44,7 +44,7 @@ static const struct cr_measure measures[] = {
 };
 enum { MEASURES = sizeof measures / sizeof measures[0] };
 
-/* short words of the same */
+/* Short words that people type for them. */
 static const struct {
     const char *word, *name;
 } aliases[] = {
@@ -104,7 +104,7 @@ const char *cr_measure_in(const struct cr_measure *m, enum cr_units units, doubl
     if (decimals != NULL) {
         *decimals = m->decimals;
     }
-    /* all lengths among them are depths */
+    /* All lengths among the measures are depths, which are shown in a unit of their own. */
     return cr_units_shown(units, m->dim == CR_DIM_LENGTH ? CR_SHOWN_DEPTH : m->unit, x, decimals);
 }
 
@@ -112,7 +112,7 @@ const char *cr_measure_text(const struct cr_measure *m, double shown, char *buf,
     bool bearing = strcmp(m->name, "pdof") == 0;
     snprintf(buf, (size_t)size, "%.*f", m->decimals,
              bearing ? cr_bearing_deg(cr_rad(shown)) : shown);
-    /* a rounded zero has no sign */
+    /* What rounds to zero loses its sign. */
     if (buf[0] == '-' && strspn(buf + 1, "0.") == strlen(buf + 1)) {
         memmove(buf, buf + 1, strlen(buf));
     }

@@ -1,5 +1,5 @@
-/* Descriptor and channel files of ISO-MME: lines of key and value, then numbers; and where the
- * channels of a test lie. */
+/* Reads descriptor and channel files of ISO-MME (lines of key and value, then numbers) and walks
+ * over the channels of a test. */
 #include "result/mme.h"
 
 #include "base/csv.h"
@@ -25,7 +25,7 @@ static char *trim(char *s) {
     return s;
 }
 
-enum cr_err cr_mme_parse(const char *text, const char *shown, struct cr_mme *out,
+static enum cr_err parse(const char *text, const char *shown, struct cr_mme *out,
                          struct cr_error *err) {
     *out = (struct cr_mme){.text = NULL};
     out->text = cr_utf8_copy(text);
@@ -59,6 +59,16 @@ enum cr_err cr_mme_parse(const char *text, const char *shown, struct cr_mme *out
         line = next;
     }
     return CR_ERR_OK;
+}
+
+enum cr_err cr_mme_load(const char *path, struct cr_mme *out, struct cr_error *err) {
+    char *text = NULL;
+    size_t len;
+    *out = (struct cr_mme){.text = NULL};
+    enum cr_err code = cr_file_read_regular(path, &text, &len, err);
+    code = code == CR_ERR_OK ? parse(text, path, out, err) : code;
+    free(text);
+    return code;
 }
 
 void cr_mme_fini(struct cr_mme *mme) {
@@ -145,7 +155,7 @@ enum cr_err cr_mme_channel(const char *text, const char *shown, struct cr_mme_ch
     struct cr_mme mme;
     double when[3];
     *out = (struct cr_mme_channel){.code = ""};
-    enum cr_err code = cr_mme_parse(text, shown, &mme, err);
+    enum cr_err code = parse(text, shown, &mme, err);
     code = code == CR_ERR_OK ? head(&mme, shown, out, when, err) : code;
     if (code == CR_ERR_OK) {
         const struct cr_sampling at = {mme.lines + 1, when[0], when[1]};
@@ -166,6 +176,17 @@ enum cr_err cr_mme_channel(const char *text, const char *shown, struct cr_mme_ch
     return code;
 }
 
+enum cr_err cr_mme_channel_load(const char *path, struct cr_mme_channel *out,
+                                struct cr_error *err) {
+    char *text = NULL;
+    size_t len;
+    *out = (struct cr_mme_channel){.code = ""};
+    enum cr_err code = cr_file_read_regular(path, &text, &len, err);
+    code = code == CR_ERR_OK ? cr_mme_channel(text, path, out, err) : code;
+    free(text);
+    return code;
+}
+
 bool cr_mme_is_accel(const char *code, char axis) {
     return code[0] >= '1' && code[0] <= '9' && strlen(code) >= 15 &&
            strncmp(code + 2, "VEHC", 4) == 0 && strncmp(code + 12, "AC", 2) == 0 &&
@@ -174,7 +195,7 @@ bool cr_mme_is_accel(const char *code, char axis) {
 
 /* ---- the folder ---- */
 
-/* "demo.001" */
+/* Whether a name has the form of "demo.001". */
 static int is_channel(const struct dirent *entry) {
     const char *dot = strrchr(entry->d_name, '.');
     return dot != NULL && dot > entry->d_name && strlen(dot) >= 4 &&

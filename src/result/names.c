@@ -1,4 +1,4 @@
-/* Values of a result by name: one walk down its JSON, and one over all of it. */
+/* Finds a value of a result by its name, and lists all names with their values. */
 #include "result/names.h"
 
 #include <cjson/cJSON.h>
@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* how an element of a list is called, NULL: by its number */
+/* The name of an element of a list; NULL: it goes by its number. */
 static const char *name_of(const cJSON *element) {
     static const char *const keys[] = {"id", "function"};
     for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
@@ -117,7 +117,7 @@ static void add(struct list *l, const char *name, const cJSON *json) {
     };
 }
 
-/* what has no value that a name is worth */
+/* Whether a part of the JSON is not listed: messages, inputs and lists of points. */
 static bool is_left_out(const cJSON *json) {
     static const char *const keys[] = {"crumple_result", "trace", "resolved", "assumed",
                                        "warnings",       "id",    "kind"};
@@ -129,7 +129,8 @@ static bool is_left_out(const cJSON *json) {
     return cJSON_IsArray(json) && cJSON_IsArray(json->child);
 }
 
-/* The depth of a result is that of its writer: four. */
+/* Adds the values below json, whose own name is `name`. The recursion is as deep as the writer
+ * nests: impacts, their vehicles, the injuries of those. */
 static void walk(struct list *l, const cJSON *json, const char *name) {
     const cJSON *one;
     int i = 0;
@@ -142,7 +143,7 @@ static void walk(struct list *l, const cJSON *json, const char *name) {
         const char *own = name_of(one);
         snprintf(number, sizeof number, "%d", i++);
         own = one->string != NULL ? one->string : own != NULL ? own : number;
-        /* participants are known by their ids alone */
+        /* Participants go by their ids alone, without "participants." before. */
         bool top = name[0] == '\0' || strcmp(name, "participants") == 0;
         int n = snprintf(path, sizeof path, "%s%s%s", top ? "" : name, top ? "" : ".", own);
         if (!is_left_out(one) && n < (int)sizeof path) {

@@ -1,4 +1,5 @@
-/* The outline of what is left of a grid: marching squares over the voxel centres. */
+/* Draws the outline of the material that is left of a grid: marching squares over the voxel
+ * centres. */
 #include "result/deform.h"
 
 #include <math.h>
@@ -16,21 +17,23 @@ struct field {
     unsigned char *full; /* [2 * w] whether the corners of two rows hold material */
 };
 
-static const double level = 0.5; /* material per voxel */
+static const double level = 0.5; /* material of a voxel; the contour runs where half is left */
 
 static double value(const struct field *f, int x, int y) {
     bool in = x >= 1 && y >= 1 && x <= f->grid->nx && y <= f->grid->ny;
     return in ? f->left[(y - 1) * f->grid->nx + x - 1] : 0;
 }
 
-/* bottom, right, top and left edge of the square whose lower left corner is (x, y) */
+/* The number of the bottom (0), right, top or left (3) edge of the square whose lower left corner
+ * is (x, y). */
 static int edge(const struct field *f, int x, int y, int side) {
     int c = y * f->w + x;
     const int of[4] = {2 * c, 2 * (c + 1) + 1, 2 * (c + f->w), 2 * c + 1};
     return of[side];
 }
 
-/* which corners of row y hold material, into the half of `full` that is the row's turn */
+/* Finds which corners of row y hold material. Only two rows are needed at a time: even and odd rows
+ * take turns in the halves of f->full. */
 static const unsigned char *corners(const struct field *f, int y) {
     unsigned char *full = f->full + (y % 2) * f->w;
     int nx = f->grid->nx;
@@ -43,10 +46,11 @@ static const unsigned char *corners(const struct field *f, int y) {
     return full;
 }
 
-/* low, high: corners of row y and of the next one */
+/* Links the edges of the squares between the corners `low` of row y and `high` of the next row. */
 static void link_row(struct field *f, int y, const unsigned char *low, const unsigned char *high) {
-    /* corners lower left, lower right, upper right, upper left; from edge -> to edge, with the
-     * material on the left hand; the two saddles keep the corners of material apart */
+    /* The bits of a row's number are the corners lower left, lower right, upper right, upper left;
+     * its pairs lead from edge to edge with the material on the left hand. The two saddles (5, 10)
+     * keep the corners of material apart. */
     static const signed char table[16][4] = {
         {-1, -1, -1, -1}, {0, 3, -1, -1}, {1, 0, -1, -1}, {1, 3, -1, -1},
         {2, 1, -1, -1},   {0, 3, 2, 1},   {2, 0, -1, -1}, {2, 3, -1, -1},
@@ -65,7 +69,7 @@ static struct cr_vec2 crossing(const struct field *f, int e) {
     const struct cr_grid *g = f->grid;
     int x = e / 2 % f->w, y = e / 2 / f->w, up = e % 2;
     double a = value(f, x, y), b = value(f, x + !up, y + up);
-    /* both sides of an outermost edge may be fuller than the level only if the grid says so */
+    /* The contour crosses this edge: one end has at least the level, the other less, so b != a. */
     double t = (level - a) / (b - a);
     return cr_vec2(g->x0 + g->h * (x - 0.5 + (up ? 0 : t)),
                    g->y0 + g->h * (y - 0.5 + (up ? t : 0)));
@@ -85,7 +89,8 @@ static double loop_area(const struct field *f, int start, int *n) {
     return area;
 }
 
-/* first edge of the loop that encloses most; -1 without any, -2 without memory */
+/* The first edge of the loop that encloses most, with its number of points; -1 without any loop, -2
+ * without memory. */
 static int largest(struct field *f, int *points) {
     double best = 0;
     int found = -1;
@@ -113,14 +118,16 @@ static int largest(struct field *f, int *points) {
     return found;
 }
 
-/* drop points nearer than tol to the line from the last kept point to the following one */
+/* Drops points nearer than tol to the line from the last kept point to the following one; returns
+ * how many are kept. */
 static int simplify(struct cr_vec2 *p, int n, double tol) {
     int kept = 0;
     for (int i = 0, from = 0; i < n; i++) {
         struct cr_vec2 a = kept > 0 ? p[kept - 1] : p[n - 1], b = p[(i + 1) % n];
         struct cr_vec2 ab = cr_vec2_sub(b, a);
         double len = cr_vec2_len(ab), off = 0;
-        /* every point dropped since the last kept one stays within the tolerance */
+        /* The points that were dropped since the last kept one must stay within the tolerance
+         * too. */
         for (int k = from; k <= i && off <= tol; k++) {
             struct cr_vec2 ak = cr_vec2_sub(p[k], a);
             off = len > 0 ? fabs(cr_vec2_cross(ab, ak)) / len : cr_vec2_len(ak);

@@ -1,10 +1,10 @@
-/* A crash seen as one planar impact at its greatest engagement, as momentum-based reconstruction
- * sees it. */
+/* Computes the impulse of a planar impact and the yaw rate that it would have given a solved
+ * crash. */
 #include "result/planar.h"
 
 #include "result/result_priv.h"
 
-/* symmetric 2 x 2: what an impulse at the impact centre does to the velocity there */
+/* The velocity change at the impact centre by an impulse there: a symmetric matrix, 1/kg. */
 struct mobility {
     double xx, xy, yy;
 };

@@ -9,9 +9,9 @@
 static const double pulse_step = 1e-4;
 static const double rest_before = 0.02; /* s of rest ahead of first contact, as test signals have */
 static const double rest_after = 0.02;  /* s beyond the last contact */
-static const double longest = 20;       /* s, bounds the memory of a pulse */
+static const double longest = 20;       /* s; this bounds the memory of a pulse */
 
-/* walk through the trace with increasing time: state at t, linear between the ends of slices */
+/* A walk through the trace with increasing time; the state is linear between the ends of slices. */
 struct cursor {
     const struct cr_solution *sol;
     int body, k;
@@ -38,7 +38,7 @@ struct motion {
     double heading, yaw_rate;
 };
 
-/* velocity at the end of time slice k, or at the first contact for k = -1 */
+/* The velocity at the end of time slice k, or at the first contact for k = -1. */
 static struct cr_vec2 velocity(const struct cursor *c, int k, const struct cr_sample *s) {
     const struct cr_event *e = c->only;
     if (e == NULL) {
@@ -69,7 +69,7 @@ static struct motion cursor_at(struct cursor *c, double t) {
     };
 }
 
-/* span: from `from` on, s, the time before it not counted; direction: unit, world */
+/* Fills a pulse that begins rest_before ahead of the time `from` and lasts `span`, s, beyond it. */
 static enum cr_err fill(struct cursor c, double from, double span, struct cr_vec2 direction,
                         struct cr_pulse *out, struct cr_error *err) {
     int n = (int)ceil((rest_before + cr_clamp(span, pulse_step, longest)) / pulse_step);
@@ -127,11 +127,19 @@ enum cr_err cr_pulse_of_event(const struct cr_solution *sol, const struct cr_eve
     return fill(c, event->t_begin, event->t_end - event->t_begin + rest_after, u, out, err);
 }
 
+/* The length of (x, y) if it is greater than `than`, else `than`. hypot is slow; the squares decide
+ * wherever rounding cannot hide the answer. */
+static double greater(double x, double y, double than) {
+    bool may = x * x + y * y > than * than * (1 - 1e-12);
+    double length = may ? hypot(x, y) : than;
+    return length > than ? length : than;
+}
+
 double cr_pulse_peak(const struct cr_pulse *p, double *when) {
     double top = 0;
     *when = NAN;
     for (int k = 0; k < p->n; k++) {
-        double a = cr_pulse_greater(p->ax[k], p->ay[k], top);
+        double a = greater(p->ax[k], p->ay[k], top);
         if (a > top) {
             top = a;
             *when = p->t0 + (k + 0.5) * p->dt;
@@ -179,7 +187,7 @@ double cr_pulse_olc(const double *accel, int n, double dt) {
         }
         f0 = f;
     }
-    /* the vehicle has its final velocity: the rest has a closed form */
+    /* From here on the vehicle has its final velocity, and the rest has a closed form. */
     if (!(v > 1e-6)) {
         return 0;
     }
@@ -194,7 +202,7 @@ double cr_pulse_vpi(const double *accel, int n, double dt) {
     static const double tail_s = 1.0; /* s without acceleration after the record */
     double x = 0, v = 0, pull = 0, top = 0;
     int tail = (int)(tail_s / dt);
-    /* after the record only what still runs into the belt can pull harder */
+    /* After the record only an occupant that still runs into the belt can pull harder. */
     for (int i = 0; i < n || (i < n + tail && v > 0); i++) {
         double a = i < n ? accel[i] : 0;
         /* velocity Verlet on the motion relative to the vehicle */
@@ -205,13 +213,6 @@ double cr_pulse_vpi(const double *accel, int n, double dt) {
         top = pull > top ? pull : top;
     }
     return top;
-}
-
-double cr_pulse_greater(double x, double y, double than) {
-    /* the squares decide, but for what rounding may hide */
-    bool may = x * x + y * y > than * than * (1 - 1e-12);
-    double length = may ? hypot(x, y) : than;
-    return length > than ? length : than;
 }
 
 double cr_pulse_asi(const double *ax, const double *ay, int n, double dt) {
@@ -225,12 +226,12 @@ double cr_pulse_asi(const double *ax, const double *ay, int n, double dt) {
             sx -= ax[i - w];
             sy -= ay[i - w];
         }
-        top = cr_pulse_greater(sx / w / limit_x, sy / w / limit_y, top);
+        top = greater(sx / w / limit_x, sy / w / limit_y, top);
     }
     return top;
 }
 
-/* greatest 10 ms mean of the vehicle's acceleration from sample `from` on */
+/* The greatest 10 ms mean of the vehicle's acceleration from sample `from` on. */
 static double phd_after(const struct cr_pulse *p, int from) {
     static const double window_s = 0.010;
     int w = (int)lround(window_s / p->dt);
@@ -248,7 +249,7 @@ static double phd_after(const struct cr_pulse *p, int from) {
 double cr_pulse_thiv(const struct cr_pulse *p, int start, double *phd) {
     static const double ahead = 0.6, aside = 0.3; /* m, EN 1317 */
     static const double patience = 2;             /* s to wait for a slow head */
-    /* position and velocity of the head against the CG, in axes that do not turn */
+    /* r and v are place and velocity of the head against the CG, in axes that do not turn. */
     struct cr_vec2 r = {0, 0}, v = {0, 0};
     double psi = 0, w = 0;
     *phd = 0;
@@ -270,7 +271,7 @@ double cr_pulse_thiv(const struct cr_pulse *p, int start, double *phd) {
             break;
         }
     }
-    /* velocity in the turning frame of the vehicle */
+    /* The velocity that counts is that in the turning frame of the vehicle. */
     struct cr_vec2 slip = cr_vec2_axpy(v, -w, cr_vec2_perp(r));
     return cr_vec2_len(slip);
 }

@@ -1,5 +1,6 @@
-/* Doubts about a result, each with a code: bodies that went through each other, spikes, crush
- * beyond what a structure can tell, contacts that ended while bodies still came on. */
+/* Warns of doubts about a result, each with a code: bodies that went through each other, spikes,
+ * crush beyond the A-pillar, contacts that ended while bodies still approached, implausible
+ * inputs. */
 #include "result/result_priv.h"
 
 #include "scene/compiled.h"
@@ -8,21 +9,24 @@
 #include <stdio.h>
 #include <string.h>
 
-/* a plastic phase shorter than this with more than that is no crash pulse, s and m/s2 */
+/* A plastic phase shorter than this with more than that is no crash pulse, s and m/s2. */
 static const double spike_time = 0.015, spike_acceleration = 60 * CR_G;
 /* A crash pulse lasts 0.05 to 0.25 s; bodies that press on each other for longer than this rub
  * while they roll on side by side, s (our choice). */
 static const double rubs_time = 0.5;
-/* share of the energy outside the contact from which its split is more model than measurement */
+/* From this share of the energy outside the contact on, EES rests more on the model of induced
+ * damage than on the contact. */
 static const double much_induced = 0.5;
-/* Friction by the deformation from which a crash grazes. Of 240 random crashes, solved again with
- * half the voxel and slice, the 21 above it change their EES by 19 % (median; 47 % the 90th
- * percentile), the others by 0.4 and 2.8 %. */
+/* From this ratio of friction energy to deformation energy on a crash grazes. Of 240 random
+ * crashes, solved again with half the voxel and slice, the 21 above it change their EES by 19 %
+ * (median; 47 % the 90th percentile), the others by 0.4 and 2.8 %. */
 static const double grazing = 0.5;
-/* approach that a contact without overlap must not leave, m/s */
+/* A contact that ends for want of overlap must not leave more approach than this, m/s. */
 static const double still_approaching = 0.5;
-/* distance of the direction of force from the border of a clock hour, rad */
+/* A direction of force nearer than this to the border of two clock hours is in doubt, rad. */
 static const double border = CR_PI / 90;
+/* A mass, length or inertia may differ by this share from what type and size give. */
+static const double plausible = 0.4;
 
 static const char *const codes[] = {
     "through",          "a-pillar",           "deep",        "spike",
@@ -39,17 +43,18 @@ bool cr_result_is_doubt(const char *code) {
     return false;
 }
 
+/* Whether a point is on the inner side of all edges of a counter-clockwise polygon. Of a polygon
+ * that is not convex this misses parts, which is on the safe side: fewer warnings. */
 static bool in_polygon(const struct cr_shape *s, struct cr_vec2 p) {
     bool in = true;
-    for (int i = 0; i < s->n;
-         i++) { /* counter-clockwise; outlines that are not convex count less */
+    for (int i = 0; i < s->n; i++) {
         struct cr_vec2 a = s->vertex[i], b = s->vertex[(i + 1) % s->n];
         in = in && cr_vec2_cross(cr_vec2_sub(b, a), cr_vec2_sub(p, a)) > 0;
     }
     return in;
 }
 
-/* whether a point lies inside a body's undeformed outline, own frame */
+/* Whether a point lies inside a body's undeformed outline, own frame; of a grid its box counts. */
 static bool is_inside(const struct cr_body *body, struct cr_vec2 p) {
     const struct cr_grid *g = &body->grid;
     switch (body->shape.kind) {
@@ -69,7 +74,7 @@ static const struct cr_sample *sample(const struct cr_solution *sol, int k, int 
     return &sol->trace[(long)k * sol->bodies + body];
 }
 
-/* the CG of the one inside the other at any time of the impact */
+/* Whether the CG of the one lay inside the other at any time of the impact. */
 static bool swallowed(const struct cr_result *r, const struct cr_impact *k, int side) {
     const struct cr_solution *sol = r->solution;
     int i = k->body[side], other = k->body[!side];
@@ -90,7 +95,7 @@ static bool swallowed(const struct cr_result *r, const struct cr_impact *k, int 
     return false;
 }
 
-/* crushed over the whole of what it has behind the struck face */
+/* Whether the one is crushed over nearly all of its length or width behind the struck face. */
 static bool cut_through(const struct cr_result *r, const struct cr_impact *k, int side) {
     const struct cr_participant *p = &r->resolved.part[k->body[side]];
     const struct cr_severity *s = &k->of[side];
@@ -114,6 +119,7 @@ static void check_through(struct cr_result *r, const struct cr_impact *k) {
     }
 }
 
+/* The speed at which the bodies still approach at the COE when the impact ends, m/s. */
 static double approach_at_end(const struct cr_result *r, const struct cr_impact *k) {
     const struct cr_sample *s[2];
     struct cr_vec2 v[2];
@@ -125,7 +131,7 @@ static double approach_at_end(const struct cr_result *r, const struct cr_impact 
     return cr_vec2_dot(cr_vec2_sub(v[0], v[1]), k->normal);
 }
 
-/* Bodies that slide along each other: a thin contact, whose edges the grid rounds, decides. */
+/* Where bodies slide along each other a thin contact decides, whose edges the grid rounds. */
 static void check_grazing(struct cr_result *r, const struct cr_impact *k) {
     double energy = k->of[0].energy + k->of[1].energy;
     if (energy > 0 && k->friction > grazing * energy) {
@@ -179,7 +185,7 @@ static void check_impact(struct cr_result *r, const struct cr_impact *k) {
     }
 }
 
-/* how far behind the front end the A-pillar stands, m */
+/* How far behind the front end the A-pillar stands, m; infinite where the type has none. */
 static double a_pillar(const struct cr_participant *p, const struct cr_model_lib *models) {
     double a = 0, b = 0;
     if (p->type >= CR_TYPES || models == NULL) {
@@ -189,9 +195,7 @@ static double a_pillar(const struct cr_participant *p, const struct cr_model_lib
     return p->front_overhang + a * p->wheelbase;
 }
 
-/* share by which a mass, length or inertia may differ from what type and size give */
-static const double plausible = 0.4;
-
+/* Warns of a value far from the usual one; where pounds or feet would explain it, that is said. */
 static void check_value(struct cr_result *r, const char *id, const char *name, double x,
                         double usual) {
     if (!(usual > 0) || fabs(x / usual - 1) <= plausible) {
@@ -207,7 +211,8 @@ static void check_value(struct cr_result *r, const char *id, const char *name, d
                    id, name, x, usual, guess);
 }
 
-/* what type and size give: the tested mass with the power of length of the class medians */
+/* Compares length, mass and yaw inertia with what type and size give: the mass of the tested cars
+ * grows with a power of the length, as the medians of the classes do. */
 static void check_inputs(struct cr_result *r, int i, const struct cr_model_lib *models) {
     const struct cr_participant *p = &r->resolved.part[i];
     double mass;
@@ -217,7 +222,7 @@ static void check_inputs(struct cr_result *r, int i, const struct cr_model_lib *
     const struct cr_dims *ref = cr_model_dims(models, p->type, &mass);
     check_value(r, p->id, "length", p->length, ref->length);
     if (fabs(p->length / ref->length - 1) > plausible) {
-        return; /* the others would be judged by a wrong size */
+        return; /* mass and inertia would be judged by a wrong size */
     }
     double size = cr_clamp(p->length / ref->length, 0.6, 1.6);
     check_value(r, p->id, "mass", p->mass, mass * pow(size, 2.7));

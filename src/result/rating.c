@@ -1,5 +1,6 @@
-/* ISO/TS 18571; parameters of ed. 1: a0 0.05, b0 0.5, k_Z 2, shift limit 0.2, k_P 1, eps_M 0.5,
- * k_M 1, e_S 2, k_S 1, weights 0.4 0.2 0.2 0.2, warping window 0.1. */
+/* Computes the ratings of ISO/TS 18571 and of CORA. Parameters of ISO/TS 18571 ed. 1: a0 0.05,
+ * b0 0.5, k_Z 2, shift limit 0.2, k_P 1, eps_M 0.5, k_M 1, e_S 2, k_S 1, weights 0.4 0.2 0.2 0.2,
+ * warping window 0.1. */
 #include "result/rating.h"
 
 #include "base/stats.h"
@@ -32,14 +33,14 @@ static double corridor(const double *t, const double *c, int n) {
     return sum / n;
 }
 
-/* correlation of curves without spread counts as none */
+/* Curves without spread have no correlation; it counts as 0. */
 static double correlate(const double *a, const double *b, int n) {
     double r = cr_stats_correlation(a, b, n);
     return isfinite(r) ? r : 0;
 }
 
-/* shift of the curve with the best correlation, the smaller one if equal; + for a curve that lags
- */
+/* The shift of the curve with the best correlation, the smallest of equal ones; positive for a
+ * curve that lags. */
 static int best_shift(const double *t, const double *c, int n) {
     double best = correlate(t, c, n);
     int at = 0, limit = (int)(shift_share * n);
@@ -58,7 +59,7 @@ static int best_shift(const double *t, const double *c, int n) {
 
 enum { ABOVE = 1, LEFT, DIAGONAL };
 
-/* cheapest way through the band, as steps; row i holds columns i - half .. i + half */
+/* Fills step[] with the cheapest way through the band; row i holds columns i - half .. i + half. */
 static void warp_costs(const double *t, const double *c, int n, int half, double *row[2],
                        unsigned char *step) {
     int w = 2 * half + 1;
@@ -118,7 +119,7 @@ static double gradient(const double *x, int n, int i, double dt) {
     return (x[b] - x[a]) / ((b - a) * dt);
 }
 
-/* slope at i: mean of the gradient over 9 samples, 7, 5, 3, 1 at the ends */
+/* The slope at i is the mean of the gradient over 9 samples, over 7, 5, 3 and 1 at the ends. */
 static double slope_at(const double *x, int n, int i, double dt) {
     int reach = i < n - 1 - i ? i : n - 1 - i;
     reach = reach > 4 ? 4 : reach;
@@ -140,7 +141,7 @@ static double slope(const double *t, const double *c, int n, double dt) {
     return clip01((eps_s - eps) / eps_s);
 }
 
-/* finite values, enough of them and not too many */
+/* Checks that both curves are finite and have neither too few nor too many samples. */
 static enum cr_err check(const double *a, const double *b, int n, struct cr_error *err) {
     if (n < CR_RATING_MIN || n > CR_RATING_MAX) {
         cr_err_set(err, CR_ERR_RANGE, "a rating needs %d to %d samples, not %d", CR_RATING_MIN,
@@ -179,9 +180,10 @@ const char *cr_rating_grade(double total) {
     return total > 0.94 ? "excellent" : total > 0.80 ? "good" : total > 0.58 ? "fair" : "poor";
 }
 
-/* CORA */
+/* ---- CORA ---- */
 
-/* from the first sample beyond a_thres to the last beyond b_thres of the maximum */
+/* The interval that counts: from the first sample beyond a_thres of the maximum to the last beyond
+ * b_thres. */
 static void interval(const double *t, int n, int *first, int *last) {
     static const double a_thres = 0.03, b_thres = 0.075;
     double top = largest(t, n);
@@ -199,7 +201,7 @@ static double squares(const double *x, int n) {
     return sum;
 }
 
-/* normalised product of the overlapping parts; 0 if one of them is nothing */
+/* The normalised product of the overlapping parts; 0 if one of them is zero all over. */
 static double product(const double *a, const double *b, int n) {
     double sum = 0, norm = sqrt(squares(a, n) * squares(b, n));
     for (int i = 0; i < n; i++) {

@@ -1,11 +1,11 @@
-/* Objective ratings of a curve against a reference: ISO/TS 18571 [ISO-18571] and CORA 4
- * [CORA-4]. Both curves are uniform in time with the same step. */
+/* Rates how well a curve follows a reference by two published methods, ISO/TS 18571 [ISO-18571] and
+ * CORA 4 [CORA-4]. Both curves are uniform in time with the same step. */
 #ifndef CR_RESULT_RATING_H
 #define CR_RESULT_RATING_H
 
 #include "base/err.h"
 
-/* All scores 0..1, 1 for equal curves. */
+/* All scores are 0..1, 1 for equal curves. */
 struct cr_rating_iso {
     double corridor;  /* Z */
     double phase;     /* E_P */
@@ -17,8 +17,8 @@ struct cr_rating_iso {
 
 enum { CR_RATING_MIN = 20, CR_RATING_MAX = 20000 }; /* samples */
 
-/* n samples at a step of dt (the standard's rate is 10 kHz); n within CR_RATING_MIN..MAX.
- * Errors: RANGE, MEMORY. */
+/* Rates n samples at a step of dt, s (the standard's rate is 10 kHz). Errors: RANGE for n outside
+ * of CR_RATING_MIN..MAX and for a sample that is not finite, MEMORY. */
 CR_MUST_CHECK enum cr_err cr_rating_iso18571(const double *reference, const double *curve, int n,
                                              double dt, struct cr_rating_iso *out,
                                              struct cr_error *err);
@@ -36,8 +36,8 @@ struct cr_rating_cora {
     int first, last;    /* samples of the interval that was evaluated */
 };
 
-/* CORA 4 with the defaults of CORAplus 4.0.5. Errors: RANGE (also for a reference that is zero all
- * over), MEMORY. */
+/* Rates n samples by CORA 4 with the defaults of CORAplus 4.0.5. Errors: RANGE as above, and for a
+ * reference that is zero all over. */
 CR_MUST_CHECK enum cr_err cr_rating_cora4(const double *reference, const double *curve, int n,
                                           struct cr_rating_cora *out, struct cr_error *err);
 

@@ -1,11 +1,11 @@
-/* What the files of src/result share: risk functions, damage classification, warnings. */
+/* What the files of src/result share: risk functions, main contact, warnings, cost limits. */
 #ifndef CR_RESULT_RESULT_PRIV_H
 #define CR_RESULT_RESULT_PRIV_H
 
 #include "result/cdc.h"
 #include "result/result.h"
 
-/* What a risk function is asked for. */
+/* The crash for which a risk function is asked. */
 struct cr_irf_case {
     const char *words;            /* which functions: cr_irf_check; NULL: the default ones */
     double delta_v, closing, ees; /* m/s; closing NaN if there was no partner */
@@ -13,44 +13,41 @@ struct cr_irf_case {
     bool vehicle_partner;         /* the main partner is a vehicle */
 };
 
-/* Are the words of the setting "injury" names of functions, with commas between, "auto" (those
- * that their file marks as default; all where none is) or "all"? Errors: NAME. */
-CR_MUST_CHECK enum cr_err cr_irf_check(const struct cr_irf_set *set, const char *words,
-                                       struct cr_error *err);
-
-/* Probabilities of the chosen functions that apply to the case into severity->injury. */
+/* Fills severity->injury with the probabilities of the chosen functions that apply to the case, at
+ * most CR_INJURY_MAX. */
 void cr_irf_apply(const struct cr_irf_set *set, const struct cr_irf_case *what,
                   struct cr_severity *severity);
 
-/* Contact of a body in which it took the greatest impulse; -1 without contacts. */
+/* The contact in which a body took the greatest impulse, of all bodies for body < 0; -1 without
+ * contacts. */
 int cr_result_main_contact(const struct cr_solution *sol, int body);
 
-/* PDOF, rad clockwise 0..2 pi, of a velocity change in the vehicle's frame. */
+/* The PDOF, rad clockwise 0..2 pi, of a velocity change in the vehicle's frame. */
 double cr_result_pdof(struct cr_vec2 delta_v_body);
 
 /* Adds a warning, cut to its length; the last place says that there were more. code: a word for
- * programs, that stays the same. */
+ * programs, which must not change. */
 void cr_result_warn(struct cr_result *result, const char *code, const char *fmt, ...)
     CR_PRINTF(3, 4);
 
-/* Warnings for what makes a measured result doubtful: models may be NULL. */
+/* Warns of what makes a measured result doubtful; models may be NULL. */
 void cr_result_quality(struct cr_result *result, const struct cr_model_lib *models);
-/* Warnings for trajectories that contradict themselves or end too early. */
+/* Warns of trajectories that contradict themselves or end too early. */
 void cr_result_trajectories(struct cr_result *result);
-/* Whether a code of a warning is a doubt about the result, not only a limit of its models. */
+/* Whether a warning's code means a doubt about the result, not only a limit of its models. */
 bool cr_result_is_doubt(const char *code);
 
-/* Warnings for all limits of validity the measured result leaves. */
+/* Warns of all limits of validity that the measured result exceeds. */
 void cr_result_check(struct cr_result *result);
 
 /* ---- what a scene may cost (budget.c); the scene is a resolved one ---- */
 
-/* Errors: EXPENSIVE, from an estimate of the memory that its voxels take. */
+/* Refuses a scene whose voxels would take more memory than ctx->max_bytes. Errors: EXPENSIVE. */
 CR_MUST_CHECK enum cr_err cr_result_afford(const struct cr_scene *scene,
                                            const struct cr_context *ctx, struct cr_error *err);
 /* Whether the record of a solve under way is larger than allowed. */
 bool cr_result_outgrown(const struct cr_solution *sol, const struct cr_context *ctx);
-/* Fill in EXPENSIVE: of time or of memory, with what in the scene costs so much. */
+/* Fills in EXPENSIVE, in time or in memory, with a hint at what in the scene costs so much. */
 enum cr_err cr_result_too_expensive(const struct cr_scene *scene, const struct cr_context *ctx,
                                     bool time, struct cr_error *err);
 

@@ -1,4 +1,5 @@
-/* Injury risk of a participant had its crash been harder or milder: what a risk curve shows. */
+/* Computes the injury risk a participant would have had in a harder or milder crash of the same
+ * kind: what a risk curve shows. */
 #include "result/result_priv.h"
 
 #include "base/vec.h"

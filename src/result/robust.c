@@ -1,21 +1,22 @@
-/* The scene solved again with grid, time slice, places and masses nudged: the spread of each number
+/* Solves a scene again with grid, time slice, places and masses nudged: the spread of each number
  * tells whether it is resolved or chance. */
 #include "result/robust.h"
+
+#include "base/random.h"
 #include "result/result_priv.h"
 #include "scene/keys.h"
 
 #include <math.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 static const double grid_nudge = 0.1, slice_nudge = 0.1, place_nudge = 1e-3, mass_nudge = 5e-3;
-/* a spread above this share of the number is too large */
+/* A spread above this share of the number is too large. */
 static const double resolved_share = 0.05;
 
-/* What is judged, and the spread in its usual unit below which it is fine whatever its share: a
- * small number has nothing to hang on. */
+/* The measures that are judged. A spread below the floor, in the measure's unit, is fine whatever
+ * its share: of a small number any spread is a large share. */
 static const struct {
     const char *name;
     double floor;
@@ -56,7 +57,7 @@ double cr_robust_share(const struct cr_result *r, int part, int measure) {
     const struct cr_measure *m = &cr_measures(&n)[measure];
     double value = fabs(cr_measure_get(m, &r->of[part]));
     double spread = cr_robust_spread(r->robust, part, measure);
-    /* a number that moves by more than itself is no measure of how far it moves */
+    /* Of a number that moves by more than itself a share says nothing. */
     return is_angle(m) || !(spread <= value) || value == 0 ? (double)NAN : spread / value;
 }
 
@@ -65,11 +66,11 @@ bool cr_robust_is_unresolved(const struct cr_result *r, int part, int measure) {
     double least = judged_floor(&cr_measures(&n)[measure]);
     double spread = cr_robust_spread(r->robust, part, measure);
     double share = cr_robust_share(r, part, measure);
-    /* without a share the number as given is zero, and any spread of it is large */
+    /* Without a share the number is smaller than its spread, which is then too large. */
     return spread > least && !(share <= resolved_share);
 }
 
-/* those of an earlier check */
+/* Takes back the warnings of an earlier check. */
 static void take_warnings_back(struct cr_result *r) {
     int kept = 0;
     for (int i = 0; i < r->warnings; i++) {
@@ -103,16 +104,13 @@ enum cr_err cr_robust_begin(struct cr_result *r, struct cr_error *err) {
     return CR_ERR_OK;
 }
 
-/* the next number -1..1 of a fixed sequence (splitmix64) */
+/* The next number -1..1 of a fixed sequence. */
 static double next(uint64_t *state) {
-    uint64_t z = *state += 0x9E3779B97F4A7C15U;
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
-    z ^= z >> 31;
-    return (double)(z >> 11) / 4503599627370496.0 - 1;
+    return (double)(cr_random(state) >> 11) * 0x1p-52 - 1;
 }
 
-/* a place of its own, else it would be put back */
+/* Moves a participant. It gets a place of its own first, else resolving the scene would put it back
+ * where its place relation says. */
 static void move(struct cr_participant *p, struct cr_vec2 by) {
     cr_scene_unplace(p);
     p->pos = cr_vec2_add(p->pos, by);
@@ -121,7 +119,7 @@ static void move(struct cr_participant *p, struct cr_vec2 by) {
     }
 }
 
-/* NaN, what is not known, stays so */
+/* Makes a participant heavier. NaN, a value that nobody gave, stays NaN. */
 static void weigh(struct cr_participant *p, double factor) {
     p->mass *= factor;
     p->kerb_mass *= factor;
@@ -129,7 +127,7 @@ static void weigh(struct cr_participant *p, double factor) {
     p->yaw_inertia *= factor;
 }
 
-/* range of a setting of the scene file, SI */
+/* Keeps the value of a setting, SI, in the setting's range and below `most`. */
 static double kept(double x, const char *key, double most) {
     const struct cr_key *k = cr_scene_key_find(CR_KEYS_SETTINGS, key, 0);
     const struct cr_unit *unit = cr_scene_key_unit(k);

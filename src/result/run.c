@@ -1,6 +1,6 @@
-/* From a scene to its result: which model each vehicle gets depends on the direction of the force,
- * and that on the models, so a coarse trial solve goes first (share/doc/method.md, "PDOF of the
- * model"). */
+/* Leads from a scene to its result. Which model each vehicle gets depends on the direction of the
+ * force, and that on the models, so a coarse trial solve goes first (share/doc/method.md, "PDOF of
+ * the model"). */
 #include "result/result_priv.h"
 
 #include "scene/compiled.h"
@@ -10,11 +10,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* the trial's voxels and time slices, never finer than the scene's own */
+/* The trial's voxels and time slices; they are never finer than the scene's own. */
 static const double trial_voxel = 0.1; /* m */
 static const double trial_dt = 2e-3;   /* s */
 
-/* velocity at the end of the approach, world, m/s */
+/* Velocity (world, m/s), place and heading of a participant at the end of its approach. */
 static struct cr_vec2 approach(const struct cr_participant *p, struct cr_vec2 *pos,
                                double *heading) {
     *pos = p->pos;
@@ -35,8 +35,8 @@ static struct cr_vec2 approach(const struct cr_participant *p, struct cr_vec2 *p
     return cr_vec2(speed * cos(course), speed * sin(course));
 }
 
-/* First guess: the impulse of a full impact with friction works along the relative velocity to the
- * participant that will be met first. */
+/* Guesses the PDOF, rad: the impulse of a full impact with friction works along the relative
+ * velocity to the participant that will be met first. */
 static double guess_pdof(const struct cr_scene *scene, int i) {
     struct cr_vec2 pos, from;
     double heading, unused, soonest = INFINITY;
@@ -48,7 +48,8 @@ static double guess_pdof(const struct cr_scene *scene, int i) {
         struct cr_vec2 rel = cr_vec2_sub(approach(&scene->part[k], &from, &unused), vel);
         struct cr_vec2 way = cr_vec2_sub(pos, from);
         double speed2 = cr_vec2_dot(rel, rel);
-        /* time of the nearest approach of the reference points */
+        /* Time until the reference points are nearest. One that lies in the past comes after all
+         * that lie ahead, but before none. */
         double t = speed2 > 0 ? cr_vec2_dot(way, rel) / speed2 : (double)INFINITY;
         t = t < 0 && speed2 > 0 ? 1e3 - t : t;
         if (t < soonest) {
@@ -62,13 +63,13 @@ static double guess_pdof(const struct cr_scene *scene, int i) {
     return cr_result_pdof(cr_vec2_unrotate(push, cos(heading), sin(heading)));
 }
 
-/* the model of one sector must be chosen by the direction of the force, which the solve tells */
+/* Whether the direction of the force, which only a solve tells, chooses the sector of the model. */
 static bool is_auto(const struct cr_participant *p) {
     return p->kind == CR_KIND_VEHICLE && p->model.kind != CR_MODEL_FILE &&
            p->model.pdof_kind == CR_PDOF_AUTO && !cr_scene_by_push(p);
 }
 
-/* PDOF of the velocity change of every vehicle that was struck */
+/* Reads the PDOF of every participant whose velocity changed; the others keep theirs. */
 static void read_pdof(const struct cr_solution *sol, double pdof[CR_BODY_MAX]) {
     for (int i = 0; i < sol->bodies; i++) {
         const struct cr_outcome *o = &sol->body[i];
@@ -79,16 +80,16 @@ static void read_pdof(const struct cr_solution *sol, double pdof[CR_BODY_MAX]) {
     }
 }
 
-/* a solve under way, for who watches it */
+/* A solve under way, for its limits and for whoever watches it. */
 struct watched {
     const struct cr_context *ctx;
     struct cr_solver *solver;
     const struct cr_compiled *compiled;
     long polls;
-    bool late, large; /* it has been ended for that */
+    bool late, large; /* it was ended because its time is up, or its record too large */
 };
 
-enum { LOOK_EVERY = 4096 }; /* polls: bringing the solution up to date is work */
+enum { LOOK_EVERY = 4096 }; /* polls; to bring the solution up to date takes time */
 
 static int poll_watched(void *user) {
     struct watched *w = user;
@@ -106,7 +107,7 @@ static int poll_watched(void *user) {
     return cancel;
 }
 
-/* an overlap at the start by the names of the scene, with the way out */
+/* Tells an overlap at the start by the names of the scene, with the way out. */
 static void name_overlap(const struct cr_scene *scene, const struct cr_case *cs,
                          struct cr_error *err) {
     struct cr_overlap found;
@@ -136,8 +137,8 @@ enum cr_err cr_result_solver(const struct cr_scene *scene, const struct cr_case 
     return code;
 }
 
-/* Compile and solve; on success the caller owns compiled and solver, and also when a solve that
- * keeps its part is interrupted (*solver is then not NULL). */
+/* Compiles and solves. The caller owns compiled and solver after success, and also after
+ * INTERRUPTED if ctx->keep left something (*solver is then not NULL). */
 static enum cr_err solve(const struct cr_scene *scene, const struct cr_context *ctx,
                          const double pdof[CR_BODY_MAX], struct cr_compiled *compiled,
                          struct cr_solver **solver, struct cr_error *err) {
@@ -185,7 +186,7 @@ static enum cr_err trial(const struct cr_scene *scene, const struct cr_context *
     return code;
 }
 
-/* the model that belongs to direction b is another one than that of a */
+/* Whether the PDOF chooses another model for direction b than for a. */
 static bool moved(const struct cr_participant *p, double a, double b) {
     return is_auto(p) && cr_pdof_clock(a) != cr_pdof_clock(b);
 }
@@ -199,7 +200,7 @@ static int first_moved(const struct cr_scene *scene, const double *a, const doub
     return -1;
 }
 
-/* the solves that find the models: trial, solve, at most one repeat */
+/* Solves until the models fit the force that comes out: trial, solve, at most one repeat. */
 static enum cr_err settle(struct cr_result *r, const struct cr_context *ctx, struct cr_error *err) {
     const struct cr_scene *scene = &r->resolved;
     double pdof[CR_BODY_MAX] = {0}, found[CR_BODY_MAX];
@@ -250,7 +251,7 @@ static void warn_part(struct cr_result *r) {
                    1e3 * (sol->t[sol->samples - 1] - sol->t_contact));
 }
 
-/* objects but barriers are rigid: they do not crush each other */
+/* Refuses a scene of rigid objects, which do not crush each other; deformable barriers do. */
 static enum cr_err need_vehicle(const struct cr_scene *scene, struct cr_error *err) {
     for (int i = 0; i < scene->n; i++) {
         if (scene->part[i].kind == CR_KIND_VEHICLE || scene->part[i].shape == CR_OBJECT_BARRIER) {

@@ -1,4 +1,4 @@
-/* Reads measured curves from CSV files and resamples them. */
+/* Reads measured curves from CSV files and interpolates them. */
 #include "result/signal.h"
 
 #include "base/csv.h"
@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* the columns of a signal: its time and its values, with their units */
+/* The columns of a signal, time and values, with their units. */
 struct columns {
     int at[2];
     const struct cr_unit *unit[2]; /* that of the values may be NULL */
@@ -64,7 +64,7 @@ static enum cr_err find_units(const struct cr_csv *csv, struct columns *c, struc
 }
 
 static enum cr_err add(struct cr_signal *s, int *size, const double row[2]) {
-    /* times and values are interleaved while reading */
+    /* Times and values are interleaved while reading; finish() parts them. */
     if (!cr_grow(&s->memory, size, s->n, 2 * sizeof *s->memory)) {
         return CR_ERR_MEMORY;
     }
@@ -95,7 +95,7 @@ static enum cr_err finish(struct cr_signal *s, const char *path, struct cr_error
     return CR_ERR_OK;
 }
 
-/* the present row: time and value in SI units */
+/* Reads time and value of the present row, in SI units. */
 static enum cr_err read_row(const struct cr_csv *csv, const struct columns *c, double row[2],
                             struct cr_error *err) {
     for (int i = 0; i < 2; i++) {
@@ -177,11 +177,4 @@ double cr_signal_at(const struct cr_signal *s, double t, double outside) {
     }
     double f = hi > lo ? (t - s->t[lo]) / (s->t[hi] - s->t[lo]) : 0;
     return s->x[lo] + f * (s->x[hi] - s->x[lo]);
-}
-
-void cr_signal_resample(const struct cr_signal *s, double t0, double dt, double outside, double *x,
-                        int n) {
-    for (int i = 0; i < n; i++) {
-        x[i] = cr_signal_at(s, t0 + i * dt, outside);
-    }
 }

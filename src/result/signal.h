@@ -1,5 +1,4 @@
-/* Measured curves from tables and channels of crash tests, in SI units, and on a uniform time
- * axis. */
+/* Loads measured curves, from tables and from channels of crash tests, in SI units. */
 #ifndef CR_RESULT_SIGNAL_H
 #define CR_RESULT_SIGNAL_H
 
@@ -13,15 +12,16 @@ struct cr_signal {
                    */
     char axis;    /* of a channel: 'X' forward, 'Y' left, 'Z' up, 'R' resultant; '\0': not told */
     int n;
-    double *t; /* s, increasing */
-    double *x;
-    double *memory; /* owner of both */
+    double *t;      /* [n] s, increasing */
+    double *x;      /* [n] in unit */
+    double *memory; /* holds both, owned */
 };
 
-/* Load a column of a CSV file (base/csv.h). The time column is the one that is named t or time.
+/* Loads a column of a CSV file (base/csv.h). The time column is the one that is named t or time.
  * Units stand in the names, as base/units.h reads them (t_s, t_ms, ax_g, v_kmh, "a [m/s2]"), or in
  * a row below; the time must have one. column NULL: the first one that is not the time.
- * Errors: IO; SYNTAX, TYPE, MISSING, NAME with line and column. */
+ * cr_signal_free gives back. Errors: IO; SYNTAX, TYPE, MISSING, NAME, RANGE (time does not rise)
+ * with line and column. */
 CR_MUST_CHECK enum cr_err cr_signal_load(const char *path, const char *column,
                                          struct cr_signal *out, struct cr_error *err);
 void cr_signal_free(struct cr_signal *signal);
@@ -30,26 +30,23 @@ void cr_signal_free(struct cr_signal *signal);
 struct cr_signal_pick {
     const char *column; /* of a table; code, name or number of a channel; NULL: see below */
     int object;         /* test object or vehicle of a crash test, from 1 */
-    bool left;          /* its acceleration to the left is meant, else the one ahead */
+    bool left;          /* its acceleration to the left is meant, else that ahead */
 };
 
-/* Whether a path is that of a curve: a table by its name (.csv), a crash test's file (TEST.EV5,
- * TEST.mme, a channel TEST.001), or a folder. */
+/* Whether a path looks like that of a curve: a table by its name (.csv), a crash test's file
+ * (TEST.EV5, TEST.mme, a channel TEST.001, an archive, which loading asks to unzip), or a
+ * folder. */
 bool cr_signal_is(const char *path);
 
-/* Load a curve of any such file. Of a crash test, without a column, it is the acceleration of the
- * vehicle, at the CG before elsewhere; of TEST.001 it is that channel. The units of NHTSA's
+/* Loads a curve from any such file. Of a crash test, without a column, it is the acceleration of
+ * the vehicle, at the CG before elsewhere; of TEST.001 it is that channel. The units of NHTSA's
  * channels stand in TEST.EV5 beside them. Laboratories have y to the right and z down [SAE-J211]:
- * those are turned. Errors: those of cr_signal_load; NAME with the channels that there are; MISSING
- * where there is none or no unit. */
+ * such curves are turned. Errors: those of cr_signal_load; NAME with the channels that there are;
+ * MISSING where there is no channel or no unit. */
 CR_MUST_CHECK enum cr_err cr_signal_load_any(const char *path, const struct cr_signal_pick *pick,
                                              struct cr_signal *out, struct cr_error *err);
 
-/* Value at a time, linear between samples, `outside` before the first and after the last. */
+/* The value at time t, s, linear between samples; `outside` before the first and after the last. */
 double cr_signal_at(const struct cr_signal *signal, double t, double outside);
-
-/* n values from t0 on with step dt. */
-void cr_signal_resample(const struct cr_signal *signal, double t0, double dt, double outside,
-                        double *x, int n);
 
 #endif

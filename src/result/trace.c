@@ -1,4 +1,4 @@
-/* The quantities of a time series by name and unit. */
+/* Gives the quantities of a result's time series by name and unit, and the motion at a time. */
 #include "result/result.h"
 
 const char *cr_quantity_key(enum cr_quantity quantity) {

@@ -1,20 +1,21 @@
-/* Doubts about trajectories: speeds that contradict the path, jumps, rows that end before the
+/* Warns of doubtful trajectories: speeds that contradict the path, jumps, rows that end before the
  * contact. */
 #include "result/result_priv.h"
 
 #include <math.h>
 #include <stdio.h>
 
-/* rows are compared over at least this time, s, so that noise of the places does not matter */
+/* Rows are compared over at least this time, s, so that noise of the places does not matter. */
 static const double window = 0.2;
-/* a speed may differ from that of the path by this share and by this much, m/s */
+/* A speed may differ from that of the path by this share and by this much, m/s. */
 static const double share_most = 0.15, speed_most = 2;
-/* no car is faster, m/s: more between two rows is a jump */
+/* No car is faster, m/s: more between two rows is a jump. */
 static const double jump_speed = 140;
-/* a contact so long after the last row is not covered by them, s: rows are up to 0.1 s apart */
+/* Rows are up to 0.1 s apart; a contact later than this after the last is not covered by them,
+ * s. */
 static const double cover_most = 0.1;
 
-/* way along rows i to k, m */
+/* The length of the path along rows i to k, m. */
 static double way(const struct cr_waypoint *w, int i, int k) {
     double sum = 0;
     for (int n = i; n < k; n++) {
@@ -23,7 +24,7 @@ static double way(const struct cr_waypoint *w, int i, int k) {
     return sum;
 }
 
-/* mean of the speeds that rows i to k give, over the time, m/s */
+/* The mean over time of the speeds that rows i to k give, m/s. */
 static double told(const struct cr_waypoint *w, int i, int k) {
     double sum = 0;
     for (int n = i; n < k; n++) {
@@ -46,7 +47,7 @@ static void warn_speed(struct cr_result *r, const char *id, double t, double giv
         id, cr_kmh(given), t, cr_kmh(path), guess);
 }
 
-/* The first stretch that contradicts itself is told, the others would be the same fault again. */
+/* Tells the first stretch that contradicts itself; the others would be the same fault again. */
 static void check_path(struct cr_result *r, const struct cr_participant *p) {
     const struct cr_waypoint *w = p->waypoint;
     for (int i = 0; i + 1 < p->waypoints; i++) {

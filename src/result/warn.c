@@ -1,6 +1,6 @@
-/* Limits of validity (share/doc/method.md, "Known limits"): each warning says which limit a case
- * leaves, what that means and what can be done. The numbers are the ranges of the tests the models
- * were calibrated on. */
+/* Warns of limits of validity (share/doc/method.md, "Known limits"): each warning says which limit
+ * a case exceeds, what that means and what can be done. The limits are the ranges of the tests on
+ * which the models were calibrated. */
 #include "result/result_priv.h"
 
 #include "base/number.h"
@@ -12,25 +12,28 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* narrow object, m: between NHTSA's 254 mm pole and the 0.41 m of a narrow CDC [CDC-J224]
- */
+/* A narrower object counts as a pole, m: NHTSA's has 254 mm, a narrow CDC up to 0.41 m
+ * [CDC-J224]. */
 static const double narrow = 0.41;
-/* closing speed of the full-width wall tests, [WALL-SPEEDS]: 40 to 56 km/h, with a margin of
- * 2 km/h for the scatter of the test speed */
+/* The full-width wall tests have closing speeds of 40 to 56 km/h [WALL-SPEEDS]; 2 km/h more allow
+ * for the scatter of the test speed. */
 static const double wall_lo = 38 / 3.6, wall_hi = 58 / 3.6;
-/* side pole tests [POLE-SPEED]: 32 km/h */
+/* The side pole tests have 32 km/h [POLE-SPEED]. */
 static const double pole_lo = 28 / 3.6, pole_hi = 34 / 3.6;
-/* EES above what any calibrated face was crushed with, m/s */
-/* up to 16 to 20 km/h walls leave fronts without residual crush, the highest of what is published
- * [FRONT-START]; with a margin */
+/* Walls leave fronts without residual crush up to 16 to 20 km/h, the highest that is published
+ * [FRONT-START]; with a margin. */
 static const double unhurt_hi = 25 / 3.6;
-/* EES over depth, 1/s: fronts have 20 to 27 against a wall [WALL-RATE]; with a margin of four */
+/* EES over depth, 1/s: fronts have 20 to 27 against a wall [WALL-RATE]; with a margin of four. */
 static const double slope_hi = 100;
+/* No calibrated face was crushed with a higher EES, m/s. */
 static const double ees_hi = 65 / 3.6;
-/* restitution as measured [RESTITUTION-SPEED] */
+/* Measured crashes have no more restitution [RESTITUTION-SPEED]. */
 static const double restitution_hi = 0.4;
-static const double deep = 0.6;         /* share of the vehicle's length */
+static const double deep = 0.6;         /* share of the vehicle's length or width */
 static const double residual_hi = 1e-6; /* of momentum or energy, relative */
+/* Direct damage narrower than this share of the width at one end of the front lies outside the
+ * rails (validation.md, small overlap). */
+static const double small_overlap = 0.3;
 
 void cr_result_warn(struct cr_result *r, const char *code, const char *fmt, ...) {
     if (r->warnings == CR_WARNING_MAX) {
@@ -46,8 +49,8 @@ void cr_result_warn(struct cr_result *r, const char *code, const char *fmt, ...)
     va_end(ap);
 }
 
-/* The number with as many decimals as tell it from the limit: "EES 66 km/h is above the 66 km/h"
- * would be nonsense. */
+/* Writes a number with as many decimals as tell it from the limit: "EES 66 km/h is above the 66
+ * km/h" would be nonsense. */
 static const char *beside(double x, double limit, char buf[16]) {
     for (int decimals = 0; decimals <= 6; decimals++) {
         snprintf(buf, 16, "%.*f", decimals, x);
@@ -59,7 +62,8 @@ static const char *beside(double x, double limit, char buf[16]) {
     return buf;
 }
 
-/* A mass that nobody gave: everything else follows it. */
+/* Tells of a mass that nobody gave, because everything else follows it, and of one that contradicts
+ * another. */
 static void check_mass(struct cr_result *r) {
     for (int i = 0; i < r->resolved.n; i++) {
         double spread = r->assumed.mass_spread[i];
@@ -69,10 +73,17 @@ static void check_mass(struct cr_result *r) {
                            "delta-v follow it",
                            r->resolved.part[i].id, r->resolved.part[i].mass, 100 * spread);
         }
+        const struct cr_participant *p = &r->resolved.part[i];
+        if (p->kerb_mass > p->mass + 0.5) { /* what is written without decimals may be rounded */
+            cr_result_warn(r, "mass-below-kerb",
+                           "%s: its mass as crashed, %.0f kg, is less than its kerb mass, %.0f kg: "
+                           "a car weighs that much when it is empty; check the two",
+                           p->id, p->mass, p->kerb_mass);
+        }
     }
 }
 
-/* A number that is o'clock or degrees by its size alone. */
+/* Tells how the old "pdof" was read, whose number is o'clock or degrees by its size alone. */
 static void check_pdof(struct cr_result *r) {
     for (int i = 0; i < r->resolved.n; i++) {
         const struct cr_model_choice *m = &r->resolved.part[i].model;
@@ -97,14 +108,10 @@ static bool is_narrow(const struct cr_participant *p) {
             (p->shape == CR_OBJECT_BOX && fmin(p->length, p->width) < narrow));
 }
 
-/* what was asked for is there: the vehicle brings its own model or stiffness of that face */
+/* Whether the vehicle brings its own model, or its own stiffness of that face. */
 static bool has_own(const struct cr_participant *p, int face) {
     return p->model.file[0] != '\0' || p->model.face[face].b > 0;
 }
-
-/* Direct damage narrower than this share of the width at one end of the front: outside the rails
- * (validation.md, small overlap). */
-static const double small_overlap = 0.3;
 
 static void check_face(struct cr_result *r, const struct cr_contact *c, int car, int other) {
     const struct cr_severity *s = &r->of[car];
@@ -117,7 +124,7 @@ static void check_face(struct cr_result *r, const struct cr_contact *c, int car,
                        "given",
                        p->id, q->id);
     }
-    /* a narrow object in the middle of the front is no small overlap */
+    /* Only damage at one edge is a small overlap, not that of a narrow object in the middle. */
     bool edge = s->cdc[0] && (s->cdc[3] == 'L' || s->cdc[3] == 'R');
     if (s->face == CR_FACE_FRONT && edge && q->kind == CR_KIND_OBJECT &&
         c->energy[0] + c->energy[1] > 0 && s->contact_width < small_overlap * p->width) {
@@ -163,8 +170,9 @@ static void check_contact(struct cr_result *r, const struct cr_contact *c) {
     }
 }
 
-/* Own A, B hide the energy A^2/2B per width before residual crush begins: with a small B that is
- * more than any crash has, and the face is rigid. With a great B nothing crushes it. */
+/* Warns of own A, B that make a face rigid. They hide the energy A^2/2B per width before residual
+ * crush begins, which with a small B is more than any crash has; with a great B nothing crushes
+ * it. */
 static void check_stiffness(struct cr_result *r, const struct cr_participant *p) {
     static const char *const name[] = {"front", "side", "rear"};
     for (int i = 0; i < CR_MODEL_ENDS && p->model.kind == CR_MODEL_STIFFNESS; i++) {
@@ -232,7 +240,7 @@ void cr_result_check(struct cr_result *r) {
     check_pdof(r);
     for (int k = 0; k < sol->contacts; k++) {
         const struct cr_contact *c = &sol->contact[k];
-        /* only the main contact of a body is worth a word; the others belong to the same crash */
+        /* Only the main contact of a body is worth a word; the others belong to the same crash. */
         if (cr_result_main_contact(sol, c->a) == k || cr_result_main_contact(sol, c->b) == k) {
             check_contact(r, c);
         }

@@ -108,6 +108,16 @@ double cr_scene_guess_mass(const struct cr_participant *p, const struct cr_model
     return cr_clamp(10 * round(mass * share / 10), 100, 60000);
 }
 
+/* Their scatter is that of kerb mass and driver together. */
+double cr_scene_drawn_kerb_mass(const struct cr_participant *p, double with_driver) {
+    return with_driver * exp(p->off_rule[CR_RULED_MASS]) - CR_CAR_DRIVER;
+}
+
+double cr_scene_kerb_by_rule(const struct cr_participant *p, double drawn) {
+    double off = p->off_rule[CR_RULED_MASS];
+    return off == 0 ? drawn : (drawn + CR_CAR_DRIVER) * exp(-off) - CR_CAR_DRIVER;
+}
+
 /* ---- the catalogue ---- */
 
 static enum cr_err take(struct cr_participant *p, const char *key, double value,
@@ -147,7 +157,7 @@ enum cr_err cr_scene_from_car(struct cr_participant *p, const struct cr_model_li
     } value[] = {
         {"kerb_mass_kg", heavy   ? p->mass - p->load
                          : light ? p->mass
-                                 : car->curb},
+                                 : cr_scene_drawn_kerb_mass(p, car->curb + CR_CAR_DRIVER)},
         {"load_kg", isnan(p->mass) ? CR_CAR_DRIVER : (double)NAN},
         {"length_m", car->length},
         {"width_m", car->width},

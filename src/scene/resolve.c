@@ -26,7 +26,7 @@ static double given_kerb_mass(const struct cr_participant *p) {
  * mass that is given, the trend of the class medians (exponents 0.36 to 0.38) [CLASS-SIZES], by no
  * more than a fifth. Load makes no car longer. */
 static double rule_length(const struct basis *b) {
-    double kerb = given_kerb_mass(b->part);
+    double kerb = cr_scene_kerb_by_rule(b->part, given_kerb_mass(b->part));
     if (!isnan(b->part->wheelbase)) {
         return b->ref->length * b->part->wheelbase / b->ref->wheelbase;
     }
@@ -44,6 +44,11 @@ static double rule_kerb_mass(const struct basis *b) {
 static double rule_load(const struct basis *b) {
     const struct cr_participant *p = b->part;
     return isnan(p->mass) ? 0 : fmax(0, p->mass - p->kerb_mass);
+}
+
+/* what a draw makes of a rule's value */
+static double drawn(const struct basis *b, enum cr_ruled what, double value) {
+    return value * exp(b->part->off_rule[what]);
 }
 
 static double rule_mass(const struct basis *b) {
@@ -69,7 +74,7 @@ static double rule_wheelbase(const struct basis *b) {
 static double rule_track(const struct basis *b) {
     double tested = b->part->kerb_mass + CR_TEST_LOAD;
     double t = b->rules->track + b->rules->track_per_kg * tested;
-    return cr_clamp(t, 0.7 * b->part->width, 0.9 * b->part->width);
+    return cr_clamp(drawn(b, CR_RULED_TRACK, t), 0.7 * b->part->width, 0.9 * b->part->width);
 }
 
 /* the recipe's share of what stands out before and behind the axles */
@@ -84,18 +89,18 @@ double cr_scene_cg_rule(double mass, double wheelbase) {
 }
 
 static double rule_cg(const struct basis *b) {
-    return cr_scene_cg_rule(b->part->mass, b->part->wheelbase);
+    double kerb = b->part->kerb_mass, off = kerb - cr_scene_kerb_by_rule(b->part, kerb);
+    return cr_scene_cg_rule(b->part->mass - off, b->part->wheelbase);
 }
 
 static double rule_cg_height(const struct basis *b) {
     double h = b->rules->cg_height + b->rules->cg_height_per_kg * b->part->mass;
-    return fmin(h, 0.45 * b->part->height);
+    return fmin(drawn(b, CR_RULED_CG_HEIGHT, h), 0.45 * b->part->height);
 }
 
-/* 0.137 m L WB: nearer to measured vehicles than a line over the mass; s 2 % for the newest cars,
- * 8 % for light trucks [YAW-INERTIA] */
+/* 0.137 m L WB: nearer to measured vehicles than a line over the mass [YAW-INERTIA] */
 static double rule_inertia(const struct basis *b) {
-    return 0.137 * b->part->mass * b->part->length * b->part->wheelbase;
+    return drawn(b, CR_RULED_INERTIA, 0.137 * b->part->mass * b->part->length * b->part->wheelbase);
 }
 
 /* in an order in which each rule finds what it needs */
@@ -133,7 +138,7 @@ static enum cr_err resolve_kind(struct cr_participant *p, const struct cr_model_
     }
     code = code == CR_ERR_OK ? cr_model_need(lib, p->type, err) : code;
     if (code == CR_ERR_OK && isnan(p->mass) && isnan(p->kerb_mass)) {
-        p->kerb_mass = cr_scene_guess_mass(p, lib, &a->mass_spread) - CR_CAR_DRIVER;
+        p->kerb_mass = cr_scene_drawn_kerb_mass(p, cr_scene_guess_mass(p, lib, &a->mass_spread));
         code = cr_scene_assume(a, p->id, "kerb_mass_kg", err);
         if (code == CR_ERR_OK && isnan(p->load)) {
             p->load = CR_CAR_DRIVER;

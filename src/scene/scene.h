@@ -51,6 +51,21 @@ enum cr_spread {
 
 enum { CR_TOLERANCE_MAX = 16, CR_GROUP_MAX = 24 };
 
+/* What is assumed of a vehicle by a rule from which cars are known to differ, and what moves no
+ * outline: a position is that of the CG. X(NAME, key, name of the factor by which it differs) */
+#define CR_RULED_LIST(X)                                                                           \
+    X(MASS, "kerb_mass_kg", "kerb_mass_factor")                                                    \
+    X(TRACK, "track_m", "track_factor")                                                            \
+    X(CG_HEIGHT, "cg.height_m", "cg.height_factor")                                                \
+    X(INERTIA, "yaw_inertia_kgm2", "yaw_inertia_factor")
+
+enum cr_ruled {
+#define X(name, key, factor) CR_RULED_##name,
+    CR_RULED_LIST(X)
+#undef X
+        CR_RULED
+};
+
 /* The tolerance of one number of a participant or of the settings. */
 struct cr_tolerance {
     int row, item; /* of the key table (keys.h), and which number of a pair */
@@ -177,7 +192,9 @@ struct cr_participant {
     double z_lo, z_hi; /* height range of an object, m */
     uint64_t given;    /* bit i: row i of the participants' table (keys.h) was given */
     struct cr_tolerances tolerances;
-    char *extra; /* owned JSON text of its x_ keys, NULL if none */
+    double off_rule[CR_RULED]; /* logarithm of the factor by which a value that is assumed differs
+                                  from its rule: 0 but in draws, which no file keeps */
+    char *extra;               /* owned JSON text of its x_ keys, NULL if none */
 };
 
 struct cr_scene {

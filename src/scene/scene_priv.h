@@ -131,6 +131,10 @@ CR_MUST_CHECK enum cr_err cr_scene_from_car(struct cr_participant *p,
 /* Its type by length and height, else by mass. */
 CR_MUST_CHECK enum cr_err cr_scene_guess_type(struct cr_participant *p,
                                               const struct cr_model_lib *lib, struct cr_error *err);
+/* Kerb mass, kg, that a draw makes of an assumed mass with its driver. */
+double cr_scene_drawn_kerb_mass(const struct cr_participant *p, double with_driver);
+/* And back: what its sizes and the place of its CG go by, so that no draw moves an outline. */
+double cr_scene_kerb_by_rule(const struct cr_participant *p, double drawn);
 /* Its mass, kg, from type and size, with the relative standard deviation of this rule. The recipe
  * of its type must have been read. */
 double cr_scene_guess_mass(const struct cr_participant *p, const struct cr_model_lib *lib,

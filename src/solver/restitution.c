@@ -10,7 +10,8 @@ double cr_restitution_auto(double closing, bool rigid_partner) {
 }
 
 /* Share of the width of an end that is pressed, of what a flat wall would press on at the greatest
- * depth there; a flank counts as whole, because its tests are narrow. */
+ * depth there: the depth of the opponent's surface, not of the voxels beside it. A flank counts as
+ * whole, because its tests are narrow. */
 static double end_share(const struct cr_side *k, enum cr_face face) {
     const struct cr_surface *s = &k->m->surface;
     double h = s->grid->h, deepest = 0, reached = 0, wide = 0;
@@ -20,7 +21,8 @@ static double end_share(const struct cr_side *k, enum cr_face face) {
         const struct cr_cell *c = &k->cell[i];
         double met = c->met * cr_surface_weight(c->other, h);
         wide += met * h * fabs(cr_vec2_dot(c->normal, lines.in));
-        double deep = cr_vec2_dot(cr_vec2_sub(c->place, lines.corner), lines.in);
+        struct cr_vec2 foot = cr_vec2_axpy(c->place, -c->other, c->normal);
+        double deep = cr_vec2_dot(cr_vec2_sub(foot, lines.corner), lines.in);
         deepest = met > 0 ? cr_max(deepest, deep) : deepest;
     }
     for (int i = 0; i < n; i++) {

@@ -1,4 +1,4 @@
-/* Histogram and tornado of a study's draws, as vectors. */
+/* Draws histogram and tornado of a study's draws, as vectors. */
 #include "study/charts.h"
 
 #include <math.h>
@@ -8,7 +8,7 @@
 
 enum { WIDTH = 500, MARGIN = 10, HISTOGRAM_H = 210, TORNADO_H = 82, BAR_H = 22, BARS_MOST = 12 };
 
-/* one chart: of which result of whom */
+/* What one chart shows: a result of a participant. */
 struct subject {
     const struct cr_mc *mc;
     int body;
@@ -17,7 +17,7 @@ struct subject {
     const struct cr_figure_words *words;
 };
 
-/* a value in the units of the words, and their name */
+/* A value in the unit that the words choose. */
 static double shown(const struct subject *s, double si) {
     double x = cr_unit_from_si(cr_measure_unit(s->m), si);
     cr_measure_in(s->m, s->words != NULL ? s->words->units : CR_UNITS_SI, &x, NULL);
@@ -90,7 +90,7 @@ static struct cr_canvas *tornado(const struct subject *s) {
     return c;
 }
 
-/* the charts below each other; they are given up */
+/* Puts the charts below each other on one canvas, NULL without memory; the charts are freed. */
 static struct cr_canvas *stack(struct cr_canvas **part, int n) {
     double h = 0, y = 0;
     for (int i = 0; i < n; i++) {
@@ -113,7 +113,7 @@ enum cr_err cr_mc_chart(const struct cr_mc *mc, enum cr_mc_chart chart,
     struct cr_canvas *part[CR_BODY_MAX] = {NULL};
     int measures, n = 0;
     const struct cr_measure *m = &cr_measures(&measures)[plot->measure];
-    bool failed = false;
+    bool failed = false, few = false;
     *out = NULL;
     for (int i = 0; i < mc->participants && !failed; i++) {
         struct subject s = {.mc = mc, .body = i, .m = m, .words = words};
@@ -121,12 +121,18 @@ enum cr_err cr_mc_chart(const struct cr_mc *mc, enum cr_mc_chart chart,
             continue;
         }
         failed = cr_mc_stats(mc, i, plot->measure, &s.st, NULL) != CR_ERR_OK;
-        if (failed || !(s.st.hi > s.st.lo) || (chart == CR_MC_TORNADO && s.st.effects == 0)) {
+        bool scatters = !failed && s.st.hi > s.st.lo;
+        few = few || (scatters && s.st.effects == 0);
+        if (!scatters || (chart == CR_MC_TORNADO && few)) {
             continue;
         }
         part[n] = chart == CR_MC_TORNADO ? tornado(&s) : histogram(&s);
         failed = part[n] == NULL;
         n += !failed;
+    }
+    if (n == 0 && few) {
+        return cr_err_set(err, CR_ERR_MISSING, "%d draws are too few for effects of %d inputs",
+                          mc->done, mc->dims);
     }
     if (n == 0 && !failed) {
         return cr_err_set(err, CR_ERR_MISSING, "%s does not scatter: there is nothing to draw",

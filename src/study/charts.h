@@ -1,4 +1,5 @@
-/* Pictures of a study: how a result scatters, and which input moves it. */
+/* Draws what a study found: a histogram shows how a result scatters, a tornado which input moves
+ * it. */
 #ifndef CR_STUDY_CHARTS_H
 #define CR_STUDY_CHARTS_H
 

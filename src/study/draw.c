@@ -1,7 +1,10 @@
-/* Latin hypercubes and Sobol sequences of GSL, distributions, regression. */
+/* Makes latin hypercubes and Sobol sequences with GSL, turns them into values of distributions, and
+ * fits lines to results. */
 #include "config.h"
 
 #include "study/draw.h"
+
+#include "base/stats.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -21,7 +24,7 @@ const char *cr_draw_generator(enum cr_sampling sampling) {
                                          : "latin hypercube by mt19937 of GSL";
 }
 
-/* each of n equal shares of every dimension is met once, at a random place inside */
+/* A latin hypercube: each of n equal shares of every dimension is met once, at a random place. */
 static enum cr_err latin(gsl_rng *rng, int n, int dims, double *u, struct cr_error *err) {
     int *order = malloc((size_t)n * sizeof *order);
     if (order == NULL) {
@@ -40,8 +43,8 @@ static enum cr_err latin(gsl_rng *rng, int n, int dims, double *u, struct cr_err
     return CR_ERR_OK;
 }
 
-/* the sequence moved as a whole by a random vector (Cranley and Patterson 1976), so that the seed
- * counts and no draw lies on an edge */
+/* The Sobol sequence is moved as a whole by a random vector (Cranley and Patterson 1976), so that
+ * the seed counts and no draw lies on an edge. */
 static enum cr_err sobol(gsl_rng *rng, int n, int dims, double *u, struct cr_error *err) {
     double shift[SOBOL_MAX];
     if (dims > SOBOL_MAX) {
@@ -82,8 +85,7 @@ enum cr_err cr_draw_uniform(const struct cr_mc_opts *opts, int dims, double *u,
 }
 
 double cr_draw_value(const struct cr_study_input *in, double u) {
-    static const double z_95 = 1.959963984540054; /* half holds 95 % of a normal distribution */
-    double x = 0;                                 /* in half widths */
+    double x = 0; /* in half widths; of a normal distribution one holds 95 % */
     switch (in->spread) {
     case CR_SPREAD_UNIFORM:
         x = 2 * u - 1;
@@ -92,7 +94,7 @@ double cr_draw_value(const struct cr_study_input *in, double u) {
         x = u < 0.5 ? sqrt(2 * u) - 1 : 1 - sqrt(2 * (1 - u));
         break;
     default:
-        x = gsl_cdf_ugaussian_Pinv(u) / z_95;
+        x = gsl_cdf_ugaussian_Pinv(u) / CR_Z_95;
         break;
     }
     double value = in->factor ? in->value * exp(x * in->half) : in->value + x * in->half;

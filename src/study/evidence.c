@@ -1,4 +1,4 @@
-/* What was measured of a crash, as it is typed. */
+/* Reads evidence as it is typed, "dv.A=43km/h", and finds its counterpart in a result. */
 #include "study/fit.h"
 
 #include "scene/keys.h"
@@ -8,11 +8,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* usual tolerances, half widths that hold 95 %: recorders are good to a tenth (49 CFR 563), a tape
- * along a bent car to 3 cm, a place of rest to half a metre */
+/* Usual tolerances, half widths that hold 95 %: recorders are good to a tenth (49 CFR 563), a tape
+ * along a bent car to 3 cm, a place of rest to half a metre. */
 static const double relative = 0.10, tape = 0.03, place = 0.5, least_speed = 0.5;
 
-/* "dv.A" or "A.dv": participant and the other word */
+/* Splits "dv.A" or "A.dv" into the participant, -1 without, and the other word. */
 static int split(const struct cr_scene *scene, const char *name, char *word, size_t size) {
     const char *dot = strchr(name, '.');
     for (int i = 0; i < scene->n && dot != NULL; i++) {
@@ -45,7 +45,7 @@ static enum cr_err push(struct cr_fit_evidence *e, const struct cr_fit_target *t
             return cr_err_set(err, CR_ERR_DUPLICATE, "%s is given twice", t->name);
         }
     }
-    /* what is squared and told must be within reason; NaN is not */
+    /* The search squares these numbers: they must be within reason, which NaN is not. */
     if (!(fabs(t->value) < 1e9 && t->half > 1e-9 && t->half < 1e9)) {
         cr_err_set(err, CR_ERR_RANGE, "%s: %.3g +- %.3g %s is beyond all measure", t->name,
                    cr_unit_from_si(t->unit, t->value), cr_unit_from_si(t->unit, t->half),
@@ -59,7 +59,7 @@ static enum cr_err push(struct cr_fit_evidence *e, const struct cr_fit_target *t
     return CR_ERR_OK;
 }
 
-/* numbers of a list; a unit behind the last counts for all */
+/* Reads the n lengths of a list, m; a unit behind the last counts for all. */
 static enum cr_err read_list(const char *text, double *out, int n, const char *what,
                              struct cr_error *err) {
     const struct cr_unit *unit = cr_unit_find("m", CR_DIM_LENGTH);
@@ -71,21 +71,22 @@ static enum cr_err read_list(const char *text, double *out, int n, const char *w
                    ? cr_unit_find(end, CR_DIM_LENGTH)
                    : unit;
     }
+    const char *at = text;
     for (int i = 0; i < n; i++) {
-        size_t len = strcspn(text, ",");
-        bool ends = text[len] == '\0';
+        size_t len = strcspn(at, ",");
+        bool ends = at[len] == '\0';
         if (len >= sizeof word || ends != (i == n - 1)) {
             cr_err_set(err, CR_ERR_TYPE, "'%.60s' is not %s", text, what);
             cr_err_hint(err, n == 2 ? "for example rest.A=12,3m"
                                     : "for example crush.A=12,14,20,22,18,10cm");
             return CR_ERR_TYPE;
         }
-        snprintf(word, sizeof word, "%.*s", (int)len, text);
+        snprintf(word, sizeof word, "%.*s", (int)len, at);
         enum cr_err code = cr_unit_parse(word, CR_DIM_LENGTH, unit, &out[i], NULL, err);
         if (code != CR_ERR_OK) {
             return code;
         }
-        text += len + !ends;
+        at += len + !ends;
     }
     return CR_ERR_OK;
 }
@@ -185,14 +186,15 @@ double cr_fit_found(const struct cr_result *r, const struct cr_fit_target *t) {
         return s->profile[t->index];
     }
     const struct cr_outcome *o = &r->solution->body[t->participant];
-    if (!isfinite(o->t_rest)) { /* where the solve ended is no place of rest of one that moves */
+    if (!isfinite(o->t_rest)) { /* a participant that still moves has no place of rest */
         return (double)NAN;
     }
     return t->kind == CR_FIT_REST_X ? o->rest.pos.x : o->rest.pos.y;
 }
 
 void cr_fit_bounds(const char *key, double now, double *lo, double *hi) {
-    /* about the value: half widths, absolute (SI) or of the value; else fixed bounds */
+    /* Bounds are a half width about the value, absolute (SI) or as a share of it; or fixed, lo and
+     * hi (SI), where both half widths are 0. */
     static const struct {
         const char *word;
         double lo, hi, about, share;

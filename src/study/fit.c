@@ -1,11 +1,12 @@
-/* fit: a coarse look over the bounds, local searches from its best places, and how well the
- * evidence determines each input. */
+/* Searches for the inputs that explain the evidence: a coarse look over the bounds, local searches
+ * from its best places, and then how well the evidence determines each input. */
 #include "config.h"
 
 #include "study/fit.h"
-#include "study/limit.h"
 
+#include "base/stats.h"
 #include "study/draw.h"
+#include "study/limit.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -17,17 +18,15 @@
 #include <gsl/gsl_linalg.h>
 #include <nlopt.h>
 
-/* tolerances hold 95 % of a normal distribution */
-static const double z_95 = 1.959963984540054;
-/* residual of a place without a result, in standard deviations: worse than any with one */
+/* The residual of a place without a result, in standard deviations: it is worse than any other. */
 static const double nothing = 1e3;
 
 struct search {
     struct cr_fit *fit;
     const struct cr_fit_opts *opts;
     const struct cr_context *ctx;
-    nlopt_opt local;               /* that is running, NULL: none */
-    double best, x[CR_FIT_INPUTS]; /* sum of squares, shares of the bounds */
+    nlopt_opt local;               /* the local search that is running, NULL: none */
+    double best, x[CR_FIT_INPUTS]; /* least sum of squares, and where: shares of the bounds */
     bool stop;
     struct cr_error last;
 };
@@ -36,7 +35,8 @@ static double value_at(const struct cr_study_input *in, double share) {
     return in->lo + share * (in->hi - in->lo);
 }
 
-/* residuals in standard deviations at a place; false without a result */
+/* Solves the scene at a place x; out gets the residuals in standard deviations, found the values.
+ * False without a result. */
 static bool residuals(struct search *s, const double *x, double *found, double *out) {
     struct cr_fit *fit = s->fit;
     struct cr_scene scene;
@@ -61,12 +61,13 @@ static bool residuals(struct search *s, const double *x, double *found, double *
     for (int k = 0; k < fit->evidence.n; k++) {
         const struct cr_fit_target *t = &fit->evidence.target[k];
         found[k] = code == CR_ERR_OK ? cr_fit_found(result, t) : (double)NAN;
-        out[k] = isfinite(found[k]) ? (found[k] - t->value) * z_95 / t->half : nothing;
+        out[k] = isfinite(found[k]) ? (found[k] - t->value) * CR_Z_95 / t->half : nothing;
     }
     cr_result_free(result);
     return code == CR_ERR_OK;
 }
 
+/* The sum of the squared residuals at a place; the best place so far is kept. */
 static double look(struct search *s, const double *x) {
     double r[CR_FIT_TARGETS], found[CR_FIT_TARGETS], sum = 0;
     struct cr_fit *fit = s->fit;
@@ -117,7 +118,7 @@ static enum cr_err search_from(struct search *s, const double *from, double step
     nlopt_set_stopval(opt, 1e-4 * s->fit->evidence.n);
     nlopt_set_maxeval(opt, most);
     s->local = opt;
-    nlopt_optimize(opt, x, &value); /* what it found last stands in s->x */
+    nlopt_optimize(opt, x, &value); /* look() has kept the best place in s->x */
     s->local = NULL;
     nlopt_destroy(opt);
     return CR_ERR_OK;
@@ -157,8 +158,8 @@ static enum cr_err look_around(struct search *s, struct place *places, int n,
 
 /* ---- how well it is determined ---- */
 
-/* derivatives of the residuals by the inputs' shares, central; steps wider than what voxels make
- * rough */
+/* Central derivatives of the residuals by the inputs' shares, j[targets * inputs]. Voxels make the
+ * results rough, so the steps are wider than the roughness. */
 static void jacobian(struct search *s, double *j) {
     const double step = 0.03;
     int n = s->fit->study.n, m = s->fit->evidence.n;
@@ -176,7 +177,7 @@ static void jacobian(struct search *s, double *j) {
     }
 }
 
-/* sum of squares at a step from the best place; infinite out of the bounds */
+/* The sum of squares at a step from the best place; infinite outside of the bounds. */
 static double sum_at(struct search *s, const double *way, double step) {
     int n = s->fit->study.n;
     double x[CR_FIT_INPUTS], r[CR_FIT_TARGETS], found[CR_FIT_TARGETS], sum = 0;
@@ -197,16 +198,17 @@ static double sum_at(struct search *s, const double *way, double step) {
  * derivatives of what voxels give are too rough for the ways that are nearly free. */
 static double free_way(struct search *s, const double *way) {
     static const double steps[] = {0.005, 0.01, 0.02, 0.04, 0.08, 0.16, 0.32, 0.64};
-    double limit = s->best + z_95 * z_95 * fmax(1, s->fit->misfit * s->fit->misfit), widest = 0;
+    double limit = s->best + CR_Z_95 * CR_Z_95 * fmax(1, s->fit->misfit * s->fit->misfit),
+           widest = 0;
     for (int sign = -1; sign <= 1; sign += 2) {
         double before = 0, reached = s->best;
         for (size_t k = 0; k < sizeof steps / sizeof steps[0]; k++) {
             double sum = sum_at(s, way, sign * steps[k]);
-            if (!isfinite(sum)) { /* the bounds end it */
+            if (!isfinite(sum)) { /* the bounds end the way */
                 before = steps[k];
                 break;
             }
-            if (sum > limit) { /* between two steps it goes with the square of the way */
+            if (sum > limit) { /* between two steps the sum grows with the square of the way */
                 double share = sqrt((limit - reached) / (sum - reached));
                 before += share * (steps[k] - before);
                 break;
@@ -219,6 +221,7 @@ static double free_way(struct search *s, const double *way) {
     return widest;
 }
 
+/* How much each target determines each input: the shares of its squared derivatives. */
 static void share_out(struct cr_fit *fit, const double *j) {
     int n = fit->study.n, m = fit->evidence.n;
     for (int i = 0; i < n; i++) {
@@ -233,6 +236,7 @@ static void share_out(struct cr_fit *fit, const double *j) {
     }
 }
 
+/* Adds up how free each of the principal ways v is to the interval of each input. */
 static void widen(struct search *s, const gsl_matrix *v) {
     struct cr_fit *fit = s->fit;
     int n = fit->study.n;
@@ -246,7 +250,7 @@ static void widen(struct search *s, const gsl_matrix *v) {
         for (int i = 0; i < n; i++) {
             variance[i] += way[i] * way[i] * w * w;
         }
-        if (w > fit->free) { /* the weakest way of all is told */
+        if (w > fit->free) { /* the freest way of all is told */
             fit->free = w;
             memcpy(fit->way, way, sizeof fit->way);
         }
@@ -261,7 +265,8 @@ static void widen(struct search *s, const gsl_matrix *v) {
     }
 }
 
-/* intervals along the principal ways of the evidence */
+/* Takes the intervals along the principal ways of the evidence, which a singular value
+ * decomposition of the derivatives gives. */
 static enum cr_err widths(struct search *s, const double *j, struct cr_error *err) {
     int n = s->fit->study.n, m = s->fit->evidence.n;
     size_t rows = (size_t)(m > n ? m : n), cols = (size_t)n;
@@ -286,6 +291,7 @@ static enum cr_err widths(struct search *s, const double *j, struct cr_error *er
     return ok ? CR_ERR_OK : cr_err_set(err, CR_ERR_MEMORY, "no memory for the intervals");
 }
 
+/* Tells from the best place what was found and how well it is determined. */
 static enum cr_err conclude(struct search *s, struct cr_error *err) {
     struct cr_fit *fit = s->fit;
     int n = fit->study.n, m = fit->evidence.n;
@@ -338,7 +344,7 @@ static enum cr_err run(struct search *s, struct cr_error *err) {
     fit->interrupted = s->stop;
     s->stop = false;
     struct cr_context free_run = *s->ctx;
-    free_run.cancel = NULL; /* the few solves of the intervals belong to what was found */
+    free_run.cancel = NULL; /* the few solves of the intervals follow also after an interruption */
     s->ctx = &free_run;
     code = code == CR_ERR_OK ? conclude(s, err) : code;
     return code == CR_ERR_OK && fit->interrupted

@@ -1,4 +1,5 @@
-/* Inputs that are searched for, by their keys in a scene. */
+/* Reads the inputs that are searched for, by their keys in a scene, and puts their values into
+ * it. */
 #include "study/fit.h"
 
 #include "scene/keys.h"
@@ -18,7 +19,7 @@ enum cr_err cr_fit_range(const char *text, enum cr_dim dim, const struct cr_unit
         return CR_ERR_SYNTAX;
     }
     snprintf(first, sizeof first, "%.*s", (int)(colon - text), text);
-    cr_number_scan(colon + 1, &end); /* a unit behind the last counts for both */
+    cr_number_scan(colon + 1, &end); /* a unit behind the second number counts for both */
     if (*end != '\0' && cr_unit_find(end, dim) != NULL) {
         unit = cr_unit_find(end, dim);
     }
@@ -50,7 +51,7 @@ enum cr_err cr_fit_scene_input(const struct cr_scene *scene, const char *text,
     size_t len = strcspn(text, "=");
     *out = (struct cr_study_input){.value = NAN};
     snprintf(out->key, sizeof out->key, "%.*s", (int)(len < 100 ? len : 100), text);
-    enum cr_err code = cr_scene_get(scene, out->key, &now, err); /* says what is wrong with a key */
+    enum cr_err code = cr_scene_get(scene, out->key, &now, err);
     const struct cr_key *key = code == CR_ERR_OK ? key_of(scene, out->key) : NULL;
     if (code == CR_ERR_OK &&
         (key == NULL || (key->type != CR_KEY_NUMBER && key->type != CR_KEY_WHEELS))) {

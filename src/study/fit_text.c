@@ -1,4 +1,4 @@
-/* The findings of fit in lines and as JSON. */
+/* Writes the findings of fit, in lines and as JSON. */
 #include "study/fit.h"
 
 #include "base/json.h"
@@ -29,7 +29,7 @@ static void say_input(const struct cr_fit *fit, int i, struct cr_str *out) {
     cr_str_add(out, said > 0 ? "\n" : " nothing\n");
 }
 
-/* inputs that can be traded for each other: in a head-on crash one speed for the other */
+/* Tells which inputs can be traded for each other: in a head-on crash one speed for the other. */
 static void say_trade(const struct cr_fit *fit, struct cr_str *out) {
     int n = 0;
     for (int i = 0; i < fit->study.n; i++) {

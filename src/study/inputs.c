@@ -1,8 +1,9 @@
-/* Which inputs of a scene vary, and the scene that has drawn values in their place. */
+/* Finds which inputs of a scene vary, and makes the scene that has drawn values in their place. */
 #include "study/study.h"
 
 #include "base/file.h"
 #include "base/json.h"
+#include "base/stats.h"
 #include "scene/keys.h"
 
 #include <cjson/cJSON.h>
@@ -13,10 +14,22 @@
 
 static const char factor_key[] = ".model.energy_factor";
 
-static enum cr_err bad_scatter(struct cr_error *err, const char *path, const char *type) {
-    cr_err_set(err, CR_ERR_MODEL, "%s has no standard deviation 0 to 1", type);
-    cr_err_place(err, path, 0, 0);
-    return CR_ERR_MODEL;
+/* the standard deviations of a table, by type, "other" for those without a row */
+static enum cr_err read_table(const cJSON *json, const char *name, const char *path,
+                              double sd[CR_TYPES], struct cr_error *err) {
+    const cJSON *table = cJSON_GetObjectItemCaseSensitive(json, name);
+    for (int t = 0; t < CR_TYPES; t++) {
+        const char *word = cr_type_word((enum cr_type)t);
+        const cJSON *x = cJSON_GetObjectItemCaseSensitive(table, word);
+        x = x != NULL ? x : cJSON_GetObjectItemCaseSensitive(table, "other");
+        if (!cJSON_IsNumber(x) || x->valuedouble < 0 || x->valuedouble > 1) {
+            cr_err_set(err, CR_ERR_MODEL, "%s: %s has no standard deviation 0 to 1", name, word);
+            cr_err_place(err, path, 0, 0);
+            return CR_ERR_MODEL;
+        }
+        sd[t] = x->valuedouble;
+    }
+    return CR_ERR_OK;
 }
 
 enum cr_err cr_scatter_read(const char *data_dir, struct cr_scatter *out, struct cr_error *err) {
@@ -28,14 +41,12 @@ enum cr_err cr_scatter_read(const char *data_dir, struct cr_scatter *out, struct
         code = cr_json_check(text, len, path, err);
     }
     cJSON *json = code == CR_ERR_OK ? cJSON_Parse(text) : NULL;
-    const cJSON *table = cJSON_GetObjectItemCaseSensitive(json, "energy_log_sd");
-    for (int t = 0; t < CR_TYPES && code == CR_ERR_OK; t++) {
-        const char *word = cr_type_word((enum cr_type)t);
-        const cJSON *x = cJSON_GetObjectItemCaseSensitive(table, word);
-        x = x != NULL ? x : cJSON_GetObjectItemCaseSensitive(table, "other");
-        bool good = cJSON_IsNumber(x) && x->valuedouble >= 0 && x->valuedouble <= 1;
-        code = good ? CR_ERR_OK : bad_scatter(err, path, word);
-        out->energy[t] = good ? x->valuedouble : 0;
+    static const char *const tables[CR_RULED] = {[CR_RULED_TRACK] = "track_log_sd",
+                                                 [CR_RULED_CG_HEIGHT] = "cg_height_log_sd",
+                                                 [CR_RULED_INERTIA] = "yaw_inertia_log_sd"};
+    code = code == CR_ERR_OK ? read_table(json, "energy_log_sd", path, out->energy, err) : code;
+    for (int r = 0; r < CR_RULED && code == CR_ERR_OK; r++) {
+        code = tables[r] != NULL ? read_table(json, tables[r], path, out->off_rule[r], err) : code;
     }
     cJSON_Delete(json);
     free(text);
@@ -65,9 +76,6 @@ static bool varies_already(const struct cr_study *study, const char *key) {
     return false;
 }
 
-/* the 97.5 % point of a standard normal distribution */
-static const double z_95 = 1.959963984540054;
-
 static enum cr_err add_scatter(const struct cr_scene *scene, const struct cr_scatter *scatter,
                                struct cr_study *out, struct cr_error *err) {
     for (int i = 0; i < scene->n; i++) {
@@ -85,7 +93,7 @@ static enum cr_err add_scatter(const struct cr_scene *scene, const struct cr_sca
         struct cr_study_input *in = &out->in[out->n++];
         *in = (struct cr_study_input){.unit = cr_unit_find("", CR_DIM_NUMBER),
                                       .value = p->model.energy_factor,
-                                      .half = z_95 * scatter->energy[p->type],
+                                      .half = CR_Z_95 * scatter->energy[p->type],
                                       .lo = 0.1,
                                       .hi = 10,
                                       .factor = true};
@@ -111,6 +119,10 @@ enum cr_err cr_study_open(const struct cr_scene *scene, const struct cr_scatter 
 bool cr_study_put(const struct cr_study *study, int input, double value, struct cr_scene *scene) {
     struct cr_uncertain list[CR_STUDY_INPUTS];
     const char *key = study->in[input].key;
+    if (study->in[input].of[0] != '\0') {
+        scene->part[study->in[input].part].off_rule[study->in[input].what] = log(value);
+        return true;
+    }
     int n = cr_scene_uncertain(study->scene, list, CR_STUDY_INPUTS);
     for (int k = 0; k < n; k++) {
         if (strcmp(list[k].key, key) == 0) {

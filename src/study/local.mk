@@ -11,6 +11,7 @@ libstudy_a_SOURCES = \
 	src/study/mc.c \
 	src/study/mc_data.c src/study/mc_grid.c src/study/mc_grid.h \
 	src/study/mc_text.c \
+	src/study/ruled.c \
 	src/study/study.h
 libstudy_a_CFLAGS = $(CR_CFLAGS) $(CJSON_CFLAGS) $(GSL_CFLAGS) $(NLOPT_CFLAGS)
 

@@ -1,10 +1,10 @@
-/* mc: the scene solved for many draws of its inputs, and the statistics of the results. */
+/* Solves a scene for many draws of its inputs, and makes the statistics of the results. */
 #include "study/study.h"
-#include "study/limit.h"
 
 #include "base/pool.h"
 #include "base/stats.h"
 #include "study/draw.h"
+#include "study/limit.h"
 #include "study/mc_grid.h"
 
 #include <math.h>
@@ -20,7 +20,8 @@ const char *cr_sampling_word(enum cr_sampling sampling) {
     return sampling == CR_SAMPLING_SOBOL ? "sobol" : "latin";
 }
 
-/* Inputs of one group follow one dimension, a "-" in front of the name turns it round. */
+/* The name of an input's group. Inputs of one group follow one dimension; a "-" in front of the
+ * name lets the input fall where the others rise. */
 static const char *group_name(const struct cr_study_input *in) {
     return in->group[0] == '-' ? in->group + 1 : in->group;
 }
@@ -117,7 +118,7 @@ static enum cr_err set_voxel(struct cr_scene *scene, double voxel, struct cr_err
     return cr_scene_set(scene, "voxel_mm", text, err);
 }
 
-/* a draw on voxels of an edge, its results into those of all */
+/* Solves a draw on voxels of this edge, m; its results go to their place in `all`. */
 static void solve_on(const struct work *w, struct item *item, double voxel, double *all) {
     const struct cr_mc *mc = w->mc;
     struct cr_scene scene;
@@ -176,7 +177,7 @@ static bool give(void *user, void *given) {
     return !mc->interrupted;
 }
 
-/* the scene as given, which must have a result */
+/* Solves the scene as given, which must have a result, and makes room for the draws. */
 static enum cr_err solve_nominal(struct cr_mc *mc, const struct cr_context *ctx,
                                  struct cr_error *err) {
     struct cr_scene scene;
@@ -199,7 +200,7 @@ static enum cr_err solve_nominal(struct cr_mc *mc, const struct cr_context *ctx,
         mc->nominal = calloc((size_t)mc->participants, sizeof *mc->nominal);
         for (int p = 0; p < mc->participants && mc->nominal != NULL; p++) {
             mc->nominal[p] = result->of[p];
-            mc->nominal[p].outline = NULL; /* stays with the result */
+            mc->nominal[p].outline = NULL; /* the result owns it */
             mc->nominal[p].outline_n = 0;
             snprintf(mc->id[p], sizeof mc->id[p], "%s", result->resolved.part[p].id);
         }
@@ -216,7 +217,7 @@ static enum cr_err solve_nominal(struct cr_mc *mc, const struct cr_context *ctx,
     return code;
 }
 
-/* the draws [from, to) */
+/* Solves the draws from `from` to before `to`. */
 static enum cr_err solve_some(struct cr_mc *mc, const struct cr_context *ctx, int from, int to,
                               struct cr_error *err) {
     struct work w = {.mc = mc, .ctx = ctx, .next = from, .end = to};
@@ -301,6 +302,9 @@ void cr_mc_free(struct cr_mc *mc) {
 
 /* ---- statistics ---- */
 
+/* with fewer draws lines follow the chance of these draws, not the inputs */
+enum { DRAWS_PER_EFFECT = 3 };
+
 static void make_histogram(const double *sorted, int n, struct cr_mc_stats *out) {
     out->lo = sorted[0];
     out->hi = sorted[n - 1];
@@ -311,7 +315,8 @@ static void make_histogram(const double *sorted, int n, struct cr_mc_stats *out)
     out->bin[0] = out->hi > out->lo ? out->bin[0] : n;
 }
 
-/* x and its regressors, without the draws that have no result; returns how many are left */
+/* Gathers the values y[] of a result and the inputs z[n * dims] that made them, in tolerances from
+ * the middle, without the draws that have no result; returns how many are left. */
 static int gather(const struct cr_mc *mc, int part, int measure, double *y, double *z) {
     int names, n = 0;
     const struct cr_measure *m = &cr_measures(&names)[measure];
@@ -321,9 +326,10 @@ static int gather(const struct cr_mc *mc, int part, int measure, double *y, doub
         if (isnan(x)) {
             continue;
         }
-        /* near the unvaried one: an angle of 359 degrees is -1 where that is 2 */
+        /* An angle is taken near that of the unvaried scene: 359 degrees are -1 if that has 2. */
         y[n] = nominal + cr_mc_difference(m, x, nominal);
-        for (int k = mc->study.n - 1; k >= 0; k--) { /* of a group the first is what counts */
+        /* Backwards, so that the first input of a group overwrites the others. */
+        for (int k = mc->study.n - 1; k >= 0; k--) {
             const struct cr_study_input *in = &mc->study.in[k];
             double at = mc->input[(long)i * mc->study.n + k];
             z[(long)n * mc->dims + mc->dim[k]] =
@@ -334,6 +340,7 @@ static int gather(const struct cr_mc *mc, int part, int measure, double *y, doub
     return n;
 }
 
+/* How far the outer points are from those of the first half of the draws; sorts x. */
 static double outer_move(double *x, int n) {
     double half[2], all[2];
     for (int k = 0; k < 2; k++) {
@@ -352,8 +359,7 @@ enum cr_err cr_mc_stats(const struct cr_mc *mc, int participant, int measure,
     double *y = malloc((size_t)(mc->done + 1) * sizeof *y);
     double *z = malloc((size_t)(mc->done + 1) * (size_t)mc->dims * sizeof *z);
     enum cr_err code = CR_ERR_OK;
-    *out = (struct cr_mc_stats){.nominal = cr_measure_get(m, &mc->nominal[participant]),
-                                .effects = mc->dims};
+    *out = (struct cr_mc_stats){.nominal = cr_measure_get(m, &mc->nominal[participant])};
     if (y == NULL || z == NULL) {
         code = cr_err_set(err, CR_ERR_MEMORY, "no memory for the statistics");
         goto out;
@@ -362,12 +368,14 @@ enum cr_err cr_mc_stats(const struct cr_mc *mc, int participant, int measure,
     out->mean = cr_stats_mean(y, out->n);
     out->sd = cr_stats_sd(y, out->n);
     out->grid = mc->voxel > mc->own_voxel ? mc->grid[participant * names + measure].scatter : 0;
-    /* of the draws, and of the median by which they were moved */
+    /* The error of the mean is that of the draws, and that of the median by which they were
+     * moved. */
     double moved = out->grid > 0 ? out->grid * sqrt(CR_PI / 2 / mc->both) : 0;
     out->mean_error = out->n > 1 ? hypot(out->sd / sqrt(out->n), moved) : (double)NAN;
     struct cr_regression lines = {
         .x = z, .y = y, .n = out->n, .dims = mc->dims, .b = out->effect, .r2 = (double)NAN};
-    code = cr_draw_regress(&lines, err);
+    out->effects = out->n >= DRAWS_PER_EFFECT * mc->dims ? mc->dims : 0;
+    code = out->effects > 0 ? cr_draw_regress(&lines, err) : CR_ERR_OK;
     out->explained = lines.r2;
     out->moved = out->n > 3 ? outer_move(y, out->n) : (double)NAN; /* sorts y */
     for (int q = 0; q < CR_MC_QUANTILES; q++) {

@@ -1,4 +1,4 @@
-/* mc as JSON and as CSV, a row per draw. */
+/* Writes the draws of mc and their statistics as JSON, and as CSV with a row per draw. */
 #include "study/study.h"
 
 #include "base/json.h"
@@ -31,6 +31,11 @@ static cJSON *inputs(const struct cr_mc *mc) {
         cr_tree_put(o, "tolerance",
                     number(in->factor ? in->half : cr_unit_from_si(in->unit, in->half)));
         cr_tree_text(o, "distribution", in->factor ? "lognormal" : cr_spread_word(in->spread));
+        cr_tree_text(o, "drawn_by", in->of[0] != '\0' ? "rule" : in->factor ? "type" : "tolerance");
+        if (in->of[0] != '\0') {
+            cr_tree_text(o, "of", in->of);
+            cr_tree_put(o, "assumed", number(in->assumed));
+        }
         if (in->group[0] != '\0') {
             cr_tree_text(o, "group", in->group);
         }

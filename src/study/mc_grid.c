@@ -1,5 +1,5 @@
-/* On which voxels the draws of mc are solved: coarse ones, if the first draws, solved on the
- * scene's own as well, say that the scatter of the results is hardly one of the grid. */
+/* Chooses the voxels on which the draws of mc are solved: coarse ones, if the first draws, solved
+ * on the scene's own as well, say that hardly any of the results' scatter comes from the grid. */
 #include "study/mc_grid.h"
 
 #include "base/stats.h"
@@ -8,18 +8,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Solved on both grids: a median of 24 differences is known to a quarter of their scatter. */
+/* So many draws are solved on both grids: a median of 24 differences is known to a quarter of their
+ * scatter. */
 enum { BOTH = 24 };
-/* so many draws are worth it */
+/* From so many draws on solving some of them twice saves time. */
 enum { DRAWS_LEAST = 10 * BOTH };
 /* Edge of the coarse voxels, m: a solve takes a third of the time of one on 25 mm. */
 static const double coarse = 0.040;
-/* The coarse grid serves up to a scatter of the differences, as a standard deviation, of so much of
- * that of the result, which widens an interval by 2 %, or of so much of the result itself, which
- * nobody measures. */
+/* The coarse grid serves while the standard deviation of the differences is no more than this share
+ * of that of the result, which widens an interval by 2 %, or than this share of the result itself,
+ * which nobody can measure. */
 static const double share_most = 0.2, value_most = 0.01;
-/* of a normal distribution, its standard deviation against the median of the distances from its
- * middle */
+/* The standard deviation of a normal distribution over the median of the distances from its
+ * middle. */
 static const double sd_of_median = 1.4826;
 
 int cr_mc_measures(void) {
@@ -32,7 +33,7 @@ double cr_mc_difference(const struct cr_measure *m, double x, double y) {
     return m->dim == CR_DIM_ANGLE ? remainder(x - y, 2 * CR_PI) : x - y;
 }
 
-/* middle of n values, and how they scatter about it */
+/* The median of n values, and a standard deviation that outliers do not move. */
 static double middle(double *x, int n, double *scatter) {
     double mid = cr_stats_median(x, n);
     for (int i = 0; i < n; i++) {
@@ -59,7 +60,7 @@ bool cr_mc_grid_open(struct cr_mc *mc) {
     return mc->on_coarse != NULL && mc->grid != NULL;
 }
 
-/* How a result differs from grid to grid, and whether it scatters much more than that. */
+/* Finds how a result differs from grid to grid, and whether it scatters much more than that. */
 static bool compare(struct cr_mc *mc, int part, int measure) {
     const struct cr_measure *m = &cr_measures(&(int){0})[measure];
     double difference[BOTH], own[BOTH], scatter, spread;
@@ -102,7 +103,7 @@ void cr_mc_grid_shift(struct cr_mc *mc) {
     long results = (long)mc->participants * cr_mc_measures();
     for (long i = mc->both * results; mc->voxel > mc->own_voxel && i < mc->done * results; i++) {
         const struct cr_measure *m = &cr_measures(&(int){0})[i % cr_mc_measures()];
-        /* an angle has no scale on which a grid could make it greater */
+        /* An angle has no scale on which a coarse grid could make it greater. */
         mc->result[i] += m->dim != CR_DIM_ANGLE ? mc->grid[i % results].shift : 0;
     }
 }

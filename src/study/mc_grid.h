@@ -1,20 +1,22 @@
-/* On which voxels the draws of mc are solved. */
+/* Decides on which voxels the draws of mc are solved: many draws on coarse ones, which are quicker,
+ * if they give the same. */
 #ifndef CR_STUDY_MC_GRID_H
 #define CR_STUDY_MC_GRID_H
 
 #include "study/study.h"
 
-/* how many results each participant has */
+/* How many results each participant has. */
 int cr_mc_measures(void);
-/* x - y of a result, the short way round where it is an angle */
+/* x - y of a result, the short way round where it is an angle. */
 double cr_mc_difference(const struct cr_measure *m, double x, double y);
 
-/* Before the first draw: how many are solved on both grids, and room for them. False when memory is
- * out. */
+/* Decides before the first draw how many are solved on both grids, and makes room for them. False
+ * without memory. */
 bool cr_mc_grid_open(struct cr_mc *mc);
-/* When those are solved: on which grid the others are. */
+/* Chooses, when those are solved, on which grid the others are. */
 void cr_mc_grid_choose(struct cr_mc *mc);
-/* When all are solved: those on the coarse grid are moved by what it makes of the first ones. */
+/* Moves, when all are solved, those on the coarse grid by the difference that the first ones
+ * show. */
 void cr_mc_grid_shift(struct cr_mc *mc);
 
 #endif

@@ -1,4 +1,5 @@
-/* The report of mc in lines: inputs, results with their quantiles, histogram, ranked effects. */
+/* Writes the report of mc in lines: inputs, results with their quantiles, histogram, ranked effects
+ * of the inputs. */
 #include "study/study.h"
 
 #include "study/draw.h"
@@ -10,7 +11,7 @@
 
 enum { BAR = 30, NAME_COLUMNS = 34 };
 
-/* what all lines are told with */
+/* What all lines need: the draws, and the form of the text. */
 struct teller {
     const struct cr_mc *mc;
     enum cr_units units;
@@ -26,7 +27,7 @@ static double shown(const struct teller *t, const struct cr_measure *m, double s
 }
 
 static void say_number(const struct teller *t, const struct cr_measure *m, double si, int columns) {
-    struct cr_measure as = *m; /* with the decimals that say as much in these units */
+    struct cr_measure as = *m; /* its decimals become those of the shown unit */
     char buf[40];
     cr_measure_in(m, t->units, NULL, &as.decimals);
     if (isnan(si)) {
@@ -36,7 +37,7 @@ static void say_number(const struct teller *t, const struct cr_measure *m, doubl
     }
 }
 
-/* "A.ees_kmh", the key of the files; in other units "A.ees mph" */
+/* Writes "A.ees_kmh", the key in files; in other units "A.ees mph". */
 static void name_of(const struct teller *t, int part, const struct cr_measure *m, char *buf,
                     size_t size) {
     const char *unit = cr_measure_in(m, t->units, NULL, NULL);
@@ -45,7 +46,7 @@ static void name_of(const struct teller *t, int part, const struct cr_measure *m
              own ? "" : unit);
 }
 
-/* on which voxels, where many draws were asked for */
+/* Tells on which voxels the draws were solved, if there was a choice. */
 static void say_grid(const struct teller *t) {
     const struct cr_mc *mc = t->mc;
     double own = 1e3 * mc->own_voxel;
@@ -66,8 +67,12 @@ static void say_inputs(const struct cr_mc *mc, struct cr_str *out) {
         const struct cr_study_input *in = &mc->study.in[i];
         cr_str_addf(out, "  %-*s ", NAME_COLUMNS, in->key);
         if (in->factor) {
-            cr_str_addf(out, "%.4g times or by exp(%.2g), scatter of the type\n", in->value,
-                        in->half);
+            cr_str_addf(out, "%.4g times or by exp(%.2g), scatter of ", in->value, in->half);
+            if (in->of[0] != '\0') {
+                cr_str_addf(out, "its rule, %.4g %s\n", in->assumed, in->of_unit->name);
+            } else {
+                cr_str_add(out, "the type\n");
+            }
             continue;
         }
         cr_str_addf(out, "%.6g +- %.4g %s %s%s%s\n", cr_unit_from_si(in->unit, in->value),
@@ -76,7 +81,7 @@ static void say_inputs(const struct cr_mc *mc, struct cr_str *out) {
     }
 }
 
-/* what the table shows of each participant */
+/* The measures that the table shows of each participant. */
 static const char *const in_table[] = {
     "ees", "delta_v", "pdof", "deformation_max", "acceleration_max", "speed_after"};
 
@@ -154,6 +159,10 @@ static void say_effects(const struct teller *t, const struct cr_mc_stats *s,
     for (int d = 0; d < s->effects; d++) {
         rank[d] = (struct ranked){d, isnan(s->effect[d]) ? -1 : fabs(s->effect[d])};
     }
+    if (s->effects == 0) {
+        cr_str_addf(out, "  effects of %d inputs: take more draws\n", t->mc->dims);
+        return;
+    }
     qsort(rank, (size_t)s->effects, sizeof *rank, larger_first);
     cr_str_addf(out, "  effect of + one tolerance, %s; lines explain %.0f %% of the variance\n",
                 unit[0] != '\0' ? unit : "1", 100 * s->explained);
@@ -183,7 +192,7 @@ static enum cr_err say_one(const struct teller *t, int part, int measure, struct
     cr_str_addf(out, "%s\n", name);
     say_histogram(t, &s, m);
     say_effects(t, &s, m);
-    /* three standard errors and a tenth of the spread: what more draws would still change */
+    /* Converged: more draws would move mean and outer points by a small part of the spread only. */
     bool settled = 3 * s.mean_error < 0.1 * s.sd && s.moved < 0.3 * s.sd;
     cr_str_addf(out, "  mean +- %.2g, outer points moved by %.2g from half of the draws: %s\n",
                 1.96 * shown(t, m, s.mean_error), shown(t, m, s.moved),
@@ -191,6 +200,21 @@ static enum cr_err say_one(const struct teller *t, int part, int measure, struct
                 : settled ? "converged"
                           : "not converged, take more draws");
     return CR_ERR_OK;
+}
+
+bool cr_mc_plot_find(const struct cr_scene *scene, const char *text, struct cr_mc_plot *plot) {
+    const char *dot = strchr(text, '.');
+    size_t len = dot != NULL ? (size_t)(dot - text) : 0;
+    int names;
+    const struct cr_measure *m = cr_measure_find(dot != NULL ? dot + 1 : text);
+    *plot = (struct cr_mc_plot){.participant = -1,
+                                .measure = m != NULL ? (int)(m - cr_measures(&names)) : -1};
+    for (int p = 0; p < scene->n && dot != NULL; p++) {
+        if (strlen(scene->part[p].id) == len && strncmp(text, scene->part[p].id, len) == 0) {
+            plot->participant = p;
+        }
+    }
+    return m != NULL && (dot == NULL || plot->participant >= 0);
 }
 
 enum cr_err cr_mc_text(const struct cr_mc *mc, const struct cr_mc_plot *plot,

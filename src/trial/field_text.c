@@ -176,7 +176,7 @@ static cJSON *row_json(const struct cr_field_row *r) {
     cr_tree_number(o, "line", r->line);
     cr_tree_text(o, "kind", cr_field_kind_word(r->kind));
     cr_tree_text(o, "type", cr_type_word(r->what.car[0].p->type));
-    cr_tree_text(o, "face", cr_crush_face_word(r->what.car[0].m.face));
+    cr_tree_text(o, "face", cr_face_word(r->what.car[0].m.face));
     cr_tree_put(o, "recorder_kmh", number(cr_kmh(r->measured)));
     cr_tree_put(o, "damage_kmh", number(cr_kmh(r->value)));
     cr_tree_put(o, "damage_low_kmh", number(cr_kmh(r->lo)));
@@ -246,7 +246,7 @@ enum cr_err cr_field_csv(const struct cr_field_table *field, struct cr_str *out,
         const struct cr_field_row *r = &field->row[i];
         cr_str_csv(out, r->name);
         cr_str_addf(out, ",%d,%s,%s,%s,%.4g,%.4g,", r->line, cr_field_kind_word(r->kind),
-                    cr_type_word(r->what.car[0].p->type), cr_crush_face_word(r->what.car[0].m.face),
+                    cr_type_word(r->what.car[0].p->type), cr_face_word(r->what.car[0].m.face),
                     cr_kmh(r->measured), cr_kmh(r->value));
         if (!isnan(r->winsmash)) {
             cr_str_addf(out, "%.4g", cr_kmh(r->winsmash));

@@ -68,7 +68,8 @@ dist_validationsidemdb_DATA = share/validation/side-mdb/ncap.jsonl
 validationnarrowdir = $(pkgdatadir)/validation/narrow
 dist_validationnarrow_DATA = \
 	share/validation/narrow/contour-pole.json \
-	share/validation/narrow/field.jsonl
+	share/validation/narrow/d100-pole.json share/validation/narrow/field.jsonl \
+	share/validation/narrow/objects.csv
 validationbarriersdir = $(pkgdatadir)/validation/barriers
 dist_validationbarriers_DATA = share/validation/barriers/barriers.jsonl
 validationdir = $(pkgdatadir)/validation

@@ -54,7 +54,7 @@ static const struct rule {
     {CR_TEST_SIDE_MDB, NULL, CR_MEASURE_DEPTH, WORST, 30, 0, 1,
      "side-mdb: greatest error of a type's depth, %"},
     {CR_TEST_SIDE_MDB, NULL, CR_MEASURE_AREA, MEAN, 20, 0, 1, "side-mdb: MPE of damaged area, %"},
-    {CR_TEST_NARROW, "trees and poles", CR_MEASURE_DEPTH, RATIO, 10, 0, 10,
+    {CR_TEST_NARROW, "trees and poles", CR_MEASURE_DEPTH, RATIO, 10, 0, 5,
      "narrow, trees and poles: median ratio of depth - 1, %"},
     {CR_TEST_NARROW, "Contour", CR_MEASURE_DEPTH, MEAN, 15, 0, 1, "narrow, Contour: depth, %"},
     {CR_TEST_BARRIERS, "verification", CR_MEASURE_DYNAMIC, WORST, 6, 0, 1,

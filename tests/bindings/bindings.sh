@@ -30,6 +30,8 @@ else
     skip "the library from Python with numpy and pandas" "there is no other python with both"
 fi
 
+[ "$(wc -l <"$SRC/bindings/crumple.R")" -le 60 ]
+report $? "R has no more than 60 lines"
 if Rscript -e 'library(jsonlite)' >/dev/null 2>&1; then
     cat >"$tmp/test.R" <<'END'
 source(file.path(Sys.getenv("SRC"), "bindings", "crumple.R"))
@@ -39,10 +41,12 @@ scene <- jsonlite::fromJSON(file.path(Sys.getenv("SRC"), "share/scenes/wall-56.j
 at <- function(v) { scene$participants[[1]]$speed_kmh <<- v; scene }
 r <- crumple_solve(at(40), set = "restitution=0")
 stopifnot(abs(crumple_value(r, "A.delta_v_kmh") - 40) < 0.5, length(r$trace$t_s) > 10,
-          crumple_value(r, "contacts.0.restitution") == 0,
+          r$contacts[[1]]$restitution == 0,
+          r$participants$A$ees_kmh == crumple_value(r, "A.ees_kmh"),
           crumple_value(r, "A.injury.gidas-mais2.probability") > 0,
           is.na(crumple_value(r, "A.colour")))
 d <- crumple_solve_many(list(at(30), at(40), list(crumple = 1)), c("A.ees_kmh", "A.cdc"))
+stopifnot(identical(d$index, 0:2), identical(names(d)[4:6], c("A.ees_kmh", "A.cdc", "error")))
 stopifnot(nrow(d) == 3, d$A.ees_kmh[1] < d$A.ees_kmh[2], is.na(d$A.ees_kmh[3]), !is.na(d$error[3]))
 one <- crumple_solve(at(40), trace = FALSE)
 stopifnot(is.null(one$trace), identical(crumple_value(one, "A.ees_kmh"), d$A.ees_kmh[2]),
@@ -51,14 +55,26 @@ bad <- tryCatch(crumple_solve(list(crumple = 1)), error = conditionMessage)
 again <- crumple_solve(at(30))
 stopifnot(grepl("participants", bad), crumple_value(again, "A.ees_kmh") == d$A.ees_kmh[1],
           length(again$trace$t_s) > 10)
+# a model of its own beside the scene, whose folder is not that of R
+own <- at(40)
+own$source <- list(file = "crash.csv")
+own$participants[[1]]$model <- list(file = "own.json")
+folder <- file.path(Sys.getenv("TMP"), "R & more")
+dir.create(folder)
+writeLines(jsonlite::toJSON(own, auto_unbox = TRUE, digits = NA), file.path(folder, "scene.json"))
+to <- shQuote(file.path(folder, "own.json"))
+system2(Sys.getenv("CRUMPLE"), c("models", "compact/12", "--flat", "--to", to))
+there <- crumple_solve(file.path(folder, "scene.json"))
+many <- crumple_solve_many(list(file.path(folder, "scene.json")), "A.ees_kmh")
+stopifnot(identical(many$A.ees_kmh, crumple_value(there, "A.ees_kmh")), is.na(many$error))
 message <- tryCatch(crumple_solve("/nowhere.json"), error = conditionMessage)
 stopifnot(grepl("nowhere", message))
 options(crumple = "/nowhere/crumple")
-.crumple_running$"trace TRUE" <- NULL
+.crumple_running$"--trace" <- NULL
 message <- tryCatch(crumple_solve(at(30)), error = conditionMessage)
 stopifnot(grepl("does not run", message))
 END
-    log=$(SRC=$SRC CRUMPLE=$crumple Rscript "$tmp/test.R" 2>&1)
+    log=$(TMP=$tmp SRC=$SRC CRUMPLE=$crumple Rscript "$tmp/test.R" 2>&1)
     report $? "the program from R"
     printf '%s\n' "$log" | explain
 else

@@ -167,6 +167,26 @@ class Many(unittest.TestCase):
         self.assertIn("<td>", table._repr_html_())
         self.assertEqual(table["A.ees"][3], crumple.solve(scenes[3])["A.ees"])
 
+    def test_models_beside_the_files_of_the_scenes(self):
+        with tempfile.TemporaryDirectory() as folder:
+            paths = []
+            for i, kind in enumerate(("compact/12", "suv/12")):
+                scene = wall(50)
+                scene["participants"][0]["model"] = {"file": "own.json"}
+                paths.append(pathlib.Path(folder, str(i), "scene.json"))
+                paths[i].parent.mkdir()
+                paths[i].write_text(json.dumps(scene))
+                own = paths[i].parent / "own.json"
+                os.system(f"'{os.environ['CRUMPLE']}' models {kind} --flat --to '{own}'")
+            bad = pathlib.Path(folder, "bad.json")
+            bad.write_text("{\n}")
+            want = [crumple.solve(path)["A.ees"] for path in paths]
+            table = crumple.solve_many(paths + [wall(50), bad], jobs=2, values=["A.ees"])
+            self.assertNotEqual(want[0], want[1])
+            self.assertEqual(table["A.ees"][:2], want)
+            self.assertIsNone(table["error"][2])  # and what has no file starts from here again
+            self.assertTrue(table["error"][3].startswith(f"{bad}:1:1: "), table["error"][3])
+
     def test_an_exception_of_the_scenes_arrives(self):
         with self.assertRaises(ZeroDivisionError):
             crumple.solve_many(1 / 0 for _ in range(3))

@@ -41,8 +41,35 @@ bomb "draws of too many voxels" 9 300 4 'too expensive.*10 MB|no GSL' \
 bomb "a search with too many voxels" 9 300 4 'too expensive.*10 MB|no NLopt' \
     fit "$cases/pole.json" A.speed=20:40km/h to dv.A=20km/h --solves 20 \
     --set voxel_mm=5 --max-memory 10
+# at_work PID: it has used a tenth of a second
+at_work() {
+    for _ in $(seq 60); do
+        [ "$(cut -d ' ' -f 14 /proc/"$1"/stat 2>/dev/null || echo 99)" -ge 10 ] && return
+        sleep 0.2
+    done
+}
+# Processes that get no processor: their time runs out by the clock, before they have done the work
+# that they may do, which would end them with another status here.
+cp "$cases/dtrest.json" .
+printf 'load dtrest.json\nsolve\n' >dtrest.crumple
+pids=
+for words in "run dtrest.json" "report dtrest.json -o dtrest.html" dtrest.crumple; do
+    # words it is
+    # shellcheck disable=SC2086
+    (ulimit -t 3 && exec "$crumple" $words --max-seconds=3) >"${words%% *}.out" 2>&1 </dev/null &
+    pids="$pids $!" && at_work $! && kill -STOP $!
+done
+sleep 9
+for pid in $pids; do
+    kill -CONT "$pid"
+    wait "$pid"
+    same "no processor: status" $? 4
+done
+for words in run report dtrest.crumple; do
+    has "told by $words" "$(cat $words.out)" 'not solved within 3 s of work or 9 s by the clock'
+done
 bomb "and in its memory" 20 300 4 'too expensive: it takes more than 5 MB' \
-    run "$cases/dtrest.json" --max-memory 5
+    run "$cases/dtrest.json" --max-memory 5 --max-seconds 100
 bomb "a trajectory from far before" 9 300 4 'too expensive.*trajectories last 1e\+04 s' \
     run "$cases/traj2.json" --max-seconds 1
 # a flat array of five million numbers in an x_ key

@@ -56,7 +56,7 @@ faults() {
     [ "$f_step" -eq 1 ] && f_at=0
     while [ "$f_at" -lt "$f_calls" ]; do
         [ "$f_out" = - ] || rm -f "$f_out"
-        LD_PRELOAD=$fault FAULT_KIND=$f_kind FAULT_AT=$f_at timeout -s KILL 20 "$crumple" "$@" \
+        LD_PRELOAD=$fault FAULT_KIND=$f_kind FAULT_AT=$f_at timeout -s KILL 120 "$crumple" "$@" \
             >got.out 2>errs.out
         f_status=$?
         [ "$f_out" = - ] || cp "$f_out" got.out 2>/dev/null

@@ -158,6 +158,17 @@ quiet "such a name of a result in diff" "$crumple" diff result.json "$ugly.resul
 run audit other.json
 has "and the difference is told" "$out" "differs first"
 
+# a line of 30 KB is not echoed whole: what is wrong stays, with its caret below
+awk 'BEGIN { printf "list "; while (n++ < 30000) printf "x"; print "" }' >long.crumple
+awk 'BEGIN { while (n++ < 3000) printf "list; "; print "bogus" }' >many.crumple
+for line in long:6 many:18001; do
+    run "${line%:*}.crumple"
+    same "a long line: ${line%:*}" "$status $(printf '%s\n' "$errs" | awk '
+        NR == 1 { split($0, place, ":"); print place[3] } length($0) > 250 { print "long" }
+        NR == 2 { text = $0 } NR == 3 { print substr(text, index($0, "^"), 3) }' | tr '\n' ' ')" \
+        "3 ${line#*:} $([ "${line%:*}" = long ] && echo xxx || echo bog) "
+done
+
 "$crumple" run "$cases/esc-in-key.json" 2>errs
 same "the place of a key with escapes" "$(cut -d: -f2-3 errs)" 1:2
 run run "$cases/name-63-umlauts.json"

@@ -20,6 +20,17 @@ else
         refused "without ${column#*:} of ${column%:*}" 3 \
             "less: error: table ${column%:*} has no column ${column#*:}" "$tmp/less"
     done
+    # what need not be there may be there under a name that is misspelt
+    for column in participant_data:WEIGHT:WIEGHT participant_data:COGZ:COG_Z dynamics:MUE:MU; do
+        table=${column%%:*} right=${column#*:} wrong=${column##*:}
+        right=${right%:*}
+        rm -rf "$tmp/less"
+        cp -r "$data/pcm5" "$tmp/less" && chmod -R u+w "$tmp/less"
+        sed "1s/$right/$wrong/" "$data/pcm5/$table.csv" >"$tmp/less/$table.csv"
+        run import "$tmp/less"
+        has "$wrong for $right is told" "$out" \
+            "\"note\":\"no $right in $table: is .\"$wrong.\" meant, which is not read"
+    done
     rm "$tmp/less/dynamics.csv"
     refused "without dynamics" 3 'less: error: table dynamics is not there' "$tmp/less"
     sed '3s/7.5,0.0/,0.0/' "$data/pcm5/dynamics.csv" >"$tmp/less/dynamics.csv"

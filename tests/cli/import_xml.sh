@@ -122,6 +122,10 @@ done
 without "CommonRoad without x" 's/<x>8<.x>//' "$data/commonroad.xml" '<point>: no <x>'
 without "CommonRoad without length" 's/<length>4.1<.length>//' "$data/commonroad.xml" \
     '<rectangle>: no <length>'
+sed 's/2020a/2031z/' "$data/commonroad.xml" >"$tmp/version.xml"
+run import "$tmp/version.xml"
+has "a version of CommonRoad that is not known is told" "$out" \
+    '"note":"version ."2031z." of CommonRoad is not known: read as 2020a'
 between='<intervalStart>14<\/intervalStart><intervalEnd>16<\/intervalEnd>'
 sed "s/<velocity><exact>15<.exact>/<velocity>$between/" \
     "$data/commonroad.xml" >"$tmp/interval.xml"

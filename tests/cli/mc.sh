@@ -2,7 +2,10 @@
 # crumple mc: tolerances in the scene and on the command line, forms, bytes, faults.
 . "$SRC/tests/cli/cli.sh"
 
+hasnt() { ! printf '%s' "$2" | grep -q "$3"; report $? "$1"; }
+
 run mc "$demo" --draws 10 --set A.speed_kmh=56+-3
+few=$out
 case $errs in
 *"no GSL"*)
     skip "mc" "built without GSL"
@@ -11,9 +14,14 @@ case $errs in
     ;;
 esac
 same "a scene is drawn and solved" "$status:$errs" "0:"
-has "with its generator and seed" "$out" '^10 draws, latin hypercube by mt19937 of GSL, seed 1$'
+has "too few to tell nine inputs apart" "$few" '^  effects of 9 inputs: take more draws$'
+run mc "$demo" --draws 30 --set A.speed_kmh=56+-3
+has "with its generator and seed" "$out" '^30 draws, latin hypercube by mt19937 of GSL, seed 1$'
 has "the input" "$out" 'A\.speed_kmh +56 \+- 3 km/h normal$'
 has "the scatter of the type" "$out" 'B\.model\.energy_factor .* scatter of the type$'
+# [YAW-INERTIA]: of light trucks 0.11, of which 95 % lie within 1.96
+has "what a rule assumed of it" "$out" \
+    'A\.yaw_inertia_factor +1 times or by exp\(0\.22\), scatter of its rule, [0-9]{4} kgm2$'
 has "results with quantiles" "$out" '^  A\.ees_kmh( +[0-9.]+){8}$'
 has "ranked inputs" "$out" '^  A\.speed_kmh +[+-][0-9.]+ '
 
@@ -25,7 +33,6 @@ for jobs in 1 3; do
 done
 same "the same bytes for every number of jobs" "$(cat "$tmp/sum1")" "$(cat "$tmp/sum3")"
 run mc "$tmp/w.json" --draws 30 --no-scatter --sampling sobol --seed 6 -f json
-hasnt() { ! printf '%s' "$2" | grep -q "$3"; report $? "$1"; }
 [ "$(cksum <"$tmp/out")" != "$(cat "$tmp/sum1")" ]
 report $? "another seed gives others"
 if command -v python3 >/dev/null 2>&1; then
@@ -38,6 +45,29 @@ print(d["class"], d["draws"], d["seed"], d["inputs"][0]["distribution"],
 else
     skip "JSON has what was asked" "no python3"
 fi
+
+# what was given is not drawn, and each input says by what it is
+run mc "$demo" --draws 10 --set A.yaw_inertia_kgm2=5000 --set B.track_m=1.4+-0.02 -f json
+same "with an inertia that is known" "$status:$errs" "0:"
+hasnt "nothing is drawn of it" "$out" A.yaw_inertia
+hasnt "nor by a rule what has a tolerance" "$out" B.track_factor
+if command -v python3 >/dev/null 2>&1; then
+    same "each input says what it is drawn by" "$(python3 -c 'import json, sys
+for i in json.load(open(sys.argv[1]))["inputs"]:
+    print(i["key"], i["drawn_by"], *([i["of"], round(i["assumed"], 2)] if "of" in i else []))' \
+        "$tmp/out" | sort)" "A.cg.height_factor rule A.cg.height_m 0.72
+A.model.energy_factor type
+A.track_factor rule A.track_m 1.68
+B.cg.height_factor rule B.cg.height_m 0.56
+B.model.energy_factor type
+B.track_m tolerance
+B.yaw_inertia_factor rule B.yaw_inertia_kgm2 1251.43"
+else
+    skip "each input says what it is drawn by" "no python3"
+fi
+run -e "load $demo" -e 'mc A.yaw_inertia=5000+-300kgm2 draws=10'
+hasnt "a tolerance on the line of a command says it too" "$out" A.yaw_inertia_factor
+has "beside what else is assumed" "$out" 'B\.yaw_inertia_factor +1 times'
 
 # many draws on coarse voxels, if the first say that they serve
 for jobs in 1 3; do
@@ -81,8 +111,12 @@ refused "a chart that is none" 2 "no chart 'pie'.*tornado=FILE" mc "$demo" -p pi
 refused "a picture in another form" 2 'ends in .svg, .pdf or .png' mc "$demo" -p tornado=x.gif
 
 wall_scene >"$tmp/plain.json"
+run mc "$demo" --draws 10 -p "tornado=$tmp/few.svg"
+has "no tornado of too few draws" "$status:$errs" \
+    '^3:.*10 draws are too few for effects of 8 inputs'
 refused "nothing varies" 3 'nothing varies.*56\+-3km/h' mc "$tmp/plain.json" --no-scatter
-refused "a result that is none" 2 'no such result' mc "$demo" --draws 10 --plot A.colour
+refused "a result that is none, before anything is drawn" 2 'no such result' \
+    mc "$demo" --draws 1000000 --plot A.colour
 refused "too few draws" 2 'draws' mc "$demo" --draws 3
 refused "a tolerance of another unit" 3 'kg' mc "$demo" --set A.speed_kmh=56+-3kg
 wall_scene '' '"yaw_rate_deg_s": {"value": 0, "tolerance": -5}' >"$tmp/bad.json"

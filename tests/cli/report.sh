@@ -92,6 +92,9 @@ if "$crumple" --version | grep -q 'cairo'; then
     # shellcheck disable=SC2086
     run report "$tmp/wall.json" $quick --paper=letter -o "$tmp/l.pdf"
     has "on Letter" "$(grep -a MediaBox "$tmp/l.pdf")" '612 792'
+    { cat "$tmp/wall.json" && yes '' | head -n 170000; } >"$tmp/long.json"
+    refused "a book" 3 'more than 2000 pages' report "$tmp/long.json" --draws=0 --no-tests -q \
+        -o "$tmp/long.pdf"
 else
     skip "PDF" "a build without cairo"
 fi

@@ -55,6 +55,5 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     char *path = scratch_put(name, data, size);
     feed(path);
     resume(path);
-    scratch_remove(name);
     return 0;
 }

@@ -1,7 +1,7 @@
 /* Any bytes as a folder of files that belong together: tables of a PCM, ISO-MME with a channel, an
- * EV5 file or an ERG description with what lies beside it, a scenario with its catalogue. Behind a
- * line "=== N" stands the file of that number. What comes out of import is a scene that reads or an
- * error object; a curve of it is finite over rising times. */
+ * EV5 file or an ERG description with what lies beside it, a scenario with its catalogue, a table
+ * with the user's map of it. Behind a line "=== N" stands the file of that number. What comes out
+ * of import is a scene that reads or an error object; a curve of it is finite over rising times. */
 #include "scene.h"
 #include "scratch.h"
 
@@ -22,8 +22,10 @@ static const char *const names[] = {"participant_data.csv",
                                     "t.erg.info",
                                     "t.erg",
                                     "t.xosc",
-                                    "vehicles.xosc"};
-enum { NAMES = sizeof names / sizeof names[0] };
+                                    "vehicles.xosc",
+                                    "t.csv",
+                                    "map.json"};
+enum { NAMES = sizeof names / sizeof names[0], TABLE = NAMES - 2, MAP = NAMES - 1 };
 
 static void read_curve(void) {
     const struct cr_signal_pick pick = {.object = 1};
@@ -44,14 +46,19 @@ static void read_curve(void) {
     cr_signal_free(&s);
 }
 
-static void import_all(const struct cr_model_lib *models) {
-    const char *path = scratch_dir();
+/* the folder, or with a map the table alone, which is what maps are for */
+static void import_all(const struct cr_model_lib *models, bool mapped) {
+    char table[400], map[400];
+    const char *path = mapped ? table : scratch_dir();
     struct cr_import_count count = {0};
     struct cr_error err = {0};
     struct cr_import_opts opts;
     cr_import_init(&opts);
     opts.models = models;
     opts.take = take;
+    snprintf(table, sizeof table, "%s", scratch_path(names[TABLE]));
+    snprintf(map, sizeof map, "%s", scratch_path(names[MAP]));
+    opts.map = mapped ? map : NULL;
     if (cr_import_files(&opts, &path, 1, &count, &err) != CR_ERR_OK && err.text[0] == '\0') {
         abort();
     }
@@ -82,20 +89,22 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         exit(3);
     }
     snprintf(path, sizeof path, "%s/Channel", scratch_dir());
-    mkdir(scratch_dir(), 0700);
     mkdir(path, 0700);
     size_t part;
+    bool put[NAMES] = {false};
     for (int file; (file = next_part(&data, &size, &part)) >= 0;) {
         scratch_put(names[file], data, part);
+        put[file] = true;
         data += part < size ? part + 1 : part;
         size -= part < size ? part + 1 : part;
     }
-    import_all(models);
+    import_all(models, put[MAP]);
     read_curve();
     for (int i = 0; i < NAMES; i++) {
-        scratch_remove(names[i]);
+        if (put[i]) {
+            scratch_remove(names[i]);
+        }
     }
     rmdir(path);
-    rmdir(scratch_dir());
     return 0;
 }

@@ -27,7 +27,6 @@ static void read_back(const struct cr_str *table, int cars) {
         abort();
     }
     cr_catalogue_free(catalogue);
-    scratch_remove("made.csv");
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -37,7 +36,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         int cars;
         const char *path = scratch_put("register", data, size);
         enum cr_err code = cr_catalogue_convert(path, form, &table, &cars, &err);
-        scratch_remove("register");
         if (code == CR_ERR_OK) {
             read_back(&table, cars);
         } else if (err.code != code || err.text[0] == '\0') {

@@ -19,7 +19,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     const char *path = scratch_put(name, data, size);
     struct cr_test_list list = {0};
     enum cr_err code = cr_test_load_own(path, &rules, &list, &err);
-    scratch_remove(name);
     if (code != CR_ERR_OK && err.text[0] == '\0') {
         abort();
     }

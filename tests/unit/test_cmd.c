@@ -371,6 +371,20 @@ static const char *completed(struct cr_session *s, const char *line, char *buf, 
     return buf;
 }
 
+static void test_completion_of_channels(void **state) {
+    (void)state;
+    char buf[9000], line[4200];
+    struct heard h;
+    struct cr_session *s = session(&h, NULL);
+    snprintf(line, sizeof line, "compare %s/tests/data/import/vtv.", getenv("SRC"));
+    completed(s, line, buf, sizeof buf);
+    assert_non_null(strstr(buf, "vtv.008"));
+    assert_non_null(strstr(buf, "vtv.009"));
+    assert_non_null(strstr(buf, "vtv.EV5"));
+    assert_null(strstr(buf, "vtv.jsonl"));
+    end(s, &h);
+}
+
 static void test_completion_by_type_of_argument(void **state) {
     (void)state;
     char buf[4000];
@@ -572,6 +586,7 @@ int main(void) {
         cmocka_unit_test(test_result_follows_the_scene),
         cmocka_unit_test(test_compared_values_are_kept),
         cmocka_unit_test(test_completion_by_type_of_argument),
+        cmocka_unit_test(test_completion_of_channels),
         cmocka_unit_test(test_completion_of_files_by_suffix),
         cmocka_unit_test(test_hint_of_the_command_being_typed),
         cmocka_unit_test(test_quit_asks_when_changes_are_unsaved),

@@ -126,6 +126,24 @@ static void channel_integral(void **state) {
     cr_channel_fini(&ch);
     assert_int_equal(cr_channel_pairs("0 1 2\n", "c", &ch, &err), CR_ERR_SYNTAX);
     cr_channel_fini(&ch);
+    /* a long line is cut in the message, not left out */
+    char line[80];
+    memset(line, 'x', sizeof line - 1);
+    line[sizeof line - 1] = '\0';
+    assert_int_equal(cr_channel_pairs(line, "c", &ch, &err), CR_ERR_SYNTAX);
+    assert_int_equal(strlen(err.text), strlen("no sample: \"\"") + 60);
+    cr_channel_fini(&ch);
+}
+
+/* A recorder's table is known by its header, however long it is. */
+static void long_headers_of_recorders(void **state) {
+    char text[1200] = "Time (sec),Speed vehicle indicated (mph),";
+    (void)state;
+    for (size_t n = strlen(text); n < sizeof text - 1; n++) {
+        const struct cr_import_head head = {.text = text, .len = n};
+        assert_true(cr_import_edr_is(&head));
+        text[n] = 'x';
+    }
 }
 
 static void xml_begins(void **state) {
@@ -178,9 +196,13 @@ static void options_by_words(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(formula_values), cmocka_unit_test(formula_faults),
-        cmocka_unit_test(erg_types),      cmocka_unit_test(channel_integral),
-        cmocka_unit_test(xml_begins),     cmocka_unit_test(options_by_words),
+        cmocka_unit_test(formula_values),
+        cmocka_unit_test(formula_faults),
+        cmocka_unit_test(erg_types),
+        cmocka_unit_test(channel_integral),
+        cmocka_unit_test(xml_begins),
+        cmocka_unit_test(options_by_words),
+        cmocka_unit_test(long_headers_of_recorders),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

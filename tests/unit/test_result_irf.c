@@ -160,7 +160,7 @@ static void titles_tell_the_functions_apart(void **state) {
     }
 }
 
-static enum cr_err load(const char *json, struct cr_error *err) {
+static enum cr_err open_json(const char *json, struct cr_irf_set **got, struct cr_error *err) {
     char dir[] = "/tmp/crumple-irf-XXXXXX", path[64];
     assert_non_null(mkdtemp(dir));
     snprintf(path, sizeof path, "%s/a.json", dir);
@@ -168,14 +168,68 @@ static enum cr_err load(const char *json, struct cr_error *err) {
     assert_non_null(f);
     fputs(json, f);
     fclose(f);
-    struct cr_irf_set *got;
-    enum cr_err code = cr_irf_load(dir, &got, err);
-    if (!code) {
-        cr_irf_free(got);
-    }
+    enum cr_err code = cr_irf_load(dir, got, err);
     unlink(path);
     rmdir(dir);
     return code;
+}
+
+static enum cr_err load(const char *json, struct cr_error *err) {
+    struct cr_irf_set *got;
+    enum cr_err code = open_json(json, &got, err);
+    if (!code) {
+        cr_irf_free(got);
+    }
+    return code;
+}
+
+#define POWER(name, reference)                                                                     \
+    "{\"name\":\"" name "\",\"injury\":\"MAIS3+\",\"covariate\":\"delta_v\",\"unit\":\"m/s\","     \
+    "\"range\":[0,99],\"formula\":\"power\",\"exponent\":1,\"reference\":" reference "}"
+
+/* p = delta-v / reference: 10 m/s show which reference counts from where the force comes */
+static void the_most_particular_direction_counts(void **state) {
+    (void)state;
+    static const struct {
+        double pdof_deg, reference;
+    } row[] = {{0, 20}, {40, 20}, {90, 40}, {-90, 80}, {180, 25}, {120, 50}};
+    struct cr_irf_set *own;
+    struct cr_severity s;
+    struct cr_irf_case what = car(36, 0);
+    assert_int_equal(
+        open_json("{\"functions\":[" POWER(
+                      "p", "{\"front\":20,\"right\":40,\"side\":80,\"all\":25,\"4\":50}") "]}",
+                  &own, NULL),
+        CR_ERR_OK);
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+        what.pdof = cr_rad(row[i].pdof_deg);
+        cr_irf_apply(own, &what, &s);
+        assert_int_equal(s.injuries, 1);
+        check_near(s.injury[0].probability, 10 / row[i].reference, 1e-12);
+    }
+    cr_irf_free(own);
+}
+
+/* more functions than a result lists: each of them can still be asked for by its name */
+static void every_function_is_known_by_name(void **state) {
+    (void)state;
+    char json[8192] = "{\"functions\":[";
+    struct cr_irf_set *own;
+    struct cr_severity s;
+    struct cr_irf_case what = car(36, 0);
+    for (int i = 0; i <= CR_INJURY_MAX; i++) {
+        snprintf(json + strlen(json), sizeof json - strlen(json), "%s" POWER("f%02d", "20"),
+                 i > 0 ? "," : "", i);
+    }
+    snprintf(json + strlen(json), sizeof json - strlen(json), "]}");
+    assert_int_equal(open_json(json, &own, NULL), CR_ERR_OK);
+    assert_int_equal(cr_irf_check(own, "f20", NULL), CR_ERR_OK);
+    assert_int_equal(cr_irf_check(own, "f21", NULL), CR_ERR_NAME);
+    what.words = "f20";
+    cr_irf_apply(own, &what, &s);
+    assert_int_equal(s.injuries, 1);
+    assert_string_equal(s.injury[0].function, "f20");
+    cr_irf_free(own);
 }
 
 #define ONE(rest) "{\"functions\":[{\"name\":\"x\",\"injury\":\"MAIS3+\"," rest "}]}"
@@ -223,6 +277,8 @@ int main(void) {
         cmocka_unit_test(functions_apply_where_they_may),
         cmocka_unit_test(functions_are_chosen_by_name),
         cmocka_unit_test(titles_tell_the_functions_apart),
+        cmocka_unit_test(the_most_particular_direction_counts),
+        cmocka_unit_test(every_function_is_known_by_name),
         cmocka_unit_test(faulty_files_are_refused),
     };
     return cmocka_run_group_tests(tests, open_set, close_set);

@@ -1,6 +1,7 @@
 /* Draws and their statistics against closed forms; tolerances of a scene. */
 #include "config.h"
 
+#include "scene_help.h"
 #include "test.h"
 
 #include "scene/keys.h"
@@ -172,7 +173,7 @@ static void statistics_by_hand(void **state) {
 
 /* ---- tolerances of a scene ---- */
 
-static const char scene_text[] =
+static const char uncertain_text[] =
     "{ \"crumple\": 1, \"settings\": { \"restitution\": { \"value\": 0.1, \"tolerance\": 0.05, "
     "\"distribution\": \"uniform\" } }, \"participants\": ["
     "{ \"id\": \"A\", \"kind\": \"vehicle\", \"type\": \"suv\", \"mass_kg\": { \"value\": 2000, "
@@ -187,7 +188,8 @@ static void tolerances_are_read_and_written(void **state) {
     struct cr_uncertain u[4];
     struct cr_error err = {0};
     struct cr_str text = {0};
-    assert_int_equal(cr_scene_parse(scene_text, strlen(scene_text), "t", &scene, &err), CR_ERR_OK);
+    assert_int_equal(cr_scene_parse(uncertain_text, strlen(uncertain_text), "t", &scene, &err),
+                     CR_ERR_OK);
     assert_int_equal(cr_scene_uncertain(&scene, u, 4), 3);
     assert_string_equal(u[0].key, "restitution");
     assert_int_equal(u[0].how.spread, CR_SPREAD_UNIFORM);
@@ -222,7 +224,8 @@ static void tolerances_are_read_and_written(void **state) {
 static void refuse(const char *key, const char *value, enum cr_err code, const char *says) {
     struct cr_scene scene;
     struct cr_error err = {0};
-    assert_int_equal(cr_scene_parse(scene_text, strlen(scene_text), "t", &scene, &err), CR_ERR_OK);
+    assert_int_equal(cr_scene_parse(uncertain_text, strlen(uncertain_text), "t", &scene, &err),
+                     CR_ERR_OK);
     assert_int_equal(cr_scene_set(&scene, key, value, &err), code);
     if (strstr(err.text, says) == NULL) {
         fail_msg("'%s' does not say '%s'", err.text, says);
@@ -246,7 +249,8 @@ static void a_study_has_the_scatter_of_types(void **state) {
     struct cr_study study;
     struct cr_error err = {0};
     const struct cr_scatter scatter = {.energy = {[CR_TYPE_SUV] = 0.3}};
-    assert_int_equal(cr_scene_parse(scene_text, strlen(scene_text), "t", &scene, &err), CR_ERR_OK);
+    assert_int_equal(cr_scene_parse(uncertain_text, strlen(uncertain_text), "t", &scene, &err),
+                     CR_ERR_OK);
     assert_int_equal(cr_study_open(&scene, NULL, &study, &err), CR_ERR_OK);
     assert_int_equal(study.n, 3);
     assert_int_equal(cr_study_open(&scene, &scatter, &study, &err), CR_ERR_OK);
@@ -262,6 +266,58 @@ static void a_study_has_the_scatter_of_types(void **state) {
     cr_scene_fini(&scene);
 }
 
+/* a scene with these factors in place, resolved */
+static void draw(const struct cr_study *study, const double *value, const struct cr_model_lib *lib,
+                 struct cr_scene *out) {
+    struct cr_error err = {0};
+    assert_int_equal(cr_study_make(study, value, out, &err), CR_ERR_OK);
+    assert_int_equal(cr_scene_resolve(out, lib, NULL, &err), CR_ERR_OK);
+}
+
+static void what_rules_assume_is_drawn_about_them(void **state) {
+    (void)state;
+    static const char *const keys[] = {"A.track_factor",     "A.cg.height_factor",
+                                       "B.kerb_mass_factor", "B.track_factor",
+                                       "B.cg.height_factor", "B.yaw_inertia_factor"};
+    struct cr_model_lib *lib = scene_models();
+    struct cr_scene scene, plain, drawn;
+    struct cr_scatter scatter;
+    struct cr_study study;
+    struct cr_error err = {0};
+    scene_of("\"id\": \"A\", \"kind\": \"vehicle\", \"type\": \"suv\", \"mass_kg\": 2000, "
+             "\"yaw_inertia_kgm2\": 3000, \"position_m\": [0, 0], \"speed_kmh\": 50",
+             "\"id\": \"B\", \"kind\": \"vehicle\", \"type\": \"sedan\", "
+             "\"position_m\": [9, 0], \"heading_deg\": 180, \"speed_kmh\": 0",
+             &scene);
+    assert_int_equal(cr_scatter_read(scene_path("share"), &scatter, &err), CR_ERR_OK);
+    assert_int_equal(cr_study_open(&scene, NULL, &study, &err), CR_ERR_OK);
+    assert_int_equal(cr_study_add_ruled(&study, &scatter, lib, &err), CR_ERR_OK);
+    assert_int_equal(study.n, 6); /* the mass and the inertia of A were given */
+    for (int i = 0; i < study.n; i++) {
+        assert_string_equal(study.in[i].key, keys[i]);
+    }
+    assert_string_equal(study.in[5].of, "B.yaw_inertia_kgm2");
+    check_near(study.in[2].half, 1.959963984540054 * cr_mass_spread_by_type, 1e-12);
+    check_near(study.in[5].half, 1.959963984540054 * 0.08, 1e-12); /* [YAW-INERTIA], cars */
+    draw(&study, (const double[]){1, 1, 1, 1, 1, 1}, lib, &plain);
+    draw(&study, (const double[]){0.98, 1.05, 1.2, 1.03, 0.9, 1.1}, lib, &drawn);
+    const struct cr_participant *a = &plain.part[1], *b = &drawn.part[1];
+    check_near(study.in[5].assumed, a->yaw_inertia, 1e-9);
+    check_near(drawn.part[0].yaw_inertia, 3000, 0);
+    check_near(drawn.part[0].track, 0.98 * plain.part[0].track, 1e-9);
+    check_near(drawn.part[0].cg_height, 1.05 * plain.part[0].cg_height, 1e-9);
+    check_near(b->mass, 1.2 * a->mass, 1e-6);
+    check_near(b->yaw_inertia, 1.1 * 0.137 * b->mass * b->length * b->wheelbase, 1e-6);
+    /* no draw moves an outline */
+    check_near(b->length, a->length, 1e-9);
+    check_near(b->front_overhang, a->front_overhang, 1e-9);
+    check_near(b->cg_behind_front_axle, a->cg_behind_front_axle, 1e-9);
+    cr_scene_fini(&scene);
+    cr_scene_fini(&plain);
+    cr_scene_fini(&drawn);
+    cr_model_lib_free(lib);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(quantiles_of_the_distributions),
@@ -272,6 +328,7 @@ int main(void) {
         cmocka_unit_test(tolerances_are_read_and_written),
         cmocka_unit_test(bad_tolerances),
         cmocka_unit_test(a_study_has_the_scatter_of_types),
+        cmocka_unit_test(what_rules_assume_is_drawn_about_them),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
