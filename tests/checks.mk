@@ -2,7 +2,7 @@
 tree_checks = tests/check_bootstrap.sh tests/check_circles.sh tests/check_examples.sh \
 	tests/check_hardening.sh \
 	tests/check_includes.sh tests/check_manual.sh tests/check_map.sh tests/check_sources.sh \
-	tests/check_style.sh tests/check_symbols.sh
+	tests/check_style.sh tests/check_symbols.sh tests/check_types.sh
 cli_checks = tests/cli/bad_scene.sh tests/cli/budget.sh tests/cli/completion.sh \
 	tests/cli/diff.sh \
 	tests/cli/faults.sh tests/cli/files.sh \

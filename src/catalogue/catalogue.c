@@ -1,4 +1,4 @@
-/* Reads the tables of cars. */
+/* Reads the tables of cars by name, those of the program and those of the user. */
 #include "catalogue/catalogue_priv.h"
 
 #include "base/file.h"
@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* numbers of a row; ranges that catch a slip of unit */
+/* The numbers of a row, with ranges that catch a wrong unit. */
 static const struct {
     const char *name;
     size_t at;

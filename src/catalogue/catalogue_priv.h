@@ -7,13 +7,13 @@
 struct cr_records;
 
 struct cr_catalogue {
-    struct cr_records **table; /* own the texts */
+    struct cr_records **table; /* their texts are those of the cars */
     int tables, table_size;
     struct cr_car *car;
     int n, size;
 };
 
-/* Whether a car can have that in a column of the tables; false for NaN. */
+/* Whether a car can have the number x in a column of the tables; false for NaN. */
 bool cr_car_in_range(const char *column, double x);
 
 #endif

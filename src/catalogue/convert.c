@@ -1,5 +1,5 @@
-/* Tables of registers of vehicles as a table of the catalogue: rows of equal make, model and size
- * become one, with the years and the masses that they have. */
+/* Turns the table of a register of vehicles into a table of the catalogue: rows of equal make,
+ * model and size become one, with the years and the masses that they have. */
 #define _XOPEN_SOURCE 700 /* tsearch */
 #include "config.h"
 
@@ -21,12 +21,13 @@ enum { LENGTH, WIDTH, HEIGHT, WHEELBASE, TRACK, SIZES };
 enum { MAKE = SIZES, MODEL, YEAR, KERB, RUNNING, REAR_TRACK, WEIGHT, COLUMNS };
 enum { ROWS_MAX = 1000000 };
 
-/* Columns by the letters and digits of their names, of which a unit in brackets is left away. */
+/* What a register calls its columns: the letters and digits of the names in lower case, without a
+ * unit in brackets. */
 static const struct form {
     const char *word, *source;
-    double unit;   /* m of a size */
-    double beside; /* kg in the mass in running order that are not of the kerb mass */
-    int least;     /* cars of a row: of single ones some are slips */
+    double unit;   /* of the sizes, m */
+    double beside; /* what the mass in running order has more than the kerb mass, kg */
+    int least;     /* vehicles that make a row: single ones may be slips of the pen */
     const char *column[COLUMNS];
 } forms[] = {
     /* Canadian Vehicle Specifications: cm, kg; WD is "60/40" [CVS-COLUMNS] */
@@ -77,19 +78,21 @@ static const struct form {
 };
 enum { FORMS = sizeof forms / sizeof forms[0] };
 
+/* Vehicles of one make, model and size. */
 struct group {
     char *make, *model;
-    int size[SIZES], share; /* mm; of 1000, of the weight on the rear axle; 0: not known */
-    int from, to;
-    long n, weighed;
+    int size[SIZES];         /* mm; 0: not known */
+    int share;               /* of 1000 parts of the weight those on the rear axle; 0: not known */
+    int from, to;            /* model years; 0: not known */
+    long n, weighed;         /* vehicles, and those of them with a mass */
     double sum, least, most; /* kerb masses, kg */
 };
 
 struct work {
     const struct form *form;
     struct cr_csv *csv;
-    int at[COLUMNS]; /* -1: none */
-    void *tree;
+    int at[COLUMNS]; /* index of the column in the table; -1: none */
+    void *tree;      /* the groups by tsearch */
     struct group **group;
     int n, room;
 };
@@ -98,12 +101,13 @@ static int order(const void *a, const void *b) {
     const struct group *x = a, *y = b;
     int by = strcasecmp(x->make, y->make);
     by = by != 0 ? by : strcasecmp(x->model, y->model);
-    for (int i = SIZES - 1; i >= 0 && by == 0; i--) { /* generations differ in the wheelbase */
+    for (int i = SIZES - 1; i >= 0 && by == 0; i--) {
         by = (x->size[i] > y->size[i]) - (x->size[i] < y->size[i]);
     }
     return by != 0 ? by : (x->share > y->share) - (x->share < y->share);
 }
 
+/* The order of rows in the table that is written. */
 static int order_years(const void *a, const void *b) {
     const struct group *x = *(struct group *const *)a, *y = *(struct group *const *)b;
     int by = strcasecmp(x->make, y->make);
@@ -148,7 +152,7 @@ static enum cr_err find_columns(struct work *w, struct cr_error *err) {
 
 /* ---- rows ---- */
 
-/* A size in mm, 0 where there is none or it is none that a car can have. */
+/* A size in mm, 0 where there is none or one that no car can have. */
 static enum cr_err size(const struct work *w, int k, int *out, struct cr_error *err) {
     static const char *const names[] = {
         [LENGTH] = "length_m", [WIDTH] = "width_m",         [HEIGHT] = "height_m",
@@ -175,7 +179,7 @@ static enum cr_err kerb_mass(const struct work *w, double *out, struct cr_error 
     return code;
 }
 
-/* "2015", "20150314", "2015-03-14"; 0: none */
+/* The year of "2015", "20150314", "2015-03-14"; 0: none. */
 static int year_of(const char *text) {
     char four[5];
     snprintf(four, sizeof four, "%s", text);
@@ -183,7 +187,7 @@ static int year_of(const char *text) {
     return year >= 1900 && year < 2100 ? year : 0;
 }
 
-/* "60/40": 400 of 1000 on the rear axle */
+/* Of "60/40" the share on the rear axle in parts of 1000: 400; 0: none. */
 static int rear_share(const char *text) {
     const char *end;
     double front = cr_number_scan(text, &end);
@@ -192,7 +196,7 @@ static int rear_share(const char *text) {
     return share > 0.2 && share < 0.8 ? (int)lround(1000 * share) : 0;
 }
 
-static enum cr_err add_to(struct group *g, int year, double kerb) {
+static void add_to(struct group *g, int year, double kerb) {
     g->n++;
     if (year > 0) {
         g->from = g->from == 0 || year < g->from ? year : g->from;
@@ -204,7 +208,6 @@ static enum cr_err add_to(struct group *g, int year, double kerb) {
         g->sum += kerb;
         g->weighed++;
     }
-    return CR_ERR_OK;
 }
 
 static void forget(struct group *g) {
@@ -215,7 +218,7 @@ static void forget(struct group *g) {
     }
 }
 
-/* the group of a row, a new one if there is none */
+/* Finds the group of a row, or makes it. */
 static enum cr_err group_of(struct work *w, const struct group *key, struct group **out,
                             struct cr_error *err) {
     struct group *const *found = tfind(key, &w->tree, order);
@@ -264,7 +267,10 @@ static enum cr_err take_row(struct work *w, struct cr_error *err) {
     }
     key.share = rear_share(cr_csv_cell(w->csv, w->at[WEIGHT]));
     code = group_of(w, &key, &g, err);
-    return code == CR_ERR_OK ? add_to(g, year_of(cr_csv_cell(w->csv, w->at[YEAR])), kerb) : code;
+    if (code == CR_ERR_OK) {
+        add_to(g, year_of(cr_csv_cell(w->csv, w->at[YEAR])), kerb);
+    }
+    return code;
 }
 
 /* ---- the table ---- */

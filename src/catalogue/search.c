@@ -1,4 +1,5 @@
-/* Finds cars by words: what matches, what is meant by them, and what could come next. */
+/* Finds cars by words: which cars the words fit, which one is meant, and which words could come
+ * next. */
 #include "catalogue/catalogue_priv.h"
 
 #include <ctype.h>
@@ -11,12 +12,12 @@
 
 enum { WORD = 40, WORDS = 12 };
 
-/* letters of Latin-1 and Latin Extended-A without their accents, by code point from U+00C0 */
+/* The letters of Latin-1 and Latin Extended-A without their accents, by code point from U+00C0. */
 static const char bare[] = "aaaaaaaceeeeiiiidnooooo ouuuuytsaaaaaaaceeeeiiiidnooooo ouuuuyty"
                            "aaaaaaccccccccddddeeeeeeeeeegggggggghhhhiiiiiiiiiiiijjkkklllllll"
                            "lllnnnnnnnnnoooooooorrrrrrssssssssttttttuuuuuuuuuuuuwwyyyzzzzzzs";
 
-/* Lower case without accents; everything but letters, digits and points becomes a blank. */
+/* Writes a text in lower case without accents; all but letters, digits and points become blanks. */
 static void fold(const char *s, char *out, size_t size) {
     size_t n = 0;
     for (; *s != '\0' && n + 1 < size; s++) {
@@ -47,7 +48,7 @@ static void split(const char *text, struct words *out) {
     }
 }
 
-/* "F-150" as one: f150 */
+/* A text as one word: f150 of "F-150". */
 static void joined(const char *text, char out[WORD]) {
     char folded[WORD];
     size_t n = 0;
@@ -60,11 +61,13 @@ static void joined(const char *text, char out[WORD]) {
     out[n] = '\0';
 }
 
-/* usual short names of makes */
+/* The make of a usual short name. */
 static const char *make_of(const char *word) {
-    static const char *const other[][2] = {{"vw", "volkswagen"}, {"chevy", "chevrolet"},
-                                           {"benz", "mercedes"}, {"skoda", "skoda"},
-                                           {"datsun", "nissan"}, {"landrover", "land"}};
+    static const char *const other[][2] = {{"vw", "volkswagen"},
+                                           {"chevy", "chevrolet"},
+                                           {"benz", "mercedes"},
+                                           {"datsun", "nissan"},
+                                           {"landrover", "land"}};
     for (size_t i = 0; i < sizeof other / sizeof other[0]; i++) {
         if (strcmp(word, other[i][0]) == 0) {
             return other[i][1];
@@ -80,7 +83,7 @@ static bool is_year(const char *word, int *year) {
     return strlen(word) == 4 && *end == '\0' && x >= 1900 && x < 2100;
 }
 
-/* "4.25m", "4.25" */
+/* Whether a word is a length in m, "4.25m" or "4.25". */
 static bool is_length(const char *word, double *length) {
     char *end;
     if (strchr(word, '.') == NULL || !isdigit((unsigned char)word[0])) {
@@ -90,7 +93,8 @@ static bool is_length(const char *word, double *length) {
     return *end == '\0' || strcmp(end, "m") == 0;
 }
 
-/* whole: 2; the begin of a word of three letters or more: 1 */
+/* How well a word fits a text: 2 if it is one of its words, 1 if three letters or more begin
+ * one. */
 static int fits_text(const char *word, const char *text) {
     struct words part;
     char whole[WORD];
@@ -137,7 +141,7 @@ int cr_catalogue_search(const struct cr_catalogue *c, const char *words, int *fo
     return n;
 }
 
-/* every word of the model was said */
+/* Whether every word of the model was said. */
 static bool model_is_whole(const struct cr_car *car, const struct words *w) {
     struct words part;
     char whole[WORD];
@@ -170,7 +174,7 @@ static bool is_usual(const struct cr_car *car, const struct words *w) {
     return true;
 }
 
-/* Keeps what passes, unless nothing does. */
+/* Keeps the cars that pass, unless none does. */
 static int prefer(const struct cr_catalogue *c, int *found, int n, const struct words *w,
                   bool (*pass)(const struct cr_car *car, const struct words *w)) {
     int kept = 0;
@@ -195,14 +199,16 @@ static void list_some(const struct cr_catalogue *c, const int *found, int n, str
         const struct cr_car *car = &c->car[found[i]];
         cr_str_add(&list, i > 0 ? "; " : "");
         cr_car_name(car, &list);
-        cr_str_addf(&list, " %.3fm", car->length);
+        if (!isnan(car->length)) {
+            cr_str_addf(&list, " %.3fm", car->length);
+        }
     }
     cr_str_add(&list, n > 3 ? " ..." : "");
     cr_err_hint(err, "add year, body or length: %.150s", cr_str_get(&list));
     cr_str_fini(&list);
 }
 
-/* nearest make or model to a word that fits nothing */
+/* Refuses words that fit no car, with the nearest make or model to a word that fits nothing. */
 static enum cr_err unknown(const struct cr_catalogue *c, const char *words, struct cr_error *err) {
     struct words w;
     split(words, &w);
@@ -261,6 +267,7 @@ enum cr_err cr_catalogue_find(const struct cr_catalogue *c, const char *words,
 
 /* ---- completion ---- */
 
+/* The words that could come next, while they are told. */
 struct next {
     const char *begin;
     void (*tell)(void *user, const char *word, bool year);
@@ -280,8 +287,8 @@ static void tell(struct next *next, const char *word, bool year) {
     }
 }
 
-/* what follows the words of a name that were said: of Land Cruiser after land Cruiser, "" where
- * all of it was */
+/* What follows the words of a name that were said: "Cruiser" of "Land Cruiser" after "land", ""
+ * where all of it was said. */
 static const char *unsaid(const char *name, const struct words *w) {
     const char *rest = name;
     char one[WORD], whole[WORD];
@@ -311,7 +318,7 @@ static void tell_words(struct next *next, const struct cr_car *car, const struct
     }
 }
 
-/* the years of the cars whose model was said */
+/* Tells the years of the cars whose model was said. */
 static void tell_years(struct next *next, const struct cr_catalogue *c, const int *found, int n,
                        const struct words *w) {
     for (int year = 1900; year < 2100; year++) {

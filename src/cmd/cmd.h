@@ -9,6 +9,7 @@
 #include "base/err.h"
 #include "base/str.h"
 #include "base/units.h"
+#include "render/layout.h"
 #include "render/render.h"
 #include "result/result.h"
 #include "scene/keys.h"
@@ -213,20 +214,10 @@ int cr_session_undos(const struct cr_session *s);        /* changes that undo ca
  * why. Kept until the scene changes. */
 const struct cr_compiled *cr_session_compiled(struct cr_session *s, struct cr_error *err);
 
-enum cr_pane {
-    CR_PANE_SCENE,
-    CR_PANE_PULSE,
-    CR_PANE_ENERGY,
-    CR_PANE_TABLE,
-    CR_PANE_SWEEP,
-    CR_PANE_LOG,
-    CR_PANES
-};
-
 /* What is looked at: changed by show, view, pulse, solve --step. */
 struct cr_view {
-    enum cr_pane pane;
-    bool zoom; /* the pane fills the screen */
+    enum cr_area pane; /* in front */
+    bool zoom;         /* the pane fills the screen */
     enum cr_field field;
     int frame;   /* 0: before the first contact, k: end of time slice k of the trace */
     double rate; /* of playing, 1: the crash in some seconds */

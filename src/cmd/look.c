@@ -153,7 +153,7 @@ enum cr_err cr_cmd_show(struct cr_call *call, struct cr_error *err) {
     for (size_t i = 0; i < sizeof of_scene / sizeof *of_scene; i++) {
         looks = looks || cr_cmd_given(call, of_scene[i]);
     }
-    view.pane = looks ? CR_PANE_SCENE : view.pane;
+    view.pane = looks ? CR_AREA_SCENE : view.pane;
     call->s->view = view;
     int from = cr_cmd_word(call, "view", 0); /* plan, then the words of render/project.h */
     return from > 0 ? cr_cmd_project(call->s, from - 1, err) : show_scene(call->s, err);
@@ -191,7 +191,7 @@ static enum cr_err show_table(struct cr_session *s, double time, struct cr_error
     cr_session_room(s, &w, &h);
     enum cr_err code = cr_session_need_result(s, err);
     if (code == CR_ERR_OK) {
-        s->view.pane = CR_PANE_TABLE;
+        s->view.pane = CR_AREA_TABLE;
         code = cr_cmd_picture(s, w, cr_render_table_rows_beside(s->result, NULL), draw_table, &job,
                               err);
     }
@@ -203,28 +203,28 @@ static enum cr_err show_table(struct cr_session *s, double time, struct cr_error
     return code;
 }
 
-static enum cr_err show_pane(struct cr_session *s, enum cr_pane pane, struct cr_error *err) {
+static enum cr_err show_pane(struct cr_session *s, enum cr_area pane, struct cr_error *err) {
     int w, h;
     cr_session_room(s, &w, &h);
     switch (pane) {
-    case CR_PANE_SCENE:
+    case CR_AREA_SCENE:
         return show_scene(s, err);
-    case CR_PANE_TABLE:
+    case CR_AREA_TABLE:
         return show_table(s, NAN, err);
-    case CR_PANE_SWEEP: {
+    case CR_AREA_SWEEP: {
         enum cr_err code = cr_sweep_say(s, err);
         return code == CR_ERR_OK ? cr_sweep_draw(s, err) : code;
     }
-    case CR_PANE_PULSE:
-    case CR_PANE_ENERGY: {
+    case CR_AREA_PULSE:
+    case CR_AREA_ENERGY: {
         enum cr_err code = cr_session_need_result(s, err);
         return code != CR_ERR_OK
                    ? code
                    : cr_cmd_picture(s, w, h - 4 > 8 ? h - 4 : 8,
-                                    pane == CR_PANE_PULSE ? draw_pulse : draw_energy, s, err);
+                                    pane == CR_AREA_PULSE ? draw_pulse : draw_energy, s, err);
     }
-    case CR_PANE_LOG:
-    case CR_PANES:
+    case CR_AREA_LOG:
+    case CR_AREAS:
         break;
     }
     for (int i = 0; i < s->lines; i++) {
@@ -235,7 +235,7 @@ static enum cr_err show_pane(struct cr_session *s, enum cr_pane pane, struct cr_
 
 enum cr_err cr_cmd_view(struct cr_call *call, struct cr_error *err) {
     struct cr_session *s = call->s;
-    s->view.pane = (enum cr_pane)cr_cmd_word(call, "PANE", (int)s->view.pane);
+    s->view.pane = (enum cr_area)cr_cmd_word(call, "PANE", (int)s->view.pane);
     s->view.zoom = cr_cmd_word(call, "zoom", s->view.zoom ? 0 : 1) == 0;
     if (cr_cmd_given(call, "picture")) {
         s->view.sweep_picture = (int)cr_cmd_number(call, "picture", 0);

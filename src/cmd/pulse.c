@@ -359,7 +359,7 @@ enum cr_err cr_cmd_pulse(struct cr_call *call, struct cr_error *err) {
     snprintf(s->view.pulse_of, sizeof s->view.pulse_of, "%s",
              what.only >= 0 ? cr_cmd_text(call, "NAME", "") : "");
     snprintf(s->view.versus, sizeof s->view.versus, "%s", path != NULL ? path : "");
-    s->view.pane = CR_PANE_PULSE;
+    s->view.pane = CR_AREA_PULSE;
     code = plot_pulse(s, &what, NULL, (struct cr_rect){0}, err);
     if (code == CR_ERR_OK) {
         code = say_pulse(s, &what, err);

@@ -318,7 +318,7 @@ enum cr_err cr_cmd_sweep(struct cr_call *call, struct cr_error *err) {
                       .sweep = sweep,
                       .var = var,
                       .session = s};
-    s->view.pane = CR_PANE_SWEEP; /* a screen shows the runs as they come */
+    s->view.pane = CR_AREA_SWEEP; /* a screen shows the runs as they come */
     code = run_all(&job, (int)cr_cmd_number(call, "jobs", 1), err);
     cr_session_take_sweep(s, sweep);
     if (code == CR_ERR_OK) {

@@ -234,8 +234,7 @@ static const struct cr_arg play_args[] = {
 };
 
 static const struct cr_arg view_args[] = {
-    OPTION("PANE", CR_VALUE_WORD, .words = "scene|pulse|energy|table|sweep|log",
-           .help = "what is in front"),
+    OPTION("PANE", CR_VALUE_WORD, .words = CR_AREA_WORDS, .help = "what is in front"),
     KEY("zoom", CR_VALUE_SWITCH, .words = "on|off", .def = "off", .help = "the pane alone"),
     KEY("picture", CR_VALUE_COUNT, .lo = 0, .hi = 12, .def = "0",
         .help = "of a sweep, its curve or map in place of the table (0)"),

@@ -1,11 +1,11 @@
-/* A measured damage beside the one that a solve leaves, station by station. */
+/* Puts a measured damage beside the one that a solve leaves, station by station. */
 #include "damage/against.h"
 
 #include "result/deform.h"
 
 #include <math.h>
 
-/* residual depth of the solve at a place along the face: the mean of the lines of voxels there */
+/* Residual depth of the solve at a place along the face: the mean of the lines of voxels there. */
 static double solved_at(const struct cr_result *r, int body, const struct cr_measured *m,
                         double at) {
     const struct cr_deform d = {.grid = cr_result_grid(r, body),
@@ -20,7 +20,7 @@ static double solved_at(const struct cr_result *r, int body, const struct cr_mea
     int lines = cr_face_lines(g, m->face), n = 0;
     int half = (int)lround(CR_DEFORM_WIDTH / 2 / g->h), line = (int)floor((place - from) / g->h);
     for (int i = line - half; i <= line + half; i++) {
-        if (i >= 0 && i < lines) { /* columns run from left to right and from rear to front */
+        if (i >= 0 && i < lines) { /* Columns run from left to right and from rear to front. */
             sum += cr_deform_column(&d, m->face, end ? lines - 1 - i : i, false);
             n++;
         }

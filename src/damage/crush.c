@@ -1,4 +1,4 @@
-/* The energy of a measured outline: which voxels lie outside of it, and what they took. */
+/* The energy behind a measured outline: which voxels lie outside of it, and what they took. */
 #include "damage/crush.h"
 
 #include <math.h>
@@ -56,11 +56,15 @@ static enum cr_err check_stations(const struct cr_measured *m, const struct cr_p
     return CR_ERR_OK;
 }
 
-/* what is less certain than the vehicle is long says nothing, and its interval has no end */
+/* Refuses tolerances below nothing and beyond the vehicle: a number less certain than that says
+ * nothing, and its interval has no end. */
 static enum cr_err check_tolerances(const struct cr_measured *m, const struct cr_participant *p,
                                     struct cr_error *err) {
     double tol = fmax(m->depth_tol, fmax(m->length_tol, m->offset_tol));
-    if (tol > p->length) {
+    double least = fmin(m->depth_tol, fmin(m->length_tol, m->offset_tol));
+    if (!(least >= 0 && m->pdof_tol >= 0 && m->mass_tol >= 0)) {
+        cr_err_set(err, CR_ERR_RANGE, "%s: a tolerance is not negative", p->id);
+    } else if (tol > p->length) {
         cr_err_set(err, CR_ERR_RANGE,
                    "%s: a tolerance of %.3g m is more than the vehicle of %.3g m", p->id, tol,
                    p->length);
@@ -90,7 +94,7 @@ enum cr_err cr_crush_check(const struct cr_measured *m, const struct cr_particip
         cr_err_hint(err, "the distance from C1 to the last station");
         return CR_ERR_MISSING;
     }
-    /* tape and dimensions are not better than a tenth */
+    /* The field may stand out by a tenth: tape and dimensions are not better than that. */
     if (fabs(m->offset) + m->length / 2 > 0.6 * span) {
         cr_err_set(err, CR_ERR_RANGE,
                    "%s: a field of %.3g m at %+.3g m lies outside the %s of %.3g m", p->id,
@@ -116,10 +120,8 @@ enum cr_err cr_crush_check(const struct cr_measured *m, const struct cr_particip
 enum cr_err cr_crush_open(const struct cr_model_lib *lib, const struct cr_participant *p,
                           const struct cr_measured *measured, struct cr_arena *arena,
                           struct cr_crush_car *out, struct cr_error *err) {
-    struct cr_settings set;
     struct cr_scene scene;
     cr_scene_init(&scene);
-    set = scene.set;
     *out = (struct cr_crush_car){.p = p, .m = *measured};
     snprintf(out->id, sizeof out->id, "%s", p->id);
     enum cr_err code = cr_crush_check(measured, p, err);
@@ -132,9 +134,8 @@ enum cr_err cr_crush_open(const struct cr_model_lib *lib, const struct cr_partic
     if (out->m.mass_tol <= 0) {
         cr_crush_mass(p, 0, &out->m);
     }
-    set.voxel = 0.025;
-    scene.set = set;
-    /* the model of the face: a force that is oblique to it still crushes that face */
+    scene.set.voxel = 0.025;
+    /* The model is the one square to the face: an oblique force still crushes that face. */
     struct cr_model_query q = cr_scene_query(&scene, p, cr_crush_square(out->m.face));
     q.curve = CR_CURVE_DYNAMIC;
     q.z_lo = fmax(0, measured->z_lo);
@@ -144,7 +145,22 @@ enum cr_err cr_crush_open(const struct cr_model_lib *lib, const struct cr_partic
                : cr_model_substitute(lib, &q, arena, &out->grid, err);
 }
 
-/* residual depth at a place along the face, linear between stations; beyond the field its ends */
+static double deepest(const struct cr_measured *m) {
+    double depth = 0;
+    for (int i = 0; i < m->stations; i++) {
+        depth = fmax(depth, m->depth[i]);
+    }
+    return depth;
+}
+
+/* Width of what was struck directly, and its middle along the face, m. */
+static double struck_width(const struct cr_measured *m, double *middle) {
+    *middle = isnan(m->direct_offset) ? m->offset : m->direct_offset;
+    return isnan(m->direct) ? m->length : m->direct;
+}
+
+/* Residual depth at a place along the face, linear between stations; beyond the field the depth of
+ * its end holds. */
 static double residual_at(const struct cr_measured *m, double at) {
     double s = ((at - m->offset) / m->length + 0.5) * (m->stations - 1);
     s = cr_clamp(s, 0, m->stations - 1);
@@ -154,42 +170,46 @@ static double residual_at(const struct cr_measured *m, double at) {
 
 double cr_crush_dynamic(const struct cr_measured *m, const struct cr_crush_rules *rules, double at,
                         bool *direct) {
-    double wide = isnan(m->direct) ? m->length : m->direct;
-    double middle = isnan(m->direct_offset) ? m->offset : m->direct_offset;
+    double middle, wide = struck_width(m, &middle);
     bool in_field = fabs(at - m->offset) <= m->length / 2;
     *direct = fabs(at - middle) <= wide / 2;
     if (!in_field && !*direct) {
         return 0;
     }
     double c = residual_at(m, at), rise = rules->rise[cr_crush_end(m->face)];
-    /* what was struck was pressed in by the rise even where nothing of it is left; what was dragged
-     * in beside it springs back from what it has */
+    /* What was struck was pressed in by the rise even where no depth is left; what was dragged in
+     * beside it springs back less the shallower it is. */
     return c + (*direct ? rise : rise * fmin(1, c / rules->ramp));
 }
 
-/* A line of voxels square to the face: index of the k-th from outside. */
+/* Index of the k-th voxel from outside in a line of voxels square to the face. */
 static int voxel_at(const struct cr_grid *g, enum cr_face face, int line, int k) {
     int n = cr_face_line_length(g, face);
     int along = cr_face_from_high(face) ? n - 1 - k : k;
     return cr_face_is_end(face) ? line * g->nx + along : along * g->nx + line;
 }
 
-/* place of a line along the face: to the right from the middle, or forward from the middle */
-static double line_place(const struct cr_crush_car *car, int line) {
+/* Where a line lies in the body frame, m: its y at an end, its x at a side. */
+static double line_at(const struct cr_crush_car *car, int line) {
     const struct cr_grid *g = &car->grid;
-    if (cr_face_is_end(car->m.face)) {
-        double y = g->y0 + (line + 0.5) * g->h;
-        return car->m.face == CR_FACE_FRONT || car->m.face == CR_FACE_REAR ? -y : y;
-    }
+    return (cr_face_is_end(car->m.face) ? g->y0 : g->x0) + (line + 0.5) * g->h;
+}
+
+/* Place of a line along the face as it is measured: from the middle to the right, or forward. */
+static double line_place(const struct cr_crush_car *car, int line) {
+    double at = line_at(car, line);
     double middle = car->p->front_overhang + car->p->cg_behind_front_axle - car->p->length / 2;
-    return g->x0 + (line + 0.5) * g->h - middle;
+    return cr_face_is_end(car->m.face) ? -at : at - middle;
 }
 
 struct line_sum {
-    double energy, first, force; /* J, J m along the line in the body frame, N */
+    double energy; /* J */
+    double moment; /* energy times its place along the line in the body frame, J m */
+    double force;  /* of the innermost voxel that counts, N */
 };
 
-/* energy of the outer material of a line down to a depth of material */
+/* Sums the outer material of a line down to a depth of material (m), and takes it off left
+ * (nullable). */
 static struct line_sum sum_line(const struct cr_crush_car *car, int line, double depth,
                                 double *left) {
     const struct cr_grid *g = &car->grid;
@@ -206,7 +226,7 @@ static struct line_sum sum_line(const struct cr_crush_car *car, int line, double
         int along = cr_face_is_end(face) ? i % g->nx : i / g->nx;
         double at = (cr_face_is_end(face) ? g->x0 : g->y0) + (along + 0.5) * g->h;
         sum.energy += e;
-        sum.first += e * at;
+        sum.moment += e * at;
         sum.force = g->energy[i] / (g->fill[i] * g->h);
         depth -= share * g->fill[i] * g->h;
         if (left != NULL) {
@@ -218,7 +238,7 @@ static struct line_sum sum_line(const struct cr_crush_car *car, int line, double
 
 static double oblique_factor(const struct cr_measured *m, const struct cr_crush_rules *rules) {
     double off = remainder(m->pdof - cr_crush_square(m->face), 2 * CR_PI);
-    /* CRASH3 stops at 45 degrees, where the work along the face is as much as that into it */
+    /* CRASH3 stops at 45 degrees, where the work along the face is as much as that into it. */
     double t = tan(fmin(fabs(off), CR_PI / 4));
     return 1 + rules->oblique * t * t;
 }
@@ -234,20 +254,16 @@ void cr_crush_energy(const struct cr_crush_car *car, const struct cr_crush_rules
         bool direct;
         double at = line_place(car, line), w = cr_crush_dynamic(m, rules, at, &direct);
         struct line_sum sum = sum_line(car, line, w, NULL);
-        double own = cr_face_is_end(m->face) ? car->grid.y0 + (line + 0.5) * car->grid.h
-                                             : car->grid.x0 + (line + 0.5) * car->grid.h;
         out->energy += factor * sum.energy;
         out->induced += direct ? 0 : factor * sum.energy;
         out->force += factor * sum.force;
-        across += sum.energy * own;
-        along += sum.first;
+        across += sum.energy * line_at(car, line);
+        along += sum.moment;
         if (fabs(at - m->offset) <= m->length / 2) {
             out->area += residual_at(m, at) * car->grid.h;
         }
     }
-    for (int i = 0; i < m->stations; i++) {
-        out->depth = fmax(out->depth, m->depth[i]);
-    }
+    out->depth = deepest(m);
     double raw = out->energy / factor;
     if (raw > 0) {
         out->coe = cr_face_is_end(m->face) ? cr_vec2(along / raw, across / raw)
@@ -270,21 +286,17 @@ void cr_crush_left(const struct cr_crush_car *car, const struct cr_crush_rules *
 void cr_crush_cdc(const struct cr_crush_car *car, char cdc[12]) {
     const struct cr_measured *m = &car->m;
     const struct cr_participant *p = car->p;
-    double span = face_span(p, m->face), depth = 0;
-    double wide = isnan(m->direct) ? m->length : m->direct;
-    double middle = isnan(m->direct_offset) ? m->offset : m->direct_offset;
-    for (int i = 0; i < m->stations; i++) {
-        depth = fmax(depth, m->depth[i]);
-    }
-    /* nine zones of an end reach from it to the far end of the passengers' room
-     * [CDC-J224]: to the middle of the wheelbase; those of a side across the vehicle */
+    double span = face_span(p, m->face);
+    double middle, wide = struck_width(m, &middle);
+    /* The nine zones of depth of an end reach to the far end of the passengers' room [CDC-J224],
+     * here to the middle of the vehicle; those of a side reach across it. */
     double zone = cr_face_is_end(m->face) ? p->length / 2 : p->width;
     const struct cr_cdc_case what = {.pdof = m->pdof,
                                      .face = m->face,
                                      .lo = (middle - wide / 2) / span + 0.5,
                                      .hi = (middle + wide / 2) / span + 0.5,
                                      .width = wide,
-                                     .depth = depth,
+                                     .depth = deepest(m),
                                      .zone = zone};
     cr_cdc_write(&what, cdc);
 }

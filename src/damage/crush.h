@@ -29,55 +29,60 @@ struct cr_measured {
     double depth[CR_STATIONS_MAX]; /* residual, square to the face, m */
     double direct, direct_offset; /* width and middle of what was struck directly; NaN: the field */
     double pdof;                  /* rad clockwise from ahead; NaN: square to the face */
-    double z_lo, z_hi;            /* heights that were struck; 0 and INFINITY: all */
-    bool guessed; /* nothing measured: as deep as takes what such partners took in the field */
-    /* tolerances that hold 95 %: of all depths together, length, offset, pdof, and of the mass */
+    double z_lo, z_hi;            /* heights that were struck, m; 0 and INFINITY: all */
+    bool guessed; /* Nothing was measured: the depth is the one at which the vehicle takes as much
+                     energy as such partners took in real crashes. */
+    /* Tolerances that hold 95 %: of all depths together, of length and offset (m), of the PDOF
+     * (rad) and of the mass (kg). */
     double depth_tol, length_tol, offset_tol, pdof_tol, mass_tol;
 };
-/* Nothing measured, usual tolerances: 3 cm, 5 cm, 5 cm, 20 degrees. */
+/* Nothing measured, with the usual tolerances: 3 cm, 5 cm, 5 cm, 20 degrees. */
 void cr_crush_init(struct cr_measured *crush);
 /* Heights after an underride ("under": this vehicle went under its partner and was struck above its
  * bumpers) or an override ("over": it rode up and was struck at them and below). */
 bool cr_crush_ride(const char *word, struct cr_measured *m);
-/* The tolerance of the mass: that of the vehicle (resolved), else of an assumed mass (spread, a
- * relative standard deviation; 0: given), else 3 %. */
+/* Set the tolerance of the mass: the one that the vehicle (resolved) gives, else that of an assumed
+ * mass (spread: relative standard deviation, 0 where the mass is given), else 3 %. */
 void cr_crush_mass(const struct cr_participant *p, double spread, struct cr_measured *m);
-/* An outline, points along the face and their depths, as stations: 24 of them, evenly. Errors:
- * RANGE where it goes back, MISSING. */
+/* Turn an outline (n points along the face with their depths) into 24 even stations. Errors: RANGE
+ * where a point does not lie beyond the one before, MISSING for fewer than two points. */
 struct cr_crush_point {
     double along, depth; /* m */
 };
 CR_MUST_CHECK enum cr_err cr_crush_outline(const struct cr_crush_point *p, int n,
                                            struct cr_measured *m, struct cr_error *err);
-/* "12,14,20,22,18,10+-2cm", or "unknown"; "-70:10,0:30,70:20cm". Errors: those of numbers, SYNTAX,
- * RANGE for too many. */
+/* Stations as they are typed: "12,14,20,22,18,10+-2cm", or "unknown"; an outline as it is typed:
+ * "-70:10,0:30,70:20cm". Errors: those of numbers, SYNTAX, RANGE for too many. */
 CR_MUST_CHECK enum cr_err cr_crush_stations_read(const char *text, struct cr_measured *m,
                                                  struct cr_error *err);
 CR_MUST_CHECK enum cr_err cr_crush_outline_read(const char *text, struct cr_measured *m,
                                                 struct cr_error *err);
-/* The usual PDOF of a face, rad clockwise: 0 of the front, 90 degrees of the right side. */
+/* The PDOF square to a face, rad clockwise from ahead: 0 for the front, 90 degrees for the
+ * right. */
 double cr_crush_square(enum cr_face face);
 /* The face of a word (cr_face_word); -1 if there is none. */
 int cr_crush_face_find(const char *word);
 /* The end of a recipe that a face belongs to. */
 enum cr_model_end cr_crush_end(enum cr_face face);
-/* Is what was measured possible on this vehicle (resolved)? Errors: MISSING, RANGE with a hint:
- * stations, depths beyond the vehicle, a field outside of it. */
+/* Refuse what cannot have been measured on this vehicle (resolved): too few stations, depths beyond
+ * the vehicle, a field outside of it, a tolerance that says nothing. Errors: MISSING, RANGE with a
+ * hint. */
 CR_MUST_CHECK enum cr_err cr_crush_check(const struct cr_measured *crush,
                                          const struct cr_participant *p, struct cr_error *err);
 
 /* ---- rules from the calibration on real crashes ---- */
 
-/* Values of share/damage/calibration.json, per end of a recipe (front, side, rear). */
+/* Values of share/damage/calibration.json, per end of a recipe (front, side, rear); `crumple
+ * calibrate-damage` finds them. */
 struct cr_crush_rules {
     double rise[CR_MODEL_ENDS];   /* dynamic minus residual depth of what was struck, m: the damage
                                      threshold too, for without residual crush there is this much */
     double level[CR_MODEL_ENDS];  /* energy of real crashes against that of the recipe */
     double log_sd[CR_MODEL_ENDS]; /* scatter of the logarithm of the energy, cars of one type */
-    double ramp;                  /* residual depth at which damage beside the contact has the whole
-                                     rise, m */
-    double oblique;               /* energy by 1 + this times tan2 of the force against the face */
-    /* what a partner took of which nothing was measured, by the measured end and its own */
+    double ramp;                  /* residual depth from which damage beside the contact has the
+                                     whole rise, m */
+    double oblique; /* oblique force: energy times 1 + this * tan^2 of its angle to the normal */
+    /* What a partner took of which nothing was measured, by the measured end and by its own end. */
     struct cr_crush_partner {
         double energy, power; /* J where the measured end took cr_crush_known, and its exponent */
         double log_sd;        /* scatter of the logarithm; 0: no real crashes of such a pair */
@@ -86,7 +91,8 @@ struct cr_crush_rules {
     double noise; /* of a recorder, share */
 };
 extern const double cr_crush_known;                    /* 10 kJ */
-extern const char *const cr_crush_ends[CR_MODEL_ENDS]; /* their words */
+extern const char *const cr_crush_ends[CR_MODEL_ENDS]; /* words of the ends of a recipe */
+/* Rules from a text (path names it in errors), or from a file. Errors: SYNTAX, MODEL, IO. */
 CR_MUST_CHECK enum cr_err cr_crush_rules_parse(const char *text, const char *path,
                                                struct cr_crush_rules *out, struct cr_error *err);
 CR_MUST_CHECK enum cr_err cr_crush_rules_read(const char *path, struct cr_crush_rules *out,
@@ -109,29 +115,32 @@ struct cr_crush_car {
     struct cr_grid grid;                    /* dynamic, of the heights struck */
     const struct cr_crush_against *against; /* borrowed; NULL: no solve beside it */
 };
-/* The grid of a vehicle under its PDOF, in the arena. Errors: those of cr_crush_check and of the
- * models. */
+/* A vehicle with the voxels of its damaged face (25 mm, in the arena) and with what was not given
+ * of the measurement filled in. Errors: those of cr_crush_check and of the models. */
 CR_MUST_CHECK enum cr_err cr_crush_open(const struct cr_model_lib *lib,
                                         const struct cr_participant *p,
                                         const struct cr_measured *measured, struct cr_arena *arena,
                                         struct cr_crush_car *out, struct cr_error *err);
 
 struct cr_crush_energy {
-    double energy, induced; /* J; of it outside of what was struck directly */
-    struct cr_vec2 coe;     /* centre of the energy, m */
-    double depth, area;     /* greatest residual depth m, residual area m2 */
-    double force;           /* that the last voxels stand for, N */
+    double energy;      /* of all voxels outside of the outline, J */
+    double induced;     /* the part of it outside of what was struck directly, J */
+    struct cr_vec2 coe; /* centre of the energy, body frame from the CG, m */
+    double depth, area; /* greatest residual depth m, residual area m2 */
+    double force;       /* at which the innermost of these voxels crush, all lines together, N */
 };
-/* Depth to which the material was pressed in at a place along the face, m; *direct: struck there */
+/* Depth to which the material was pressed in at a place along the face while the force acted, m;
+ * *direct: whether it was struck there. */
 double cr_crush_dynamic(const struct cr_measured *m, const struct cr_crush_rules *rules, double at,
                         bool *direct);
-/* Energy of all voxels outside the outline. left (nullable, [ny * nx]): material that is left;
- * while pressed in, or with residual = true after springback. */
+/* Energy of all voxels outside of the outline while it was pressed in. */
 void cr_crush_energy(const struct cr_crush_car *car, const struct cr_crush_rules *rules,
                      struct cr_crush_energy *out);
+/* Share of material that is left of each voxel, left[ny * nx]: while pressed in, or with residual
+ * after springback. */
 void cr_crush_left(const struct cr_crush_car *car, const struct cr_crush_rules *rules,
                    bool residual, double *left);
-/* CDC of SAE J224. */
+/* Collision deformation classification, CDC, of SAE J224 [CDC-J224]: seven characters. */
 void cr_crush_cdc(const struct cr_crush_car *car, char cdc[12]);
 
 /* ---- an impact ---- */
@@ -140,9 +149,9 @@ struct cr_crush_case {
     int n; /* vehicles, 1 or 2 */
     struct cr_crush_car car[CR_CRUSH_CARS];
     bool object;            /* one vehicle against an object */
-    double object_mass;     /* NaN: fixed */
-    double restitution;     /* NaN: by the closing speed */
-    double restitution_tol; /* 95 %; NaN: usual */
+    double object_mass;     /* kg; NaN: fixed to the ground */
+    double restitution;     /* 0 to 0.95; NaN: by the closing speed */
+    double restitution_tol; /* holds 95 %; NaN: usual */
 };
 
 /* A number with the interval that holds 95 %. */
@@ -153,9 +162,9 @@ struct cr_crush_value {
 enum cr_damage_number {
     CR_DAMAGE_EES,     /* m/s */
     CR_DAMAGE_ENERGY,  /* J */
-    CR_DAMAGE_INDUCED, /* J of it, outside of what was struck directly */
+    CR_DAMAGE_INDUCED, /* the part of the energy outside of what was struck directly, J */
     CR_DAMAGE_DELTA_V, /* m/s */
-    CR_DAMAGE_FORWARD, /* of delta-v, body frame */
+    CR_DAMAGE_FORWARD, /* components of delta-v, body frame, m/s */
     CR_DAMAGE_LEFT,
     CR_DAMAGE_COE_X, /* centre of the energy, m */
     CR_DAMAGE_COE_Y,
@@ -163,7 +172,7 @@ enum cr_damage_number {
     CR_DAMAGE_ACTING, /* share of the mass that acts along the force (CRASH3's gamma) */
     CR_DAMAGE_DEPTH,  /* greatest residual depth, m */
     CR_DAMAGE_AREA,   /* residual, m2 */
-    CR_DAMAGE_FORCE,  /* that the last voxels stand for, N */
+    CR_DAMAGE_FORCE,  /* at which the innermost crushed voxels crush, N */
     CR_DAMAGE_NUMBERS
 };
 /* Numbers of the impact. */
@@ -171,42 +180,43 @@ enum cr_damage_shared {
     CR_DAMAGE_CLOSING, /* speed along the force at the places of contact, m/s */
     CR_DAMAGE_TOTAL,   /* energy of both, J */
     CR_DAMAGE_RESTITUTION,
-    CR_DAMAGE_BALANCE, /* ratio of the forces that both outlines stand for: 1 in agreement */
+    CR_DAMAGE_BALANCE, /* CR_DAMAGE_FORCE of the first over that of the second; 1: they agree */
     CR_DAMAGE_SHARED
 };
 struct cr_crush_part {
     struct cr_vec2 push; /* direction of the impulse, body frame */
     struct cr_crush_value of[CR_DAMAGE_NUMBERS];
 };
-/* What the width of an interval comes from: share of the variance. */
+/* What makes a number uncertain. */
 enum cr_crush_source {
-    CR_CRUSH_TYPE,
-    CR_CRUSH_TAPE,
-    CR_CRUSH_MASS,
-    CR_CRUSH_PDOF,
-    CR_CRUSH_BOUNCE,
-    CR_CRUSH_GUESS,
+    CR_CRUSH_TYPE,   /* cars of one type differ */
+    CR_CRUSH_TAPE,   /* depths, length and offset were measured by hand */
+    CR_CRUSH_MASS,   /* tolerance of the mass */
+    CR_CRUSH_PDOF,   /* tolerance of the PDOF */
+    CR_CRUSH_BOUNCE, /* tolerance of the restitution */
+    CR_CRUSH_GUESS,  /* energy of a partner of which nothing was measured */
     CR_CRUSH_SOURCES
 };
 struct cr_crush_impact {
     bool pair; /* there is a partner, so delta-v is known */
     struct cr_crush_part part[CR_CRUSH_CARS];
     struct cr_crush_value of[CR_DAMAGE_SHARED];
-    double share[CR_CRUSH_CARS][CR_CRUSH_SOURCES]; /* of delta-v (of the EES where there is none) */
+    /* Part of each source in the variance of delta-v (of the EES where there is no partner). */
+    double share[CR_CRUSH_CARS][CR_CRUSH_SOURCES];
 };
-/* A vehicle of which nothing was measured beside the one that was: its field is as long as what was
- * struck directly there, as far as it is not given. */
+/* Prepare a vehicle of which nothing was measured: unless it is given, its field is as long as what
+ * was struck directly on the known one. */
 void cr_crush_guess(const struct cr_measured *known, const struct cr_participant *p,
                     struct cr_measured *guessed);
-/* Presses the guessed vehicle in evenly until it took what partners of the known one take. */
+/* Press the guessed vehicle in evenly until it took what partners of the known one take. */
 void cr_crush_match(const struct cr_crush_car *known, const struct cr_crush_rules *rules,
                     struct cr_crush_car *guessed);
-/* All numbers with their intervals; fills in the depths of a guessed partner. Errors: RANGE when no
- * material lies in the field, MISSING when no real crashes tell of such a partner. */
+/* Compute all numbers with their intervals, and fill in the depths of a guessed partner. Errors:
+ * RANGE when no material lies in the field, MISSING when no real crashes tell of such a partner. */
 CR_MUST_CHECK enum cr_err cr_crush_solve(struct cr_crush_case *what,
                                          const struct cr_crush_rules *rules,
                                          struct cr_crush_impact *out, struct cr_error *err);
-/* The best values alone, without intervals: fast. */
+/* Compute the best values alone, without intervals, which take most of the time. */
 void cr_crush_best(const struct cr_crush_case *what, const struct cr_crush_rules *rules,
                    struct cr_crush_impact *out);
 
@@ -226,7 +236,7 @@ struct cr_crush_file {
 };
 CR_MUST_CHECK enum cr_err cr_crush_read(const char *path, struct cr_crush_file *out,
                                         struct cr_error *err);
-/* The same of a text; src names it in errors. */
+/* The same from a JSON text; src names it in errors. */
 CR_MUST_CHECK enum cr_err cr_crush_parse(const char *text, size_t len, const char *src,
                                          struct cr_crush_file *out, struct cr_error *err);
 void cr_crush_file_fini(struct cr_crush_file *file);

@@ -1,25 +1,28 @@
-/* Delta-v out of crush energies: energy and momentum with the masses that act along the force. */
+/* Delta-v out of crush energies: balance of energy and momentum with the share of each mass that
+ * acts along the force. */
 #include "damage/crush.h"
 
 #include "solver/solver.h"
 
 #include <math.h>
 
-/* lever arm and effective mass of the force at the centre of energy (CRASH3's gamma) */
+/* Notes direction and lever arm of the force, which acts at the centre of energy, and returns the
+ * share of the mass that acts along it (CRASH3's gamma). */
 static double place_force(const struct cr_crush_car *car, const struct cr_crush_energy *e,
                           struct cr_crush_part *part) {
-    double inertia = car->p->yaw_inertia / car->p->mass; /* radius of gyration, squared */
+    double inertia = car->p->yaw_inertia / car->p->mass; /* radius of gyration, squared, m2 */
     part->push = cr_vec2(-cos(car->m.pdof), sin(car->m.pdof));
     double arm = cr_vec2_cross(e->coe, part->push);
     part->of[CR_DAMAGE_ARM].best = arm;
     return inertia / (inertia + arm * arm);
 }
 
-/* Closing speed of which (1 - e2) of the energy stays: E = m v2 (1 - e2) / 2, e by v itself. */
+/* Closing speed of which the share (1 - e^2) of the energy stays in the cars as crush:
+ * E = m v^2 (1 - e^2) / 2, where e may follow from v itself. */
 static double closing_speed(double energy, double mass, const struct cr_crush_case *what,
                             double *restitution) {
     double v = sqrt(2 * energy / mass), e = what->restitution;
-    for (int i = 0; i < 20; i++) { /* contracts: e falls slowly with v */
+    for (int i = 0; i < 20; i++) { /* The iteration contracts, as e falls slowly with v. */
         *restitution = isnan(e) ? cr_restitution_auto(v, what->n == 1 && what->object) : e;
         v = sqrt(2 * energy / (mass * (1 - *restitution * *restitution)));
     }
@@ -55,9 +58,10 @@ void cr_crush_match(const struct cr_crush_car *known, const struct cr_crush_rule
     struct cr_crush_energy own;
     cr_crush_energy(known, rules, &own);
     double energy = by->energy * pow(own.energy / cr_crush_known, by->power);
-    /* from all of the rise gone to deeper than any car; more depth is more energy */
+    /* Bisection, because more depth is more energy: from no crush at all, where even the rise is
+     * taken off, to 2 m, deeper than any car, down to a micrometre. */
     double lo = -rules->rise[cr_crush_end(guessed->m.face)], hi = 2;
-    for (int i = 0; i < 22; i++) { /* to a micrometre */
+    for (int i = 0; i < 22; i++) {
         double middle = (lo + hi) / 2;
         *(energy_at(guessed, rules, middle) < energy ? &lo : &hi) = middle;
     }

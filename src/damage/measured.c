@@ -1,4 +1,5 @@
-/* What was measured, as it is typed: depths, an outline, heights, the mass's tolerance. */
+/* Reads what was measured of a damaged car as it is typed: depths, an outline, heights; and sets
+ * the tolerance of its mass. */
 #include "damage/crush.h"
 
 #include "scene/keys.h"
@@ -7,9 +8,9 @@
 #include <stdio.h>
 #include <string.h>
 
-/* height of the top of bumpers, m: they are tested from 16 to 20 inches [BUMPER-ZONE] */
+/* Height of the top of bumpers, m: they are tested from 16 to 20 inches [BUMPER-ZONE]. */
 static const double bumper_top = 0.508;
-/* tolerance of a mass that was weighed or looked up, 95 %, of the mass */
+/* Tolerance (95 %) of a mass that was weighed or looked up, relative to it. */
 static const double usual_mass = 0.03;
 
 bool cr_crush_ride(const char *word, struct cr_measured *m) {
@@ -71,7 +72,8 @@ enum cr_err cr_crush_outline(const struct cr_crush_point *p, int n, struct cr_me
 
 /* ---- lists as they are typed ---- */
 
-/* what stands between commas; a unit behind the last counts for all, "+-2" there too */
+/* A list of numbers between commas. A unit behind the last number counts for all, also where a
+ * tolerance stands before it ("+-2cm"). */
 struct list {
     const char *at;
     const struct cr_unit *unit;
@@ -87,7 +89,7 @@ static struct list begin_list(const char *text) {
     return l;
 }
 
-/* the next number, up to one of the separators; *by is the one found, '\0' at the end */
+/* Reads the next number, up to one of the separators; *by is the one found, '\0' at the end. */
 static enum cr_err next_number(struct list *l, const char *separators, double *out, char *by,
                                struct cr_error *err) {
     char word[64];
@@ -110,7 +112,7 @@ enum cr_err cr_crush_stations_read(const char *text, struct cr_measured *m, stru
         return CR_ERR_OK;
     }
     struct list l = begin_list(text);
-    if (plus != NULL) { /* behind the depths, for all of them */
+    if (plus != NULL) { /* A tolerance behind the depths holds for all of them. */
         struct list tolerance = {.at = plus + 2, .unit = l.unit};
         enum cr_err code = next_number(&tolerance, "", &m->depth_tol, &by, err);
         if (code != CR_ERR_OK || !(m->depth_tol >= 0)) {

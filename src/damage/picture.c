@@ -1,4 +1,4 @@
-/* A measured outline over the voxel model of its vehicle, from above and from the side. */
+/* Draws a measured outline over the voxel model of its vehicle, from above and from the side. */
 #include "damage/picture.h"
 
 #include "render/project.h"
@@ -7,7 +7,7 @@
 #include <stdio.h>
 
 enum { ROWS_MOST = 24 };
-static const double edge = 0.05; /* m, voxels of the 3D models */
+static const double edge = 0.05; /* m, of the voxels that are drawn */
 
 static enum cr_err draw_view(const struct cr_projection *p, const struct cr_look *look, int width,
                              struct cr_str *out, struct cr_error *err) {

@@ -1,4 +1,4 @@
-/* A measured outline over the voxel model of its vehicle, from above and from the side. */
+/* Draws a measured outline over the voxel model of its vehicle, from above and from the side. */
 #ifndef CR_DAMAGE_PICTURE_H
 #define CR_DAMAGE_PICTURE_H
 
@@ -11,8 +11,8 @@ struct cr_crush_look {
     const struct cr_look *look;
     int width; /* columns */
 };
-/* Lines of both views: the voxels that gave energy as digits, their depth in dm; shades of EES
- * elsewhere. Errors: those of the model, MEMORY. */
+/* Add the lines of both views: voxels that gave energy are digits, their depth in dm; the others
+ * are shades of their EES. Errors: those of the model, MEMORY. */
 CR_MUST_CHECK enum cr_err cr_crush_picture(const struct cr_crush_car *car,
                                            const struct cr_crush_rules *rules,
                                            const struct cr_crush_look *how, struct cr_str *out,

@@ -1,4 +1,4 @@
-/* Damage files: one or two vehicles with what was measured of them, as JSON or a table. */
+/* Reads damage files: one or two vehicles with what was measured of them, as JSON or a table. */
 #include "damage/crush.h"
 
 #include "base/file.h"
@@ -15,15 +15,13 @@
 /* ---- damage files ---- */
 
 struct reader {
-    struct cr_error *err;
-    char where[128];
+    struct cr_error *err; /* never NULL in this file */
+    char where[128];      /* JSON pointer of what is being read */
 };
 
-/* an error that has its words already */
+/* Adds the place to an error that has its words already. */
 static enum cr_err fail_here(const struct reader *r, enum cr_err code) {
-    if (r->err != NULL) {
-        snprintf(r->err->where, sizeof r->err->where, "%s", r->where);
-    }
+    snprintf(r->err->where, sizeof r->err->where, "%s", r->where);
     return code;
 }
 
@@ -34,7 +32,7 @@ static enum cr_err fail(const struct reader *r, enum cr_err code, const char *te
     return fail_here(r, code);
 }
 
-/* 1.4, or {"value": 1.4, "tolerance": 0.05} */
+/* Takes 1.4 or {"value": 1.4, "tolerance": 0.05}; *tolerance stays where none is given. */
 static bool take_number(const cJSON *x, double *value, double *tolerance) {
     if (cJSON_IsNumber(x)) {
         *value = x->valuedouble;
@@ -60,14 +58,16 @@ static enum cr_err take_stations(struct reader *r, const cJSON *m, struct cr_mea
         return fail(r, CR_ERR_TYPE, "crush_m: expected an array of 2 to 64 depths",
                     "\"crush_m\": [0.12, 0.14, 0.20, 0.22, 0.18, 0.10], or \"unknown\"");
     }
+    double worst = 0; /* One tolerance counts for all depths: the largest. */
     for (const cJSON *x = m->child; x != NULL; x = x->next, i++) {
         double tol = out->depth_tol;
         if (!take_number(x, &out->depth[i], &tol)) {
             return fail(r, CR_ERR_TYPE, "crush_m: every station is a number",
                         "0 where nothing is left of the crush");
         }
-        out->depth_tol = fmax(out->depth_tol, tol); /* the worst of them counts for all */
+        worst = fmax(worst, tol);
     }
+    out->depth_tol = worst;
     out->stations = n;
     return CR_ERR_OK;
 }
@@ -100,7 +100,8 @@ static enum cr_err take_face(struct reader *r, const cJSON *m, struct cr_measure
 
 static enum cr_err take_heights(struct reader *r, const cJSON *m, struct cr_measured *out) {
     const cJSON *lo = cJSON_GetArrayItem(m, 0), *hi = cJSON_GetArrayItem(m, 1);
-    if (!cJSON_IsNumber(lo) || !cJSON_IsNumber(hi)) {
+    if (!cJSON_IsArray(m) || cJSON_GetArraySize(m) != 2 || !cJSON_IsNumber(lo) ||
+        !cJSON_IsNumber(hi)) {
         return fail(r, CR_ERR_TYPE, "height_m: expected [lower, upper]", "m above the road");
     }
     out->z_lo = lo->valuedouble;
@@ -174,7 +175,8 @@ static enum cr_err take_damage(struct reader *r, const cJSON *json, struct cr_me
                                         "front, left, rear or right");
 }
 
-/* the vehicles as a scene: they stand apart, which is of no account */
+/* The vehicles as a scene, so that they are read and resolved as those of any scene. It must have
+ * two participants; where they stand has no effect. */
 static cJSON *as_scene(const cJSON *vehicles) {
     cJSON *root = cJSON_CreateObject(), *list = cr_tree_array(root, "participants");
     cr_tree_number(root, "crumple", 1);
@@ -206,7 +208,7 @@ static enum cr_err take_vehicles(struct reader *r, const cJSON *json, struct cr_
     cJSON *scene = as_scene(json);
     enum cr_err code = cr_scene_from_json(scene, &out->scene, r->err);
     cJSON_Delete(scene);
-    if (code != CR_ERR_OK && r->err != NULL) {
+    if (code != CR_ERR_OK) {
         int i, k = 0;
         char rest[128];
         snprintf(rest, sizeof rest, "%s", r->err->where);
@@ -219,7 +221,7 @@ static enum cr_err take_vehicles(struct reader *r, const cJSON *json, struct cr_
     for (int i = 0; i < n && code == CR_ERR_OK; i++) {
         const cJSON *v = cJSON_GetArrayItem(json, i);
         if (!cJSON_HasObjectItem(v, "mass_kg") && !cJSON_HasObjectItem(v, "kerb_mass_kg") &&
-            !cJSON_HasObjectItem(v, "car")) { /* EES and delta-v hang on it: nothing is assumed */
+            !cJSON_HasObjectItem(v, "car")) { /* EES and delta-v hang on it: none is assumed. */
             snprintf(r->where, sizeof r->where, "/vehicles/%d", i);
             return fail(r, CR_ERR_MISSING, "no mass",
                         "give \"mass_kg\", \"kerb_mass_kg\" or \"car\"");
@@ -282,8 +284,8 @@ static enum cr_err read_file(struct reader *r, const cJSON *json, struct cr_crus
 
 /* ---- tables ---- */
 
-/* a number of a table under its name, if there is one, with its tolerance: "mass_kg" has that of
- * "mass_tolerance_kg" */
+/* Copies a number of a table under its name, if there is one, with its tolerance: that of "mass_kg"
+ * stands in the column "mass_tolerance_kg". */
 static enum cr_err copy_number(const struct cr_records *t, int row, const char *column, cJSON *to,
                                struct cr_error *err) {
     char name[64];
@@ -311,7 +313,8 @@ static enum cr_err copy_stations(const struct cr_records *t, int row, cJSON *dam
         return CR_ERR_OK;
     }
     cJSON *list = cr_tree_array(damage, "crush_m");
-    for (int k = 1; k <= CR_STATIONS_MAX + 1; k++) { /* one too many is told, not left out */
+    /* One station too many is copied too, so that take_stations refuses the row. */
+    for (int k = 1; k <= CR_STATIONS_MAX + 1; k++) {
         char name[8];
         double x;
         snprintf(name, sizeof name, "c%d_m", k);
@@ -324,7 +327,7 @@ static enum cr_err copy_stations(const struct cr_records *t, int row, cJSON *dam
     return CR_ERR_OK;
 }
 
-/* heights that were struck; height_m is that of the vehicle */
+/* Copies the heights that were struck; the column height_m is that of the vehicle. */
 static enum cr_err copy_heights(const struct cr_records *t, int row, cJSON *damage,
                                 struct cr_error *err) {
     double lo, hi;
@@ -344,7 +347,7 @@ static void copy_text(const struct cr_records *t, int row, const char *column, c
     }
 }
 
-/* a row is a vehicle: the same keys as in JSON, c1_m ... for the stations */
+/* Turns a row into a vehicle: its columns are the keys of the JSON, and c1_m ... the stations. */
 static enum cr_err row_as_json(const struct cr_records *t, int row, cJSON *vehicles,
                                struct cr_error *err) {
     static const char *const own[] = {"mass_kg", "kerb_mass_kg", "load_kg",    "length_m",
@@ -381,7 +384,7 @@ static enum cr_err read_table(const char *path, struct cr_crush_file *out, struc
     }
     if (code == CR_ERR_OK) {
         code = read_file(&r, root, out);
-        int row = 0; /* the pointer of the fault leads to the row */
+        int row = 0; /* The pointer of the fault leads to the row. */
         if (code != CR_ERR_OK && sscanf(err->where, "/vehicles/%d", &row) == 1 && row < t.rows) {
             cr_err_place(err, path, t.line[row], 0);
         } else if (code != CR_ERR_OK && err->src[0] == '\0') {

@@ -1,5 +1,5 @@
-/* The way from a measured outline to delta-v in lines and as JSON, with an interval to each number.
- */
+/* Reports what follows from a measured outline, from energy to delta-v, in lines and as JSON, with
+ * an interval to each number. */
 #include "damage/crush.h"
 
 #include "base/json.h"
@@ -13,13 +13,13 @@
 static const char *const sources[CR_CRUSH_SOURCES] = {"type", "tape",        "mass",
                                                       "pdof", "restitution", "guess"};
 
-/* How a number is told: in lines (no name: not there) and in JSON. */
+/* How a number is told: by name and unit in lines, by its key in JSON. */
 struct telling {
     int number;
     const char *name, *unit, *key;
     double factor; /* on SI */
     int decimals;
-    bool of_impact; /* there is none without a partner */
+    bool of_impact; /* it is unknown without a partner */
 };
 
 static const struct telling of_car[] = {
@@ -48,7 +48,7 @@ enum {
     OF_IMPACT = sizeof of_impact / sizeof *of_impact
 };
 
-/* in its unit; what rounds to nothing has no sign */
+/* A number in its unit; one that rounds to nothing loses its sign. */
 static double shown(const struct telling *how, double x) {
     return fabs(how->factor * x) < 0.5 * pow(10, -how->decimals) ? 0 : how->factor * x;
 }
@@ -125,7 +125,8 @@ enum cr_err cr_crush_text(const struct cr_crush_case *what, const struct cr_crus
         cr_str_add(out, "one vehicle alone: delta-v needs its partner (another vehicle or an "
                         "object)\n");
     }
-    /* two partners press on each other with one force */
+    /* Two partners press on each other with one force: a ratio far from 1 tells of a wrong
+     * outline. */
     double balance = impact->of[CR_DAMAGE_BALANCE].best;
     if (what->n == 2 && (balance > 2.5 || balance < 0.4)) {
         cr_str_addf(out,

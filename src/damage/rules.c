@@ -1,4 +1,5 @@
-/* The rules of damage out of share/damage/calibration.json. */
+/* Reads the rules of damage, which were found on real crashes, from
+ * share/damage/calibration.json. */
 #include "damage/crush.h"
 
 #include "base/file.h"

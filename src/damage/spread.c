@@ -1,12 +1,13 @@
-/* The interval of every number that follows from a damage: what each cause moves it by. */
+/* The interval of every number that follows from a damage: each cause of uncertainty is moved by a
+ * standard deviation up and down, and what the numbers move by adds up as variances. */
 #include "damage/crush.h"
 
 #include <math.h>
 #include <string.h>
 
-/* tolerances hold 95 % of a normal distribution */
+/* Standard deviations in a tolerance, which holds 95 % of a normal distribution. */
 static const double z_95 = 1.959963984540054;
-/* 95 % of a restitution that follows from the closing speed [RESTITUTION-SPEED] */
+/* Tolerance (95 %) of a restitution that follows from the closing speed [RESTITUTION-SPEED]. */
 static const double usual_bounce = 0.1;
 
 /* How a number spreads: by a factor, or by an amount that leaves it within its least and most. */
@@ -19,7 +20,8 @@ static const struct spread amount = {false, -INFINITY, INFINITY};
 static const struct spread positive = {false, 0, INFINITY};
 static const struct spread share = {false, 0, 0.95};
 
-/* the numbers that get an interval, in one order */
+/* All numbers that get an interval, counted through: those of each car, then those of the
+ * impact. */
 enum { NUMBERS = CR_DAMAGE_NUMBERS * CR_CRUSH_CARS + CR_DAMAGE_SHARED };
 
 static struct cr_crush_value *number(struct cr_crush_impact *impact, int k) {
@@ -46,7 +48,7 @@ static struct spread spread_of(int k) {
 
 /* ---- causes ---- */
 
-/* What is moved at a time: one cause of uncertainty of one vehicle. */
+/* A copy of the case in which one cause of uncertainty of one vehicle is moved. */
 struct moved {
     struct cr_crush_case what;
     struct cr_crush_rules rules;
@@ -72,8 +74,8 @@ static bool move_common(struct moved *to, enum cause cause, double by, double re
         return !isnan(restitution);
     }
     for (int i = 0; i < to->what.n; i++) {
-        /* scatter found on real crashes, which does not tell the two partners apart: both together
-         * have more or less energy than their models */
+        /* The scatter was found on real crashes, which do not tell the two partners apart: both
+         * together have more or less energy than their models. */
         double log_sd = to->rules.log_sd[cr_crush_end(to->what.car[i].m.face)];
         to->part[i].model.energy_factor *= exp(by * z_95 * log_sd);
     }
@@ -88,7 +90,8 @@ static bool move_guess(struct moved *to, int car, int sign) {
     return guessed->m.guessed;
 }
 
-/* one standard deviation up (sign +1) or down; false when there is nothing to move */
+/* Moves a cause by one standard deviation, up (sign +1) or down; false when there is nothing to
+ * move. */
 static bool move(struct moved *to, int car, enum cause cause, int sign, double restitution) {
     struct cr_measured *m = &to->what.car[car].m;
     struct cr_participant *p = &to->part[car];
@@ -113,7 +116,7 @@ static bool move(struct moved *to, int car, enum cause cause, int sign, double r
         m->direct_offset += by * m->offset_tol;
         return m->offset_tol > 0;
     }
-    if (cause == MASS) { /* more mass has more energy at the same depth, as the model is per mass */
+    if (cause == MASS) { /* The model is per mass: more mass takes more energy at the same depth. */
         double by_mass = 1 + by * m->mass_tol / p->mass;
         p->mass *= by_mass;
         p->yaw_inertia *= by_mass;
@@ -133,7 +136,8 @@ static void begin_move(const struct cr_crush_case *what, const struct cr_crush_r
     }
 }
 
-/* half of what each number moves by, up over down: first order, one standard deviation */
+/* What each number moves by per standard deviation of a cause: half the difference between up and
+ * down, or half the logarithm of their ratio. */
 static bool effect(const struct cr_crush_case *what, const struct cr_crush_rules *rules, int car,
                    enum cause cause, double restitution, double out[NUMBERS]) {
     struct cr_crush_impact side[2];
@@ -156,8 +160,8 @@ static bool effect(const struct cr_crush_case *what, const struct cr_crush_rules
 
 /* ---- intervals ---- */
 
-/* The share of the mass that acts is greatest where the arm is nothing, where no first order tells:
- * it goes by the ends of the arm's interval. */
+/* The share of the mass that acts is greatest where the arm is 0, where its first derivative tells
+ * nothing: its interval follows from the ends of the arm's. */
 static void spread_acting(const struct cr_crush_car *car, struct cr_crush_part *part) {
     const struct cr_crush_value *arm = &part->of[CR_DAMAGE_ARM];
     double inertia = car->p->yaw_inertia / car->p->mass;
@@ -233,7 +237,8 @@ enum cr_err cr_crush_solve(struct cr_crush_case *what, const struct cr_crush_rul
                 total[k] += by[k] * by[k];
             }
         }
-        /* which of the two scatters is told by nobody: their ratio is as unsure as both */
+        /* SCATTER moved both partners together. Which of them it was nobody can tell, so the ratio
+         * of their forces is as uncertain as both. */
         double log_sd = rules->log_sd[cr_crush_end(what->car[i].m.face)];
         total[NUMBERS - CR_DAMAGE_SHARED + CR_DAMAGE_BALANCE] += log_sd * log_sd;
     }

@@ -9,8 +9,8 @@
 int cr_expert_report(int argc, char **argv);
 int cr_expert_audit(int argc, char **argv);
 
-/* The report of a session's scene, as `crumple report` makes it of its file. Errors: those of
- * scenes and pictures, IO, INTERRUPTED. */
+/* Make the report of a session's scene, as `crumple report` would make it of the scene's file.
+ * Errors: those of scenes and pictures, IO, INTERRUPTED. */
 CR_MUST_CHECK enum cr_err cr_expert_order(const struct cr_report_order *order,
                                           struct cr_error *err);
 

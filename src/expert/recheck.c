@@ -24,7 +24,7 @@ bool cr_recheck_is_result(const char *text, size_t len) {
     return is;
 }
 
-/* the parsed text, or NULL with the error set */
+/* The parsed text, or NULL with the error set. */
 static cJSON *parse(const char *text, size_t len, const char *name, struct cr_error *err) {
     if (cr_json_check(text, len, name, err) != CR_ERR_OK) {
         return NULL;
@@ -100,8 +100,8 @@ static bool differ(const cJSON *had, const cJSON *has, struct cr_recheck *out) {
     return true;
 }
 
-/* What need not be the same when the scene of the file itself was solved: it has every value, so
- * that nothing was assumed, and another hash. */
+/* Whether a value need not be the same because the scene inside of the file was solved: it has
+ * every value, so that nothing was assumed, and another hash. */
 static bool skipped(const char *where, const struct cr_recheck *out) {
     return out->from_resolved &&
            (strcmp(where, "/assumed") == 0 || strcmp(where, "/input/scene_sha256") == 0 ||
@@ -111,7 +111,7 @@ static bool skipped(const char *where, const struct cr_recheck *out) {
 static bool compare(const cJSON *had, const cJSON *has, char *where, size_t size,
                     struct cr_recheck *out);
 
-/* the first member that only the new one has */
+/* Notes the first member that only the new one has. */
 static bool has_more(const cJSON *had, const cJSON *has, char *where, size_t size,
                      struct cr_recheck *out) {
     size_t n = strlen(where);
@@ -150,7 +150,7 @@ static bool compare_members(const cJSON *had, const cJSON *has, char *where, siz
     return cJSON_GetArraySize(has) > i && has_more(had, has, where, size, out);
 }
 
-/* true at the first difference, which `where` then names */
+/* True at the first difference, which `where` then names. */
 static bool compare(const cJSON *had, const cJSON *has, char *where, size_t size,
                     struct cr_recheck *out) {
     if (skipped(where, out)) {
@@ -163,7 +163,7 @@ static bool compare(const cJSON *had, const cJSON *has, char *where, size_t size
         return compare_members(had, has, where, size, out);
     }
     if (cJSON_IsNumber(had)) {
-        /* from the resolved scene inputs have the digits that the file has */
+        /* The inputs of the resolved scene have no more digits than the file has. */
         double slack = out->from_resolved ? 1e-6 * fabs(has->valuedouble) + 1e-9 : 0;
         bool same = fabs(had->valuedouble - has->valuedouble) <= slack;
         return !same && differ(had, has, out);
@@ -188,7 +188,7 @@ static void why(const cJSON *had, const cJSON *has, struct cr_recheck *out) {
     out->scene = !out->from_resolved && !same_part(a, b, "scene_sha256");
 }
 
-/* the result now in the form that the file has */
+/* Writes the result of now in the form that the file has. */
 static enum cr_err again(const cJSON *had, const char *text, const struct cr_result *now,
                          struct cr_str *out, struct cr_error *err) {
     const cJSON *input = cJSON_GetObjectItemCaseSensitive(had, "input");
@@ -219,7 +219,7 @@ enum cr_err cr_recheck(const struct cr_recheck_file *file, const struct cr_resul
         bool found = compare(had, has, out->where, sizeof out->where, out);
         out->same = !found && from_resolved;
         why(had, has, out);
-        if (!found && !out->same) { /* the values are the same, their order or form is not */
+        if (!found && !out->same) { /* The values are the same, but not their order or form. */
             snprintf(out->where, sizeof out->where, "the form of the text");
         }
     }
@@ -239,7 +239,7 @@ void cr_recheck_text(const struct cr_recheck *c, struct cr_str *out) {
     const char *const said[] = {"differs first at ", c->where, ": the file has ", c->had,
                                 ", computed now ",   c->has};
     for (size_t i = 0; i < sizeof said / sizeof *said; i++) {
-        cr_show_add(out, said[i]); /* keys and words are those of a file of anybody */
+        cr_show_add(out, said[i]); /* Keys and words come from a file that anybody may have made. */
     }
     cr_str_add(out, "\n");
     if (c->version) {

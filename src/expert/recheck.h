@@ -1,4 +1,4 @@
-/* A result file computed again: are the bytes the same, and if not, what differs? */
+/* Computes a result file again: are the bytes the same, and if not, what differs? */
 #ifndef CR_EXPERT_RECHECK_H
 #define CR_EXPERT_RECHECK_H
 
@@ -8,12 +8,13 @@ struct cr_recheck {
     bool same;          /* every byte, or (from_resolved) every value */
     bool from_resolved; /* solved from the scene inside of the file, for want of its own */
     char where[256];    /* JSON pointer of the first difference */
-    char had[120], has[120];
-    bool version, method, models, risk, scene; /* what differs beside the numbers */
-    char had_version[32];
+    char had[120];      /* value there in the file, as JSON text */
+    char has[120];      /* value there that was computed now */
+    bool version, method, models, risk, scene; /* whether these differ, beside the numbers */
+    char had_version[32];                      /* version of the program that wrote the file */
 };
 
-/* Is a JSON text a result of crumple? */
+/* Whether a JSON text is a result of crumple. */
 bool cr_recheck_is_result(const char *text, size_t len);
 /* The scene that was solved for a result, from `input.resolved`. Errors: SYNTAX, MISSING, those of
  * scenes; name is for messages. */

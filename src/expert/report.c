@@ -1,4 +1,4 @@
-/* `crumple report`: the expert's report of a scene or of a result, as HTML or PDF. */
+/* `crumple report`: makes the expert's report of a scene or of a result, as HTML or PDF. */
 #include "config.h"
 
 #include "cli/cli.h"
@@ -41,10 +41,10 @@ static const char about[] =
     "the same bytes on every run, without a date unless one is given.\n"
     "Exit status as of crumple run.\n";
 
-/* everything that a report is made from */
+/* Everything that a report is made from. */
 struct work {
     const struct options *opt;
-    const struct cr_report_order *order; /* NULL: the command line is it */
+    const struct cr_report_order *order; /* of a session; NULL: the command line orders it */
     char *text;                          /* of the file */
     size_t len;
     bool is_result;
@@ -102,8 +102,8 @@ static int tell(void *user, int done, int draws) {
     return cr_cli_cancelled(NULL);
 }
 
-/* The draws; a build that cannot make them, or a scene that does not want them, gives the reason
- * instead. */
+/* Makes the draws for the intervals, or notes why there are none: they are switched off, or this
+ * build cannot make them. */
 static enum cr_err draw(struct work *w, struct cr_error *err) {
     struct cr_scatter scatter;
     struct cr_study study;
@@ -134,7 +134,7 @@ static enum cr_err draw(struct work *w, struct cr_error *err) {
     return code;
 }
 
-/* what was found when the result of the file was computed again */
+/* Notes what was found when the result of the file was computed again. */
 static enum cr_err compare(struct work *w, const char *name, struct cr_error *err) {
     struct cr_recheck check;
     struct cr_str text = {0};
@@ -166,7 +166,33 @@ static enum cr_err hash_result(struct work *w, struct cr_error *err) {
     return code;
 }
 
-/* crush as it was measured, vehicle by vehicle, out of a damage file */
+/* Takes the measured crush of the k-th vehicle of a damage file, which must fit its vehicle of the
+ * scene. */
+static enum cr_err take_damage(struct work *w, const struct cr_crush_file *file, int k,
+                               struct cr_error *err) {
+    const struct cr_measured *m = &file->crush[k];
+    const char *id = file->scene.part[k].id;
+    const struct cr_participant *p = cr_scene_find(&w->result->resolved, id);
+    enum cr_err code = CR_ERR_OK;
+    if (p == NULL || p->kind != CR_KIND_VEHICLE) {
+        code = cr_err_set(err, CR_ERR_NAME, "the scene has no vehicle '%.60s'", id);
+        cr_err_hint(err, "give the vehicles of the damage file the ids of the scene");
+    } else if (!m->guessed) {
+        code = cr_crush_check(m, p, err);
+    }
+    if (code != CR_ERR_OK) {
+        cr_err_place(err, w->opt->damage, 0, 0);
+        return code;
+    }
+    struct cr_face_measured *to = &w->measured[p - w->result->resolved.part];
+    *to = (struct cr_face_measured){.face = m->face,
+                                    .n = m->stations,
+                                    .from = m->offset - m->length / 2,
+                                    .to = m->offset + m->length / 2};
+    memcpy(to->depth, m->depth, (size_t)m->stations * sizeof m->depth[0]);
+    return CR_ERR_OK;
+}
+
 static enum cr_err read_damage(struct work *w, struct cr_error *err) {
     struct cr_crush_file file;
     if (w->opt->damage == NULL) {
@@ -177,22 +203,7 @@ static enum cr_err read_damage(struct work *w, struct cr_error *err) {
         return code;
     }
     for (int k = 0; k < file.n && code == CR_ERR_OK; k++) {
-        const struct cr_measured *m = &file.crush[k];
-        const char *id = file.scene.part[k].id;
-        const struct cr_participant *p = cr_scene_find(&w->result->resolved, id);
-        if (p == NULL || p->kind != CR_KIND_VEHICLE) {
-            cr_err_set(err, CR_ERR_NAME, "the scene has no vehicle '%.60s'", id);
-            cr_err_hint(err, "give the vehicles of the damage file the ids of the scene");
-            cr_err_place(err, w->opt->damage, 0, 0);
-            code = CR_ERR_NAME;
-            continue;
-        }
-        struct cr_face_measured *to = &w->measured[p - w->result->resolved.part];
-        *to = (struct cr_face_measured){.face = m->face,
-                                        .n = m->stations,
-                                        .from = m->offset - m->length / 2,
-                                        .to = m->offset + m->length / 2};
-        memcpy(to->depth, m->depth, (size_t)m->stations * sizeof m->depth[0]);
+        code = take_damage(w, &file, k, err);
     }
     w->source.measured = w->measured;
     cr_crush_file_fini(&file);
@@ -278,7 +289,7 @@ static enum cr_err solve(struct work *w, const char *path, const char *name, str
     }
     if (code == CR_ERR_OK) {
         struct cr_study_limit limit;
-        w->shared.ctx.max_seconds = w->opt->budget.seconds; /* of each solve */
+        w->shared.ctx.max_seconds = w->opt->budget.seconds; /* This is the limit of each solve. */
         w->shared.ctx.max_wait = CR_MAX_WAIT * w->opt->budget.seconds;
         w->shared.ctx.max_bytes = 1e6 * w->opt->budget.megabytes;
         if (w->order != NULL) {
@@ -330,8 +341,8 @@ static enum cr_err report(const char *path, const struct options *opt, const cha
     return code;
 }
 
-/* the line as it was typed, with quotes where a shell needs them */
-static void join(int argc, const char *const *argv, struct cr_str *out) {
+/* Adds the command line as it was typed, with quotes where a shell needs them. */
+static void add_command(int argc, const char *const *argv, struct cr_str *out) {
     cr_str_add(out, "crumple");
     for (int i = 0; i < argc; i++) {
         bool plain =
@@ -342,7 +353,7 @@ static void join(int argc, const char *const *argv, struct cr_str *out) {
 
 /* ---- at the prompt ---- */
 
-/* the scene as `save` would write it, read again as its file would be */
+/* Takes the session's scene as `save` would write it and `crumple report` would read it. */
 static enum cr_err take_scene(struct work *w, const struct cr_report_order *o,
                               struct cr_error *err) {
     struct cr_str text = {0};
@@ -354,11 +365,12 @@ static enum cr_err take_scene(struct work *w, const struct cr_report_order *o,
         return cr_err_set(err, CR_ERR_MEMORY, "no memory to write the scene");
     }
     enum cr_err code = cr_scene_parse(w->text, w->len, o->from, &w->scene, err);
-    snprintf(w->scene.dir, sizeof w->scene.dir, "%s", o->scene->dir); /* its files lie there */
+    /* The files that the scene names lie there. */
+    snprintf(w->scene.dir, sizeof w->scene.dir, "%s", o->scene->dir);
     return code;
 }
 
-/* the line that makes the same report of the scene's file */
+/* Adds the command line that makes the same report of the scene's file. */
 static void say_order(const struct cr_report_order *o, struct cr_str *out) {
     char author[300], case_no[300], draws[40];
     const char *word[10] = {"report", o->from, "-o", o->path};
@@ -377,7 +389,7 @@ static void say_order(const struct cr_report_order *o, struct cr_str *out) {
             word[n++] = rest[i].text;
         }
     }
-    join(n, word, out);
+    add_command(n, word, out);
 }
 
 enum cr_err cr_expert_order(const struct cr_report_order *o, struct cr_error *err) {
@@ -435,7 +447,7 @@ static int run(struct options *opt, int argc, char **argv) {
     struct cr_error err = {0};
     struct cr_str command = {0};
     int operands;
-    join(argc, (const char *const *)argv, &command);
+    add_command(argc, (const char *const *)argv, &command);
     int status = cr_cli_options(&usage, argc, argv, &operands);
     if (status < 0) {
         enum cr_err code = check_out(opt, &err);

@@ -1,5 +1,5 @@
-/* Crash tests like a crash, computed with the same program and models; the crash computed with
- * other slices and voxels. */
+/* Computes crash tests that are like a crash, with the same program and models, and the crash
+ * itself with other slices and voxels. */
 #include "expert/validity.h"
 
 #include "base/json.h"
@@ -17,7 +17,7 @@
 
 static const double low_speed_kmh = 25; /* delta-v below which the class of low speed fits */
 
-/* the severest impact of all, -1 without any */
+/* The impact of the greatest delta-v, and which of its two sides is the vehicle; -1 without any. */
 static int severest(const struct cr_result *r, int *side) {
     int best = -1;
     double most = -1;
@@ -34,18 +34,26 @@ static int severest(const struct cr_result *r, int *side) {
     return best;
 }
 
-/* What kind of crash it was, by partner, direction and speed. */
+/* The class of crash tests that a crash is like, by partner, direction and speed. */
 static enum cr_test_class class_of(const struct cr_result *r, int impact, int side) {
     const struct cr_impact *k = &r->impact[impact];
     const struct cr_participant *other = &r->resolved.part[k->body[!side]];
-    bool lateral = k->of[side].face == CR_FACE_LEFT || k->of[side].face == CR_FACE_RIGHT;
+    bool lateral = !cr_face_is_end(k->of[side].face);
     if (other->kind == CR_KIND_VEHICLE) {
-        return cr_kmh(k->of[side].delta_v) < low_speed_kmh ? CR_TEST_LOW_SPEED : CR_TEST_CAR;
+        return cr_kmh(k->of[side].delta_v) < low_speed_kmh ? CR_TEST_LOW_SPEED
+               : k->of[side].face == CR_FACE_REAR          ? CR_TEST_REAR
+                                                           : CR_TEST_CAR;
     }
-    if (other->shape == CR_OBJECT_POLE) {
-        return lateral ? CR_TEST_POLE : CR_TEST_LOW_SPEED;
+    switch (other->shape) {
+    case CR_OBJECT_WALL:
+        return CR_TEST_WALL;
+    case CR_OBJECT_POLE:
+        return lateral ? CR_TEST_POLE : CR_TEST_NARROW;
+    case CR_OBJECT_BARRIER:
+        return lateral ? CR_TEST_SIDE_MDB : CR_TEST_BARRIERS;
+    default:
+        return CR_TEST_SMALL_OVERLAP;
     }
-    return other->shape == CR_OBJECT_WALL ? CR_TEST_WALL : CR_TEST_SMALL_OVERLAP;
 }
 
 static void add_rows(const struct cr_test_list *tests, int run, double *error,
@@ -88,7 +96,8 @@ static void first_measures(const struct cr_test *t, int run, struct cr_validity_
     }
 }
 
-/* How unlike a test is to the crash: km/h of speed, another type counts as 15 of them. */
+/* How unlike a test is to the crash: km/h of difference in speed, where another type of vehicle
+ * counts as much as 15 km/h. */
 static double distance(const struct cr_test *t, enum cr_type type, double kmh) {
     return fabs(t->speed_kmh - kmh) + (t->type == type ? 0 : 15);
 }
@@ -122,7 +131,7 @@ static enum cr_err load(enum cr_test_class class, struct cr_test_list *tests,
                         struct cr_error *err) {
     char dir[4096];
     struct cr_type_rules rules;
-    /* complains when there is no data folder */
+    /* This one complains when there is no data folder. */
     enum cr_err code = cr_cli_data("validation", dir, sizeof dir, err);
     if (code == CR_ERR_OK) {
         code = cr_type_rules_read(cr_data_dir(dir, sizeof dir), &rules, err);

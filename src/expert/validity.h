@@ -1,19 +1,22 @@
-/* How well the program does on crash tests like a crash. */
+/* How well the program does on crash tests that are like the crash of a report. */
 #ifndef CR_EXPERT_VALIDITY_H
 #define CR_EXPERT_VALIDITY_H
 
 #include "report/validity.h"
 
-/* Solves the crash tests of the class that fits the result and compares; of them the nearest in
- * type and speed are named. Errors: those of the test data; INTERRUPTED. */
+/* Solve the crash tests of the class that fits the result (partner, direction and speed of its
+ * severest impact) and compare; the nearest of them in type and speed are named. Errors: those of
+ * the test data; INTERRUPTED. */
 CR_MUST_CHECK enum cr_err cr_validity_of(const struct cr_result *result,
                                          const struct cr_context *ctx, struct cr_validity *out,
                                          struct cr_error *err);
-/* What the scene says was measured (x_expect), solved and compared; path says where its pulse files
- * lie. Returns how many rows; `why` tells what could not be compared, "" if nothing. */
+/* Solve what the scene says was measured (x_expect) and compare; path says where its pulse files
+ * lie. Returns how many rows out[CR_EXPECTED_MOST] got; why->code tells whether something could not
+ * be compared, and why not. */
 int cr_expected_of(const struct cr_scene *scene, const char *path, const struct cr_context *ctx,
                    struct cr_expected *out, struct cr_error *why);
-/* The scene again with finer and coarser slices and voxels; returns how many. */
+/* Solve the scene again with finer and coarser slices and voxels; returns how many variants
+ * out[most] got. */
 int cr_variants_of(const struct cr_scene *scene, const struct cr_context *ctx,
                    struct cr_variant *out, int most);
 

@@ -1,4 +1,4 @@
-/* libcrumple: vehicle crashes as JSON in, numbers and JSON out.
+/* libcrumple, the interface for other programs: vehicle crashes as JSON in, numbers and JSON out.
  *
  * One `crumple` holds the models and risk functions. It never changes once it is open: any number
  * of threads may solve with it at the same time. A `crumple_result` never changes either and may be

@@ -1,4 +1,4 @@
-/* From a measured deformation back to EES and delta-v, by the library. */
+/* crumple_damage: computes EES and delta-v from a measured deformation, by the library. */
 #include "lib/lib_priv.h"
 
 static enum cr_err solve(const crumple *lib, struct cr_crush_file *measured, struct cr_str *out,

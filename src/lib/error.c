@@ -27,7 +27,7 @@ static const int codes[CR_ERR_COUNT] = {
 
 const char *crumple_error_word(int code) {
     for (int i = CR_ERR_COUNT - 1; i >= 0; i--) {
-        /* a missed tolerance is no error of a solve */
+        /* A missed tolerance is no error of a solve, and shares the code of another. */
         if (codes[i] == code && i != CR_ERR_MISSED) {
             return cr_err_word((enum cr_err)i);
         }
@@ -50,7 +50,7 @@ int cr_lib_error(enum cr_err code, const struct cr_error *err, crumple_error *ou
         snprintf(full.text, sizeof full.text, "%s", err->text);
         snprintf(full.hint, sizeof full.hint, "%s", err->hint);
     }
-    /* a zeroed struct counts as one of the first version, which this one is */
+    /* A zeroed struct counts as one of the first version, which this one is. */
     size = size > 0 && size < sizeof full ? size : sizeof full;
     memcpy(out, &full, size);
     out->size = size;

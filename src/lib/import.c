@@ -1,4 +1,4 @@
-/* Other programs' crashes as scenes, by the library. */
+/* crumple_import: reads other programs' crashes as scenes, by the library. */
 #include "lib/lib_priv.h"
 
 #include "import/import.h"
@@ -11,8 +11,8 @@ struct work {
     const crumple_options *opt;
     crumple_case take;
     void *user;
-    locale_t callers;   /* in which its function is called */
-    struct cr_error of; /* of the case whose line comes next; code 0: it is a scene */
+    locale_t callers;   /* the locale of the caller, in which `take` is called */
+    struct cr_error of; /* what failed of the case whose line comes next; code 0: it is a scene */
 };
 
 static void failed(void *user, const struct cr_error *why) {
@@ -34,7 +34,7 @@ static enum cr_err take(void *user, const struct cr_str *line, struct cr_error *
     return stop ? cr_err_set(err, CR_ERR_INTERRUPTED, "stopped by the caller") : CR_ERR_OK;
 }
 
-/* "KEY=VALUE" of an option of crumple import */
+/* Sets an option of crumple import, "KEY=VALUE". */
 static enum cr_err set(struct cr_import_opts *opts, const char *text, struct cr_error *err) {
     char key[32];
     size_t n = strcspn(text, "=");
@@ -54,7 +54,7 @@ static enum cr_err import(struct work *w, const char *path, struct cr_error *err
     struct cr_import_opts opts;
     struct cr_import_count count = {0};
     enum cr_err code = CR_ERR_OK;
-    /* the library reads no standard input */
+    /* The library reads no standard input: "-" is a file of that name. */
     path = strcmp(path, "-") == 0 ? "./-" : path;
     cr_import_init(&opts);
     opts.models = w->lib->models;

@@ -12,8 +12,7 @@
 #include <stdatomic.h>
 
 struct crumple {
-    /* the caller until it closes, and each result, whose grids lie in the models */
-    atomic_int users;
+    atomic_int users; /* the caller until it closes, and each result: its grids lie in the models */
     struct cr_model_lib *models;
     struct cr_irf_set *irf;
     struct cr_crush_rules rules; /* of measured deformations */
@@ -29,11 +28,11 @@ struct crumple_result {
     int values;
 };
 
-/* Code and error of the library for those of the program; err NULL: of code alone. Returns the
- * code. */
+/* Translate code and error of the program into those of the library (err NULL: the code alone);
+ * out is nullable. Returns the code of the library. */
 int cr_lib_error(enum cr_err code, const struct cr_error *err, crumple_error *out);
 
-/* A text for the caller, who frees it, and its length (nullable); NULL after an error. */
+/* Hand a text to the caller, who frees it, and its length (nullable); NULL after an error. */
 char *cr_lib_text(enum cr_err code, struct cr_str *text, size_t *length);
 
 /* The options with what an older caller does not know of left at its default. */

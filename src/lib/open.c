@@ -1,5 +1,5 @@
-/* What the library knows of crashes: models and risk functions of a data folder, and its version.
- */
+/* Opens and closes the library: models, risk functions and rules of a data folder, and the
+ * version. */
 #include "config.h"
 
 #include "lib/lib_priv.h"

@@ -1,4 +1,4 @@
-/* The picture of a result as the library gives it. */
+/* crumple_svg: draws the picture of a result for the caller of the library. */
 #include "lib/lib_priv.h"
 
 #include "figure/figure.h"

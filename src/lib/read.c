@@ -1,4 +1,4 @@
-/* What is read off a result of the library: JSON, values by name, time series, voxels. */
+/* Reads values off a result of the library: JSON, values by name, time series, voxels. */
 #include "lib/lib_priv.h"
 
 #include "base/str.h"
@@ -56,6 +56,7 @@ const char *crumple_word(const crumple_result *result, const char *name) {
     return value != NULL ? value->text : NULL;
 }
 
+/* Index of the participant of an id of len bytes; -1: none. */
 static int participant(const struct cr_result *r, const char *id, size_t len) {
     for (int i = 0; i < r->solution->bodies; i++) {
         const char *own = r->resolved.part[i].id;

@@ -1,4 +1,4 @@
-/* Solving with the library: one scene, and a stack of them in threads. */
+/* Solves with the library: one scene, or a stack of them in threads. */
 #include "lib/lib_priv.h"
 
 #include "base/pool.h"
@@ -9,8 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* the result with the names of its values, which are made here once so that reading changes
- * nothing */
+/* Makes a result of the library, with the names of its values: they are listed here once, so that
+ * threads that read the result change nothing in it. */
 static enum cr_err wrap(const crumple *lib, struct cr_result *result, crumple_result **out,
                         struct cr_error *err) {
     const struct cr_result_opts opts = {0};
@@ -31,7 +31,7 @@ static enum cr_err wrap(const crumple *lib, struct cr_result *result, crumple_re
         return code;
     }
     r->result = result;
-    r->lib = (struct crumple *)(uintptr_t)lib; /* its count alone is written */
+    r->lib = (struct crumple *)(uintptr_t)lib; /* Only its count of users is ever written. */
     atomic_fetch_add(&r->lib->users, 1);
     *out = r;
     return CR_ERR_OK;
@@ -86,6 +86,7 @@ void crumple_result_free(crumple_result *result) {
     }
 }
 
+/* A scene of a stack on its way through the threads. */
 struct item {
     char *text, *name, *folder; /* the last as the options said when it was taken; nullable */
     size_t length;
@@ -163,7 +164,7 @@ static void work(void *user, void *of) {
 static bool give(void *user, void *of) {
     struct stack *s = user;
     struct item *item = of;
-    /* what was taken before the stop is not shown any more */
+    /* After a stop the caller is shown nothing more of what was taken before it. */
     if (s->stopped || item->error.code == CRUMPLE_INTERRUPTED) {
         crumple_result_free(item->result);
         s->stopped = true;

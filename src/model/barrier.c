@@ -17,11 +17,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* strength of a solid pack of aluminium and of what stands behind it, Pa: forty times a car's front
- * is enough to stay as it is */
+/* Strength of a solid pack of aluminium and of what stands behind it, Pa: forty times a car's front
+ * is enough for it to stay as it is. */
 static const double rigid_strength = 20e6;
 
-/* one row of layers in series at one place across, from the front */
+/* Layers in series at one place across and between two heights. */
 struct row {
     double height, gap; /* m; gap: from the foremost face of the barrier to the row's */
     int n;
@@ -54,7 +54,7 @@ static double row_energy(const struct cr_barrier *b, const struct row *row, doub
     return row->height * (energy + rigid_strength * fmax(left, 0));
 }
 
-/* the rows at a place across the barrier, between two heights; returns how many */
+/* Finds the rows at a place across the barrier, between two heights; returns how many. */
 static int rows_at(const struct cr_barrier *b, double y, double z_lo, double z_hi,
                    struct row row[2 * CR_BARRIER_BLOCKS]) {
     double edge[2 * CR_BARRIER_BLOCKS + 2];
@@ -65,7 +65,7 @@ static int rows_at(const struct cr_barrier *b, double y, double z_lo, double z_h
             edge[edges++] = cr_clamp(b->block[i].z[k], z_lo, z_hi);
         }
     }
-    for (int i = 1; i < edges; i++) { /* in order of height */
+    for (int i = 1; i < edges; i++) { /* The edges are sorted by insertion. */
         double e = edge[i];
         int at = i;
         for (; at > 0 && edge[at - 1] > e; at--) {
@@ -88,8 +88,8 @@ static int rows_at(const struct cr_barrier *b, double y, double z_lo, double z_h
     return n;
 }
 
-/* how deep the honeycomb and its mounting reach at a place across, from the front; behind it only
- * the carriage goes on */
+/* How deep the honeycomb and its mounting reach from the front; behind that only the carriage goes
+ * on. */
 static double face_depth(const struct cr_barrier *b) {
     double deep = 0;
     for (int i = 0; i < b->blocks; i++) {
@@ -200,7 +200,7 @@ static void read_blocks(struct cr_model_json *j, const cJSON *root, struct cr_ba
     cr_model_json_leave(j);
 }
 
-/* what follows from the blocks */
+/* Sets width and heights, which follow from the blocks, and checks how the blocks stand. */
 static void set_bounds(struct cr_model_json *j, struct cr_barrier *b) {
     b->z_lo = INFINITY;
     b->z_hi = 0;

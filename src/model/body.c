@@ -1,5 +1,5 @@
-/* The reference body of a type in three dimensions: which cells are material, and how the energy
- * of a layer is shared out among them [FRONT-GRID]. */
+/* The reference body of a vehicle type in three dimensions: which cells are material, and how the
+ * energy of a layer is shared out among them [FRONT-GRID]. */
 #include "config.h"
 
 #include "model/model_priv.h"
@@ -9,8 +9,11 @@
 #include <math.h>
 #include <string.h>
 
-/* 50 mm: the voxel edge of the 3D models (share/doc/models.md) */
+/* Edge of a cell of the body, m: as fine as the boxes of the recipes are written. */
 static const double body_edge = 0.05;
+
+/* How far the wheels stand inside of the flank, m. */
+static const double wheel_inset = 0.02;
 
 /* Share of [a, b] that lies in [lo, hi]. */
 static double overlap(double a, double b, double lo, double hi) {
@@ -18,24 +21,26 @@ static double overlap(double a, double b, double lo, double hi) {
     return to > from ? (to - from) / (b - a) : 0;
 }
 
-/* Is the point in the empty part of a wheel house (1), in a wheel (2) or neither (0)? dx2: squared
- * distance from the nearer axle. */
-static int in_wheel(const struct cr_model_recipe *r, double dx2, double y, double z) {
-    double outer = r->dims.width / 2 - 0.02, dz = z - r->wheel_radius, d2 = dx2 + dz * dz;
+enum place { IN_BODY, IN_WHEEL_HOUSE, IN_WHEEL };
+
+/* What a point is in, if it lies no farther inward than a wheel is wide. dx2: squared distance from
+ * the nearer axle. */
+static enum place place_of(const struct cr_model_recipe *r, double dx2, double y, double z) {
+    double outer = r->dims.width / 2 - wheel_inset, dz = z - r->wheel_radius, d2 = dx2 + dz * dz;
     if (y <= outer && d2 < r->wheel_radius * r->wheel_radius) {
-        return 2;
+        return IN_WHEEL;
     }
-    return d2 < r->house_radius * r->house_radius ? 1 : 0;
+    return d2 < r->house_radius * r->house_radius ? IN_WHEEL_HOUSE : IN_BODY;
 }
 
-/* What is the same in all slices of a body, and scratch. A slice is the cells at one ix,
- * [iz * ny + iy]: worked as rows in y, which a compiler turns into vectors. */
+/* What is the same in all slices of a body, and scratch memory. A slice is the cells at one ix,
+ * [iz * ny + iy]: it is worked in rows along y, which a compiler turns into vectors. */
 struct maker {
     const struct cr_model_recipe *r;
     struct cr_model_body b;
     double *wide; /* [nz * ny] share of a cell within the width of the body at its height */
     double *sum;  /* [ny] material of a column, in cells */
-    double *line; /* [ny] */
+    double *line; /* [ny] what the present step needs per column */
 };
 
 struct slice {
@@ -60,7 +65,7 @@ static bool begin(struct maker *m, const struct cr_model_recipe *r, struct cr_ar
         return false;
     }
     for (int iz = 0; iz < b->nz; iz++) {
-        /* the cabin is narrower than the flanks */
+        /* The cabin is narrower than the flanks. */
         double half = r->dims.width / 2 * cr_model_knots_at(&r->side, (iz + 0.5) * b->edge);
         for (int iy = 0; iy < b->ny; iy++) {
             double y = (iy + 0.5) * b->edge;
@@ -76,22 +81,23 @@ static double from_axle(const struct cr_dims *d, double x) {
     return fmin(front * front, rear * rear);
 }
 
-/* Wheels, and the houses about them, at a distance from the nearer axle. */
+/* Empties the wheel houses and fills the wheels. dx2: squared distance from the nearer axle. */
 static void cut_wheels(const struct maker *m, double dx2, const struct slice *s) {
     const struct cr_model_recipe *r = m->r;
-    double inner = r->dims.width / 2 - 0.02 - r->wheel_width;
+    double inner = r->dims.width / 2 - wheel_inset - r->wheel_width;
     for (int iy = 0; iy < m->b.ny && dx2 < r->house_radius * r->house_radius; iy++) {
         double y = (iy + 0.5) * m->b.edge;
         for (int iz = s->lo; iz < s->hi && y >= inner; iz++) {
-            int wheel = in_wheel(r, dx2, y, (iz + 0.5) * m->b.edge);
-            if (wheel != 0) {
-                s->fill[iz * m->b.ny + iy] = wheel == 2;
+            enum place place = place_of(r, dx2, y, (iz + 0.5) * m->b.edge);
+            if (place != IN_BODY) {
+                s->fill[iz * m->b.ny + iy] = place == IN_WHEEL;
             }
         }
     }
 }
 
-/* Material of a slice, and its sum in each column: every one has something to crush. */
+/* Fills a slice with material and sums it in each column; an empty column gets one full cell in the
+ * middle, because each must have something to crush. */
 static void fill_slice(const struct maker *m, int ix, double bottom, double top,
                        const struct slice *s) {
     const struct cr_model_body *b = &m->b;
@@ -120,7 +126,8 @@ static void fill_slice(const struct maker *m, int ix, double bottom, double top,
     }
 }
 
-/* The body's weight is per column, however tall the column is. */
+/* Shares the body's weight out over the cells of each column: a column has the same weight, however
+ * tall it is. */
 static void weigh_slice(const struct maker *m, const struct slice *s) {
     int ny = m->b.ny;
     for (int k = 0; k < 2; k++) {
@@ -138,13 +145,14 @@ static void weigh_slice(const struct maker *m, const struct slice *s) {
     }
 }
 
-/* Cells that [lo, hi] touches. */
+/* The range of cells that [lo, hi] touches: from out[0] up to before out[1]. */
 static void span(double lo, double hi, double edge, int n, int out[2]) {
     out[0] = (int)cr_clamp(floor(lo / edge), 0, n);
     out[1] = (int)cr_clamp(ceil(hi / edge), 0, n);
 }
 
-/* A structure is material wherever it is, and gives the columns it covers its weight. */
+/* Adds a structure to a slice: it is material wherever it is, and gives the columns that it covers
+ * its weight. */
 static void paint_box(const struct maker *m, const struct cr_model_box *box, int ix,
                       const struct slice *s) {
     const struct cr_model_body *b = &m->b;
@@ -257,7 +265,7 @@ static void make_plan(const struct maker *m, struct slice *s, double lo, double 
             sum_columns(m, s, s->weight[k], lo, hi, v[k] + at);
         }
         sum_columns(m, s, s->fill, lo, hi, v[2] + at);
-        /* a tenth of a cell is enough to be there, less fades out */
+        /* A tenth of a cell of material counts as present; less than that fades out. */
         for (int iy = 0; iy < b->ny; iy++) {
             v[2][at + (size_t)iy] = cr_clamp(10 * v[2][at + (size_t)iy], 0, 1);
         }

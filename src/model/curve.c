@@ -22,7 +22,7 @@ double cr_model_knots_at(const struct cr_model_knots *k, double x) {
     return u == 1 ? k->y[i + 1] : k->y[i] + u * (k->y[i + 1] - k->y[i]);
 }
 
-/* per kg, N/kg, at the last knot */
+/* Force per kg of vehicle mass at the last knot, N/kg: the derivative of EES^2/2. */
 static double force_at_end(const struct cr_model_face *f) {
     const struct cr_model_knots *k = &f->ees;
     double a = k->y[k->n - 2], b = k->y[k->n - 1], per = 1 / (k->x[k->n - 1] - k->x[k->n - 2]);
@@ -51,8 +51,8 @@ static double dynamic_energy(const struct cr_model_face *f, double depth) {
     return v * v / 2;
 }
 
-/* The residual curve is the dynamic one moved by the springback; the energy that leaves no
- * residual depth is spread over the first `spread` metres, so that it starts at zero
+/* The residual curve is the dynamic one moved by the springback. The energy that leaves no residual
+ * depth (`hidden`) fades in over the first `spread` metres, so that the curve starts at zero
  * [FRONT-START]. */
 double cr_model_face_energy(const struct cr_model_face *f, enum cr_curve curve, double depth) {
     if (depth <= 0) {

@@ -168,7 +168,9 @@ void cr_model_json_knots(struct cr_model_json *j, const cJSON *o, const char *ke
     *out = (struct cr_model_knots){0};
     cJSON_ArrayForEach(item, list) {
         if (out->n == CR_MODEL_KNOTS) {
-            cr_model_json_fail(j, CR_ERR_RANGE, NULL, "too many knots, at most 24");
+            char text[48];
+            snprintf(text, sizeof text, "too many knots, at most %d", CR_MODEL_KNOTS);
+            cr_model_json_fail(j, CR_ERR_RANGE, NULL, text);
             break;
         }
         if (!cJSON_IsArray(item) || cJSON_GetArraySize(item) != 2) {

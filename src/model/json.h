@@ -1,5 +1,6 @@
-/* Reading checked values out of JSON. The first fault is kept, with its JSON pointer; after it all
- * calls return harmless values, so that only the end needs a check. */
+/* Reads checked values out of the JSON of recipes, barriers and voxel models. The first fault is
+ * kept, with its JSON pointer; after it all calls return harmless values, so that only the end
+ * needs a check. */
 #ifndef CR_MODEL_JSON_H
 #define CR_MODEL_JSON_H
 
@@ -12,13 +13,14 @@ struct cr_model_json {
     enum cr_err code;
     bool failed;
     const char *src;
-    const char *text; /* that is read, for places of faults */
+    const char *text; /* the whole JSON, where the line of a fault is looked up */
     size_t len;
     char where[96]; /* JSON pointer of the container being read */
 };
 
 /* The root object of a text, owned by the caller, NULL after a fault (see code). The text is
- * borrowed until the last value is read. What cJSON lets pass is refused too (base/json.h). */
+ * borrowed until the last value is read. What cJSON lets pass but is no JSON is refused too
+ * (base/json.h). */
 struct cJSON *cr_model_json_parse(struct cr_model_json *j, const char *text, size_t len,
                                   const char *src, struct cr_error *err);
 
@@ -30,7 +32,8 @@ void cr_model_json_fail(struct cr_model_json *j, enum cr_err code, const char *k
 void cr_model_json_enter(struct cr_model_json *j, const char *key, int index);
 void cr_model_json_leave(struct cr_model_json *j);
 
-/* Required members. Object and array enter the member. */
+/* Required members: a fault is noted where one is missing, of another type or outside [lo, hi].
+ * Object and array enter the member; the caller leaves it. Word gives the index in word[n]. */
 const struct cJSON *cr_model_json_object(struct cr_model_json *j, const struct cJSON *o,
                                          const char *key);
 const struct cJSON *cr_model_json_array(struct cr_model_json *j, const struct cJSON *o,

@@ -1,4 +1,5 @@
-/* The library: six recipes, and what was derived from them, shared by all threads. */
+/* The library of models: the recipes of a folder, each read once, and what was derived from them,
+ * shared by all threads. */
 #include "config.h"
 
 #include "model/model_priv.h"
@@ -15,17 +16,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* height ranges kept per type; more are derived each time */
+/* How many height ranges are kept per type; more are derived each time. */
 enum { PLANS = 64 };
 
+/* What was derived from one recipe. */
 struct kept {
     struct cr_arena arena;
-    bool built; /* the body: voxels need it */
+    bool built; /* whether body is there: only 3D voxels need it */
     struct cr_model_body body;
-    bool planned;
-    struct cr_model_plan whole; /* all layers */
+    bool planned;               /* whether whole is there */
+    struct cr_model_plan whole; /* all heights */
     int plans;
-    double range[PLANS][2];
+    double range[PLANS][2]; /* heights of each plan, m of the reference vehicle */
     struct cr_model_plan plan[PLANS];
 };
 
@@ -35,7 +37,7 @@ struct key {
 };
 
 /* Finished substitutes, so that a stack of scenes derives none twice. One takes about 0.25 MB at
- * 25 mm; what comes when the room is used up is derived each time. */
+ * 25 mm; once there are FINISHED of them, others are derived each time. */
 enum { FINISHED = 96 };
 struct finished {
     pthread_mutex_t lock;
@@ -125,7 +127,7 @@ enum cr_err cr_model_catalogue(const struct cr_model_lib *lib, const struct cr_c
     return code;
 }
 
-/* the names of the barriers that there are, for who misspelt one */
+/* Refuses the name of a barrier and hints at those that there are. */
 static enum cr_err no_barrier(const char *dir, const char *name, struct cr_error *err) {
     struct dirent **entry = NULL;
     int n = scandir(dir, &entry, NULL, cr_file_by_bytes);
@@ -183,7 +185,8 @@ enum cr_err cr_model_barrier(const struct cr_model_lib *lib, const char *name,
         struct cr_barrier *b = &cache->barrier[cache->barriers];
         code = read_barrier(lib->dir, name, b, err);
         if (!code) {
-            snprintf(b->name, sizeof b->name, "%.31s", name); /* known by its file */
+            /* It is found again by the name of its file, whatever its text calls it. */
+            snprintf(b->name, sizeof b->name, "%.31s", name);
             cache->barriers++;
             *out = b;
         }
@@ -317,6 +320,8 @@ static enum cr_err plan_of(const struct cr_model_recipe *r, struct kept *k, cons
     return code;
 }
 
+/* Height in the reference vehicle. The top cells of the body are not whole: the roof of a vehicle
+ * and all above it count as one end. */
 static double height_of(const struct cr_model_stretch *stretch, double top, double z) {
     return z >= top ? (double)INFINITY : cr_model_map_ref(&stretch->z, z > 0 ? z : 0);
 }
@@ -339,7 +344,6 @@ static enum cr_err substitute(const struct cr_model_lib *lib, const struct cr_mo
         return code;
     }
     double top = q->dims.height;
-    /* The top cells of the body are not whole: the roof and all above the roof are one end. */
     const double z[2] = {height_of(&stretch, top, q->z_lo), height_of(&stretch, top, q->z_hi)};
     pthread_mutex_lock(&lib->cache->lock);
     code = plan_of(r, &lib->cache->kept[q->type], z, &scratch, &plan, err);
@@ -393,9 +397,9 @@ enum cr_err cr_model_substitute(const struct cr_model_lib *lib, const struct cr_
     return done ? code : substitute(lib, q, NULL, arena, out, err);
 }
 
-/* CRASH3 energy over a width: E = width (A c + B c^2/2 + A^2/2B) is linear in EES:
- * EES = sqrt(B width / m) (c + A/B); as a dynamic curve it begins A/B earlier, or as much earlier
- * as the recipe's springback. */
+/* The curve of a face from CRASH3 stiffness: the energy over a width, E = width (A c + B c^2/2 +
+ * A^2/2B), means EES = sqrt(B width / m) (c + A/B), linear in the residual depth c. As a dynamic
+ * curve it begins A/B earlier, or the recipe's springback earlier if that is less. */
 static void stiffness_face(const struct cr_stiffness *s, double width, double mass,
                            struct cr_model_face *f) {
     const double far = 3; /* m, deeper than any half of a car */

@@ -1,4 +1,4 @@
-/* The loading direction mixes the longitudinal and the lateral field.
+/* Mixes the energies along and across a vehicle for the direction that it is loaded from.
  *
  * A sum (u = u_long cos^2 + u_lat sin^2) was tried: with it an oblique blow on a door had to
  * crush a quarter of the far stiffer longitudinal density of the middle of the car, and side poles
@@ -11,8 +11,8 @@
 
 #include <string.h>
 
-/* 1/E = cos^2 / E_long + sin^2 / E_lat into scratch; a direction without share does not count: then
- * the other field is the one that is returned. */
+/* Energies with 1/E = cos^2 / E_long + sin^2 / E_lat, in scratch; where a direction has no share
+ * the other field itself is returned. */
 static const double *in_series(const struct cr_model_fields *f, const double share[2],
                                double *scratch) {
     const double *along = f->energy[0], *across = f->energy[1];
@@ -30,7 +30,8 @@ static const double *in_series(const struct cr_model_fields *f, const double sha
     return scratch;
 }
 
-/* Per layer of the loaded face: the factor that brings it to its energy, into sum. */
+/* Writes into sum, per layer of the loaded face, the factor that brings the mix to the energy that
+ * the layer takes. */
 static void layer_factors(const struct cr_model_fields *f, bool side, const double *mixed,
                           double *sum) {
     int layers = side ? f->half : f->nx;

@@ -1,5 +1,6 @@
-/* EES voxel models (share/doc/models.md): vehicle types, each with twelve principal directions
- * of force, built from the recipes in models/, reduced to 2D and stretched onto a vehicle.
+/* EES voxel models (share/doc/models.md): how much energy each small cube of a vehicle takes before
+ * it is crushed, for each vehicle type and each of twelve principal directions of force. They are
+ * built from the recipes in models/, reduced to 2D and stretched onto a vehicle.
  *
  * A library is opened once, is safe to share between threads and keeps what it derived; grids made
  * from it are owned by the arena that is passed in or by the library, and live while both do. */
@@ -15,8 +16,8 @@
 
 #include <stdbool.h>
 
-/* CR_TYPE_LIST is X(NAME, word) for each recipe of models/, the lightest first (the order of the
- * paper); CR_TYPE_WORDS names them in a message. */
+/* CR_TYPE_LIST is X(NAME, word) for each recipe of models/, the lightest first (type_list.sh);
+ * CR_TYPE_WORDS names them in a message. */
 enum cr_type {
 #define X(name, word) CR_TYPE_##name,
     CR_TYPE_LIST(X)
@@ -49,7 +50,7 @@ enum cr_model_end { CR_MODEL_FRONT, CR_MODEL_SIDE, CR_MODEL_REAR, CR_MODEL_ENDS 
 
 enum { CR_MODEL_KNOTS = 24 };
 
-/* Piecewise linear function of one variable. */
+/* Piecewise linear function of one variable: at least two knots, x increases. */
 struct cr_model_knots {
     int n;
     double x[CR_MODEL_KNOTS], y[CR_MODEL_KNOTS];
@@ -60,12 +61,13 @@ struct cr_model_face {
     struct cr_model_knots ees; /* depth m -> EES m/s, dynamic */
     bool energy_linear;        /* between the knots EES^2 is linear (steady force), not EES */
     bool own_metres;           /* depth in m of the vehicle itself, not of the reference vehicle */
-    double compartment;        /* force beyond the last knot on the reference vehicle, N, and at */
-    double beyond;             /* least this per kg; 0: the last slope of the curve goes on */
+    double compartment;        /* steady force beyond the last knot, N, on the reference vehicle */
+    double beyond;             /* the same per kg of its mass, N/kg; never less acts than at the
+                                  last knot. 0: the last slope goes on */
     double springback;         /* dynamic minus residual depth, m */
-    double spread;             /* of the residual curve: it takes here what springs back, m */
-    double drag_slope;         /* by which the depth falls beside a contact at most */
-    double block;              /* depth of the engine, which comes along as one, m; 0: none */
+    double spread;             /* residual depth over which the energy that springs back fades, m */
+    double drag_slope;         /* m of depth lost per m beside a contact, at most; 0: no drag */
+    double block;              /* depth of the engine, which moves as one piece, m; 0: none */
 };
 
 struct cr_model_lib;
@@ -85,9 +87,9 @@ CR_MUST_CHECK enum cr_err cr_model_own_cars(struct cr_model_lib *lib, const char
 CR_MUST_CHECK enum cr_err cr_model_catalogue(const struct cr_model_lib *lib,
                                              const struct cr_catalogue **out, struct cr_error *err);
 
-/* Read the recipe of a type, or of all, unless that was done before. What asks for a grid or for
- * voxels does it by itself; the functions below that only look into a recipe want it done. Errors:
- * IO, SYNTAX, MODEL, ... with their place. */
+/* Read the recipe of a type, or of all, unless that was done before. The functions that make a grid
+ * or voxels call it themselves; those below that only look into a recipe assert that it was called.
+ * Errors: IO, SYNTAX, MODEL, ... with their place. */
 CR_MUST_CHECK enum cr_err cr_model_need(const struct cr_model_lib *lib, enum cr_type type,
                                         struct cr_error *err);
 CR_MUST_CHECK enum cr_err cr_model_need_all(const struct cr_model_lib *lib, struct cr_error *err);
@@ -96,8 +98,9 @@ CR_MUST_CHECK enum cr_err cr_model_need_all(const struct cr_model_lib *lib, stru
 const struct cr_dims *cr_model_dims(const struct cr_model_lib *lib, enum cr_type type,
                                     double *mass_kg);
 
-/* What is assumed of a vehicle of a type that was not given: offset and rise per kg of its mass,
- * and the share of the height from which its front and rear have material that crushes. */
+/* What is assumed of a vehicle of a type where the scene does not say it: offset and rise per kg of
+ * its mass, and the share of the height from which its front and rear have material that
+ * crushes. */
 struct cr_model_rules {
     double cg_height, cg_height_per_kg; /* m, m/kg */
     double track, track_per_kg;         /* m, m/kg */
@@ -105,8 +108,8 @@ struct cr_model_rules {
 };
 const struct cr_model_rules *cr_model_rules(const struct cr_model_lib *lib, enum cr_type type);
 
-/* Where the pillars stand: share of the wheelbase behind the front axle, the same for all vehicles
- * of a type (stretch.c). */
+/* Where the A and B pillars stand: share of the wheelbase behind the front axle, the same for all
+ * vehicles of a type (stretch.c). */
 void cr_model_pillars(const struct cr_model_lib *lib, enum cr_type type, double *a, double *b);
 
 /* SHA-256 of the recipe text, for the result's `input.models`. */
@@ -139,7 +142,7 @@ struct cr_model_query {
     double z_lo, z_hi; /* only layers in this height range, m; 0 and INFINITY for all */
 };
 
-/* Clock sector 1..12 of a PDOF in rad. */
+/* Clock sector 1..12 of a PDOF in rad, clockwise from straight ahead (12). */
 int cr_pdof_clock(double pdof);
 
 /* The 2D substitute model of a vehicle: arrays in the arena. Energy of the whole loaded face (an
@@ -156,8 +159,9 @@ struct cr_stiffness {
     double b; /* N/m2 */
 };
 
-/* The same from A, B per face (front, side, rear); the recipe gives shape and what a face lacks
- * (a = b = 0). */
+/* The substitute model from A, B per face (front, side, rear) instead of the recipe's curves; the
+ * recipe gives the shape, and its curve where a face has none (a = b = 0). Errors: RANGE for A
+ * outside 0 to 1e7 N/m or B outside 0 to 1e8 N/m2, those of cr_model_substitute. */
 CR_MUST_CHECK enum cr_err cr_model_from_stiffness(const struct cr_model_lib *lib,
                                                   const struct cr_model_query *query,
                                                   const struct cr_stiffness face[3],
@@ -248,12 +252,13 @@ struct cr_barrier {
 /* Read one. Errors: SYNTAX, MISSING, TYPE, RANGE, KEY, MODEL with JSON pointer. */
 CR_MUST_CHECK enum cr_err cr_barrier_read(const char *text, size_t len, const char *src,
                                           struct cr_barrier *out, struct cr_error *err);
-/* The barrier of a name, read from the folder barriers beside the recipes on first use. Errors:
- * NAME with the nearest one, those of cr_barrier_read. */
+/* The barrier of a name, read on first use from the folder barriers of the data, and kept by the
+ * library. Errors: NAME with the names that there are, RANGE after CR_BARRIERS kinds, those of
+ * cr_barrier_read. */
 CR_MUST_CHECK enum cr_err cr_model_barrier(const struct cr_model_lib *lib, const char *name,
                                            const struct cr_barrier **out, struct cr_error *err);
-/* Its voxels, body frame from its CG (a fixed one: from the middle of its face), with the strength
- * of the blocks between two heights. Error: MEMORY. */
+/* The voxels of a barrier, body frame from its CG (a fixed one: from the middle of its face), with
+ * the strength of the blocks between the heights z (m). Error: MEMORY. */
 CR_MUST_CHECK enum cr_err cr_barrier_grid(const struct cr_barrier *barrier, double voxel,
                                           const double z[2], struct cr_arena *arena,
                                           struct cr_grid *out, struct cr_error *err);

@@ -1,4 +1,5 @@
-/* From voxels of any origin to a 2D substitute: sum of layers, stretch, new voxels. */
+/* Turns a voxel model of any origin into the 2D substitute of a vehicle: sums its layers, stretches
+ * it onto the vehicle's dimensions and shares it out over the solver's voxels. */
 #include "config.h"
 
 #include "model/model_priv.h"
@@ -17,10 +18,10 @@ struct columns {
     double *fill, *energy;
 };
 
-/* Height of the query's vehicle in the voxels' own vehicle: equal up to the bumper line, which
- * is at much the same height in all cars, stretched above it. */
+/* Where a height of the query's vehicle lies in the vehicle that the voxels are of, m: at the same
+ * height up to the bumper line, which is much the same in all cars, stretched above it. */
 static double own_height(const struct cr_voxels *v, const struct cr_model_query *q, double z) {
-    const double line = 0.6; /* m */
+    const double line = 0.6; /* m; the recipes of cars keep heights below 0.62 */
     double from = q->dims.height, to = v->dims.height;
     if (z <= 0 || z >= from) {
         return z <= 0 ? -HUGE_VAL : HUGE_VAL;
@@ -44,33 +45,34 @@ static void sum_layers(const struct cr_voxels *v, double lo, double hi, struct c
     }
 }
 
-/* Shares of one row of cells in another: for source cell i the target cells from first[i] on get
- * share[2 * i], ... of it; a target is never less than a fifth of a source wide. */
-enum { SPLIT = 64 };
+/* How a source cell lies over a row of target cells. */
 struct spread {
-    int first;
-    int n;
-    double len;          /* of the source cell in the target, m */
-    double share[SPLIT]; /* of the source cell */
+    int first, n;  /* target cells that get something of it */
+    double len;    /* its length in the target, m */
+    double lo, hi; /* its ends in target cells */
+    double sum;    /* of the raw shares: 1 but for rounding */
 };
 
-/* The source cell between a and b (m in the target) over targets of width h from `origin`. */
-static void spread_cell(double a, double b, double origin, double h, int n, struct spread *s) {
-    double lo = cr_clamp((a - origin) / h, 0, n - 1e-9);
-    double hi = cr_clamp((b - origin) / h, lo + 1e-9, n);
-    s->first = (int)lo;
-    s->n = 0;
-    s->len = b - a;
-    for (int i = s->first; i < n && i < hi && s->n < SPLIT; i++) {
-        s->share[s->n++] = (fmin(i + 1, hi) - fmax(i, lo)) / (hi - lo);
+static double raw_share(const struct spread *s, int i) {
+    int cell = s->first + i;
+    return (fmin(cell + 1, s->hi) - fmax(cell, s->lo)) / (s->hi - s->lo);
+}
+
+/* Share of the source cell that the i-th of its target cells gets. */
+static double share_of(const struct spread *s, int i) {
+    return raw_share(s, i) / s->sum;
+}
+
+/* The source cell between a and b (m in the target) over n targets of width h from `origin` on. */
+static struct spread spread_cell(double a, double b, double origin, double h, int n) {
+    struct spread s = {.len = b - a};
+    s.lo = cr_clamp((a - origin) / h, 0, n - 1e-9);
+    s.hi = cr_clamp((b - origin) / h, s.lo + 1e-9, n);
+    s.first = (int)s.lo;
+    for (; s.first + s.n < n && s.first + s.n < s.hi; s.n++) {
+        s.sum += raw_share(&s, s.n);
     }
-    double sum = 0;
-    for (int i = 0; i < s->n; i++) {
-        sum += s->share[i];
-    }
-    for (int i = 0; i < s->n; i++) {
-        s->share[i] /= sum;
-    }
+    return s;
 }
 
 /* Maps from the voxels' vehicle to the query's, in x from the front end and y from the centre. */
@@ -101,6 +103,7 @@ static double map_y(const struct cr_model_map *m, double y) {
     return y < 0 ? -at : at;
 }
 
+/* Whether the columns of the voxels are those of the grid: then every bit of them is kept. */
 static bool same_grid(const struct cr_voxels *v, const struct cr_model_query *q,
                       const struct cr_grid *g) {
     const struct cr_dims *a = &v->dims, *b = &q->dims;
@@ -114,7 +117,7 @@ static enum cr_err stretch_columns(const struct cr_voxels *v, const struct cr_mo
                                    const struct columns *from, const struct cr_grid *g,
                                    struct columns *to, struct cr_error *err) {
     struct cr_model_map mx, my;
-    struct spread *sx = malloc((size_t)v->nx * sizeof *sx), sy;
+    struct spread *sx = malloc((size_t)v->nx * sizeof *sx);
     enum cr_err code = maps(v, q, &mx, &my, err);
     if (sx == NULL || code) {
         free(sx);
@@ -125,18 +128,18 @@ static enum cr_err stretch_columns(const struct cr_voxels *v, const struct cr_mo
         double behind = end - (v->x0 + ix * v->edge); /* of the cell's rear edge */
         double a = cr_model_map_ref(&mx, behind), b = cr_model_map_ref(&mx, behind - v->edge);
         double x_end = g->x0 + g->nx * g->h;
-        spread_cell(x_end - a, x_end - b, g->x0, g->h, g->nx, &sx[ix]);
+        sx[ix] = spread_cell(x_end - a, x_end - b, g->x0, g->h, g->nx);
     }
     for (int iy = 0; iy < v->ny; iy++) {
         double y = v->y0 + iy * v->edge;
         double a = map_y(&my, y), b = map_y(&my, y + v->edge);
-        spread_cell(a, b, g->y0, g->h, g->ny, &sy);
+        struct spread sy = spread_cell(a, b, g->y0, g->h, g->ny);
         for (int k = 0; k < v->nx * sy.n; k++) {
             int ix = k / sy.n, jy = k % sy.n;
             size_t i = (size_t)iy * (size_t)v->nx + (size_t)ix;
             size_t row = (size_t)(sy.first + jy) * (size_t)g->nx + (size_t)sx[ix].first;
             for (int jx = 0; jx < sx[ix].n; jx++) {
-                double share = sy.share[jy] * sx[ix].share[jx];
+                double share = share_of(&sy, jy) * share_of(&sx[ix], jx);
                 double area = share * sx[ix].len * sy.len / (g->h * g->h);
                 to->energy[row + (size_t)jx] += share * from->energy[i];
                 to->fill[row + (size_t)jx] += area * from->fill[i];
@@ -208,7 +211,7 @@ static void hide_words(enum cr_err code, struct cr_error *err) {
     }
     if (code == CR_ERR_SYNTAX && strncmp(err->text, "unknown word", 12) == 0) {
         snprintf(err->text, sizeof err->text, "unknown word");
-    } else if (code == CR_ERR_KEY) { /* that is its pointer */
+    } else if (code == CR_ERR_KEY) { /* The unknown key stands in the pointer. */
         err->where[0] = '\0';
     }
 }

@@ -1,12 +1,16 @@
-/* What both formats of voxel models share: names of the header's numbers, checks. */
+/* What both file formats of voxel models share: the names of the header's numbers, and the checks
+ * of all that is read. */
 #include "config.h"
 
 #include "model/model_priv.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
-int cr_voxels_fields(struct cr_voxels *v, double count[3], struct cr_voxels_field *out) {
+void cr_voxels_fields(struct cr_voxels *v, double count[3],
+                      struct cr_voxels_field out[CR_VOXELS_FIELDS]) {
     struct cr_dims *d = &v->dims;
     double *slope = v->drag_slope, *b = v->block, *s = v->springback;
     const struct cr_voxels_field row[] = {
@@ -27,17 +31,27 @@ int cr_voxels_fields(struct cr_voxels *v, double count[3], struct cr_voxels_fiel
         {"cg_behind_front_axle_m", 1, 1, true, false, {&d->cg_behind_front_axle}},
         {"cg_height_m", 1, 1, true, true, {&d->cg_height}},
     };
-    int n = (int)(sizeof row / sizeof row[0]);
-    for (int i = 0; i < n; i++) {
-        out[i] = row[i];
-    }
-    return n;
+    _Static_assert(sizeof row / sizeof row[0] == CR_VOXELS_FIELDS, "count the fields");
+    memcpy(out, row, sizeof row);
 }
 
-static bool fail(struct cr_voxels_fault *f, enum cr_err code, const char *key, const char *text) {
+void cr_voxels_set_name(struct cr_voxels *v, const char *name) {
+    size_t n = 0;
+    while ((unsigned char)name[n] >= ' ' && name[n] != '"' && name[n] != '\\') {
+        n++;
+    }
+    snprintf(v->name, sizeof v->name, "%.*s", (int)n, name);
+}
+
+CR_PRINTF(4, 5)
+static bool fail(struct cr_voxels_fault *f, enum cr_err code, const char *key, const char *fmt,
+                 ...) {
+    va_list args;
     f->code = code;
     f->key = key;
-    snprintf(f->text, sizeof f->text, "%s", text);
+    va_start(args, fmt);
+    vsnprintf(f->text, sizeof f->text, fmt, args);
+    va_end(args);
     return false;
 }
 
@@ -50,12 +64,9 @@ bool cr_voxels_counts(struct cr_voxels *v, const double count[3], struct cr_voxe
     }
     double all = count[0] * count[1] * (v->flat ? 1 : count[2]);
     if (all > CR_VOXELS_MAX) {
-        f->code = CR_ERR_RANGE;
-        f->key = "count";
-        snprintf(f->text, sizeof f->text,
-                 "%.0f voxels are more than %d million; make the voxels larger", all,
-                 CR_VOXELS_MAX / 1000000);
-        return false;
+        return fail(f, CR_ERR_RANGE, "count",
+                    "%.0f voxels are more than %d million; make the voxels larger", all,
+                    CR_VOXELS_MAX / 1000000);
     }
     v->nx = (int)count[0];
     v->ny = (int)count[1];
@@ -72,12 +83,9 @@ static bool check_place(const struct cr_voxels *v, struct cr_voxels_fault *f) {
     static const char *const side[] = {"rear end", "front end", "right flank", "left flank"};
     for (int i = 0; i < 4; i++) {
         if (box[i] < -slack) {
-            f->code = CR_ERR_MODEL;
-            f->key = "origin_m";
-            snprintf(f->text, sizeof f->text,
-                     "voxels reach %.3f m beyond the vehicle's %s; x and y count from the CG",
-                     -box[i], side[i]);
-            return false;
+            return fail(f, CR_ERR_MODEL, "origin_m",
+                        "voxels reach %.3f m beyond the vehicle's %s; x and y count from the CG",
+                        -box[i], side[i]);
         }
     }
     return true;
@@ -104,11 +112,8 @@ bool cr_voxels_check_header(const struct cr_voxels *v, struct cr_voxels_fault *f
     };
     for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
         if (!(row[i].x >= row[i].lo && row[i].x <= row[i].hi)) {
-            f->code = CR_ERR_RANGE;
-            f->key = row[i].key;
-            snprintf(f->text, sizeof f->text, "%g is outside %g to %g", row[i].x, row[i].lo,
-                     row[i].hi);
-            return false;
+            return fail(f, CR_ERR_RANGE, row[i].key, "%g is outside %g to %g", row[i].x, row[i].lo,
+                        row[i].hi);
         }
     }
     for (int i = 0; i < CR_FACES; i++) {
@@ -137,12 +142,9 @@ bool cr_voxels_check_data(const struct cr_voxels *v, struct cr_voxels_fault *f) 
         }
         if (key != NULL) {
             size_t nx = (size_t)v->nx, ny = (size_t)v->ny;
-            f->code = CR_ERR_MODEL;
-            f->key = key;
-            snprintf(f->text, sizeof f->text, "voxel (%zu, %zu, %zu) has %s %g; wanted %s", i % nx,
-                     i / nx % ny, i / nx / ny, key, key[0] == 'e' ? v->energy[i] : v->fill[i],
-                     key[0] == 'e' ? "0 to 1e9 J" : "0 to 1");
-            return false;
+            return fail(f, CR_ERR_MODEL, key, "voxel (%zu, %zu, %zu) has %s %g; wanted %s", i % nx,
+                        i / nx % ny, i / nx / ny, key, key[0] == 'e' ? v->energy[i] : v->fill[i],
+                        key[0] == 'e' ? "0 to 1e9 J" : "0 to 1");
         }
         sum += v->energy[i];
     }

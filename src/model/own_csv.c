@@ -1,4 +1,5 @@
-/* Voxel models as CSV: header lines "# name,value,...", then a row per voxel that is not empty. */
+/* Writes and reads voxel models as CSV: header lines "# name,value,...", then a row for each voxel
+ * that is not empty. */
 #include "config.h"
 
 #include "model/model_priv.h"
@@ -16,12 +17,12 @@ void cr_voxels_csv(const struct cr_voxels *voxels, struct cr_str *out) {
     struct cr_voxels v = *voxels;
     double count[3] = {v.nx, v.ny, v.flat ? 0 : v.nz};
     struct cr_voxels_field field[CR_VOXELS_FIELDS];
-    int fields = cr_voxels_fields(&v, count, field);
+    cr_voxels_fields(&v, count, field);
     v.pdof = cr_round12(cr_deg(v.pdof));
     cr_str_add(out, "# crumple_voxels,1\n# name,");
     cr_str_csv(out, v.name);
     cr_str_add(out, "\n");
-    for (int i = 0; i < fields; i++) {
+    for (int i = 0; i < CR_VOXELS_FIELDS; i++) {
         cr_str_addf(out, "# %s", field[i].key);
         for (int k = 0; k < (v.flat ? field[i].at_least : field[i].n); k++) {
             cr_str_add(out, ",");
@@ -46,10 +47,15 @@ void cr_voxels_csv(const struct cr_voxels *voxels, struct cr_str *out) {
     }
 }
 
+/* The file while it is read. */
 struct csv {
     const char *src, *p; /* p: start of the present line */
     int line;
-    double *fill, *energy; /* of the model, while they are filled in */
+    double *fill, *energy; /* arrays of the model, while they are filled in */
+    struct cr_voxels *model;
+    double count[3];
+    struct cr_voxels_field field[CR_VOXELS_FIELDS]; /* of the header, with their places in model */
+    bool seen[CR_VOXELS_FIELDS];
     struct cr_error *err;
 };
 
@@ -69,38 +75,29 @@ static void next_line(struct csv *c) {
     c->line++;
 }
 
-static const struct cr_voxels_field *find(const struct cr_voxels_field *f, int n, const char *key) {
-    for (int i = 0; i < n; i++) {
-        if (strcmp(f[i].key, key) == 0) {
-            return &f[i];
-        }
-    }
-    return NULL;
-}
-
-/* The fields of one header line "# key,value,...". */
-static enum cr_err take_head_line(const struct csv *c, const struct cr_csv *row,
-                                  struct cr_voxels *v, const struct cr_voxels_field *field,
-                                  int fields, bool *seen) {
-    const char *key = cr_csv_name(row, 0), *name = cr_csv_name(row, 1);
-    const struct cr_voxels_field *f = find(field, fields, key);
-    int got = cr_csv_columns(row) - 1;
+/* Takes the numbers of one header line "# key,value,...". */
+static enum cr_err take_head_line(struct csv *c, const struct cr_csv *row) {
+    const char *key = cr_csv_name(row, 0);
+    int got = cr_csv_columns(row) - 1, at = 0;
     if (strcmp(key, "name") == 0) {
-        snprintf(v->name, sizeof v->name, "%.*s", (int)strcspn(name, "\"\\"), name);
+        cr_voxels_set_name(c->model, cr_csv_name(row, 1));
     }
-    if (f == NULL) { /* crumple_voxels, or a remark */
+    while (at < CR_VOXELS_FIELDS && strcmp(c->field[at].key, key) != 0) {
+        at++;
+    }
+    if (at == CR_VOXELS_FIELDS) { /* The line is the name, crumple_voxels or a remark. */
         return CR_ERR_OK;
     }
+    const struct cr_voxels_field *f = &c->field[at];
     bool good = got >= f->at_least && got <= f->n;
     for (int i = 0; i < got && good; i++) {
         good = cr_csv_scan(cr_csv_name(row, i + 1), cr_csv_comma(row), f->at[i]);
     }
-    seen[f - field] = true;
+    c->seen[at] = true;
     return good ? CR_ERR_OK : fail(c, CR_ERR_MODEL, f->key, "wrong count of numbers");
 }
 
-static enum cr_err read_head_line(const struct csv *c, struct cr_voxels *v,
-                                  const struct cr_voxels_field *field, int fields, bool *seen) {
+static enum cr_err read_head_line(struct csv *c) {
     const struct cr_csv_opts opts = {
         .path = c->src, .text = c->p + 1, .len = strcspn(c->p + 1, "\n")};
     struct cr_csv *row;
@@ -108,46 +105,43 @@ static enum cr_err read_head_line(const struct csv *c, struct cr_voxels *v,
     if (code == CR_ERR_MEMORY) {
         return cr_err_set(c->err, code, "no memory for a voxel model");
     }
-    if (code != CR_ERR_OK) { /* a remark */
+    if (code != CR_ERR_OK) { /* The line is a remark. */
         return CR_ERR_OK;
     }
-    code = take_head_line(c, row, v, field, fields, seen);
+    code = take_head_line(c, row);
     cr_csv_close(row);
     return code;
 }
 
-static enum cr_err read_head(struct csv *c, struct cr_voxels *v) {
-    double count[3] = {0};
-    struct cr_voxels_field field[CR_VOXELS_FIELDS];
-    bool seen[CR_VOXELS_FIELDS] = {false};
+static enum cr_err read_head(struct csv *c) {
+    struct cr_voxels *v = c->model;
     struct cr_voxels_fault fault = {.key = ""};
-    int fields = cr_voxels_fields(v, count, field);
-    enum cr_err code = CR_ERR_OK;
-    for (; *c->p == '#' && code == CR_ERR_OK; next_line(c)) {
-        code = read_head_line(c, v, field, fields, seen);
+    cr_voxels_fields(v, c->count, c->field);
+    for (; *c->p == '#'; next_line(c)) {
+        enum cr_err code = read_head_line(c);
         if (code != CR_ERR_OK) {
             return code;
         }
     }
-    for (int i = 0; i < fields; i++) {
-        if (!seen[i] && !field[i].optional) {
-            return fail(c, CR_ERR_MISSING, field[i].key, "header line \"# key,value\" is missing");
+    for (int i = 0; i < CR_VOXELS_FIELDS; i++) {
+        if (!c->seen[i] && !c->field[i].optional) {
+            return fail(c, CR_ERR_MISSING, c->field[i].key,
+                        "header line \"# key,value\" is missing");
         }
     }
     v->pdof = cr_rad(v->pdof);
-    if (!cr_voxels_counts(v, count, &fault) || !cr_voxels_check_header(v, &fault)) {
+    if (!cr_voxels_counts(v, c->count, &fault) || !cr_voxels_check_header(v, &fault)) {
         return fail(c, fault.code, fault.key, fault.text);
     }
     return CR_ERR_OK;
 }
 
-/* ix, iy, iz, fill, energy_J */
+/* The columns ix, iy, iz, fill, energy_J. */
 enum { INDICES = 3, FILL = INDICES, ENERGY, COLUMNS };
 
-static enum cr_err take_row(struct csv *c, const struct cr_voxels *v, const struct cr_csv *csv,
-                            const int column[COLUMNS]) {
+static enum cr_err take_row(struct csv *c, const struct cr_csv *csv, const int column[COLUMNS]) {
     double x[COLUMNS] = {0};
-    const int most[INDICES] = {v->nx, v->ny, v->nz};
+    const int most[INDICES] = {c->model->nx, c->model->ny, c->model->nz};
     c->line = cr_csv_line(csv);
     for (int i = 0; i < COLUMNS; i++) {
         if (column[i] >= 0 && !cr_csv_scan(cr_csv_cell(csv, column[i]), cr_csv_comma(csv), &x[i])) {
@@ -161,13 +155,17 @@ static enum cr_err take_row(struct csv *c, const struct cr_voxels *v, const stru
         }
         at = at * (size_t)most[i] + (size_t)x[i];
     }
+    if (c->fill[at] != 0 || c->energy[at] != 0) {
+        return fail(c, CR_ERR_MODEL, "", "this voxel has a row already");
+    }
     c->fill[at] = x[FILL];
     c->energy[at] = x[ENERGY];
     return CR_ERR_OK;
 }
 
-/* What is wrong is told in words of our own: those of the file may be of one that is no model. */
-static enum cr_err read_rows(struct csv *c, const struct cr_voxels *v) {
+/* Faults are told in words of our own: the file need not be a model, and what it holds must not
+ * come out by an error (hide_words in own.c). */
+static enum cr_err read_rows(struct csv *c) {
     static const char *const names[COLUMNS] = {"ix", "iy", "iz", "fill", "energy_J"};
     const struct cr_csv_opts opts = {
         .path = c->src, .text = c->p, .len = strlen(c->p), .line = c->line};
@@ -177,13 +175,14 @@ static enum cr_err read_rows(struct csv *c, const struct cr_voxels *v) {
     bool row = true;
     enum cr_err code = cr_csv_open(&opts, &csv, &why);
     for (int i = 0; i < COLUMNS; i++) {
-        bool needed = i != INDICES - 1 || !v->flat;
+        bool needed = i != INDICES - 1 || !c->model->flat;
         column[i] = code == CR_ERR_OK && needed ? cr_csv_find(csv, names[i]) : -1;
         if (code != CR_ERR_MEMORY && column[i] < 0 && needed) {
             cr_csv_close(csv);
             return fail(c, CR_ERR_SYNTAX, "",
-                        v->flat ? "a line of column names is wanted: ix,iy,fill,energy_J"
-                                : "a line of column names is wanted: ix,iy,iz,fill,energy_J");
+                        c->model->flat
+                            ? "a line of column names is wanted: ix,iy,fill,energy_J"
+                            : "a line of column names is wanted: ix,iy,iz,fill,energy_J");
         }
     }
     while (code == CR_ERR_OK && row) {
@@ -192,7 +191,7 @@ static enum cr_err read_rows(struct csv *c, const struct cr_voxels *v) {
             c->line = why.line;
             code = fail(c, CR_ERR_SYNTAX, "", "a row is numbers, one in each column");
         } else if (code == CR_ERR_OK && row) {
-            code = take_row(c, v, csv, column);
+            code = take_row(c, csv, column);
         }
     }
     cr_csv_close(csv);
@@ -201,10 +200,10 @@ static enum cr_err read_rows(struct csv *c, const struct cr_voxels *v) {
 
 enum cr_err cr_voxels_read_csv(const char *text, const char *src, struct cr_arena *arena,
                                struct cr_voxels *out, struct cr_error *err) {
-    struct csv c = {.src = src, .p = text, .line = 1, .err = err};
+    struct csv c = {.src = src, .p = text, .line = 1, .model = out, .err = err};
     struct cr_voxels_fault fault;
     *out = (struct cr_voxels){.nx = 0};
-    enum cr_err code = read_head(&c, out);
+    enum cr_err code = read_head(&c);
     if (code != CR_ERR_OK) {
         return code;
     }
@@ -214,11 +213,11 @@ enum cr_err cr_voxels_read_csv(const char *text, const char *src, struct cr_aren
     if (c.fill == NULL || c.energy == NULL) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for %zu voxels", n);
     }
-    code = read_rows(&c, out);
+    code = read_rows(&c);
     if (code != CR_ERR_OK) {
         return code;
     }
-    c.line = 0; /* what is wrong now is about the whole */
+    c.line = 0; /* A fault of the data is about the whole, not about a line. */
     return cr_voxels_check_data(out, &fault) ? CR_ERR_OK
                                              : fail(&c, fault.code, fault.key, fault.text);
 }

@@ -1,5 +1,5 @@
-/* Voxel models as JSON (share/schema/voxel-model.schema.json). The two long arrays are read
- * without a tree of nodes, so that a large model takes no more memory than its numbers. */
+/* Writes and reads voxel models as JSON (share/schema/voxel-model.schema.json). The two long arrays
+ * are read without a tree of nodes, so that a large model takes no more memory than its numbers. */
 #include "config.h"
 
 #include "model/json.h"
@@ -38,10 +38,11 @@ void cr_voxels_json(const struct cr_voxels *voxels, const char *provenance, stru
     struct cr_voxels v = *voxels;
     double count[3] = {v.nx, v.ny, v.flat ? 0 : v.nz};
     struct cr_voxels_field field[CR_VOXELS_FIELDS];
-    int fields = cr_voxels_fields(&v, count, field), in_vehicle = 0;
+    int in_vehicle = 0;
+    cr_voxels_fields(&v, count, field);
     v.pdof = cr_round12(cr_deg(v.pdof));
     cr_str_addf(out, "{\n\"crumple_voxels\": 1,\n\"name\": \"%s\",\n", v.name);
-    for (int i = 0; i < fields; i++) {
+    for (int i = 0; i < CR_VOXELS_FIELDS; i++) {
         if (field[i].vehicle) {
             cr_str_add(out, in_vehicle++ == 0 ? "\"vehicle\": { " : ", ");
         }
@@ -68,8 +69,8 @@ struct file {
     size_t len;
     const char *src;
     struct cr_error *err;
-    char *array[2]; /* text of the arrays of array_key, from behind [ to ] */
-    char *array_end[2];
+    char *array[2];     /* text of the arrays of array_key, behind their [; NULL: not there */
+    char *array_end[2]; /* their ], or the end of the text */
 };
 
 static enum cr_err fail_at(const struct file *f, const char *at, const char *where,
@@ -97,7 +98,7 @@ static char *string_end(char *p) {
     return p;
 }
 
-/* Is the string from p to end one of the array keys, and does an array follow? */
+/* Notes where an array begins and ends, if the string from p to end is its key. */
 static void note_array(struct file *f, const char *p, char *end) {
     for (int i = 0; i < 2; i++) {
         size_t n = strlen(array_key[i]);
@@ -116,7 +117,7 @@ static void note_array(struct file *f, const char *p, char *end) {
     }
 }
 
-/* Find the two arrays among the members of the root. */
+/* Finds the two arrays among the members of the root. */
 static void find_arrays(struct file *f) {
     int depth = 0;
     for (char *p = f->text; *p != '\0'; p++) {
@@ -201,16 +202,18 @@ static void read_header(struct cr_model_json *j, const cJSON *root, struct cr_vo
     cr_model_json_only(j, root, known, sizeof known / sizeof known[0]);
     cr_model_json_number(j, root, "crumple_voxels", 1, 1);
     if (cJSON_HasObjectItem(root, "name")) {
-        cr_model_json_text(j, root, "name", v->name, sizeof v->name);
+        char name[sizeof v->name];
+        cr_model_json_text(j, root, "name", name, sizeof name);
+        cr_voxels_set_name(v, name);
     }
-    int n = cr_voxels_fields(v, count, field);
-    for (int i = 0; i < n; i++) {
+    cr_voxels_fields(v, count, field);
+    for (int i = 0; i < CR_VOXELS_FIELDS; i++) {
         if (!field[i].vehicle) {
             read_field(j, root, &field[i]);
         }
     }
     const cJSON *vehicle = cr_model_json_object(j, root, "vehicle");
-    for (int i = 0; i < n; i++) {
+    for (int i = 0; i < CR_VOXELS_FIELDS; i++) {
         if (field[i].vehicle) {
             read_field(j, vehicle, &field[i]);
         }
@@ -253,7 +256,7 @@ enum cr_err cr_voxels_read_json(char *text, size_t len, const char *src, struct 
     struct cr_model_json j;
     *out = (struct cr_voxels){.nx = 0};
     find_arrays(&f);
-    /* the header is read from a copy in which the arrays are empty */
+    /* The header is read from a copy in which the arrays are empty. */
     char *header = malloc(len + 1);
     if (header == NULL) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory to read %s", src);
@@ -261,7 +264,7 @@ enum cr_err cr_voxels_read_json(char *text, size_t len, const char *src, struct 
     memcpy(header, text, len + 1);
     for (int i = 0; i < 2; i++) {
         for (char *p = f.array[i]; p != NULL && p < f.array_end[i]; p++) {
-            header[p - text] = *p == '\n' ? '\n' : ' '; /* lines stay lines */
+            header[p - text] = *p == '\n' ? '\n' : ' '; /* so that lines keep their numbers */
         }
     }
     cJSON *root = cr_model_json_parse(&j, header, len, src, err);

@@ -1,14 +1,11 @@
-/* Reads the recipe of a type (share/schema/recipe.schema.json). */
+/* Reads the recipe that a vehicle type is built from (share/schema/recipe.schema.json). */
 #include "config.h"
 
 #include "model/json.h"
 
-#include <cjson/cJSON.h>
-#include "model/model_priv.h"
-
 #include "base/vec.h"
 
-#include <string.h>
+#include <cjson/cJSON.h>
 
 static void read_reference(struct cr_model_json *j, const cJSON *root, struct cr_model_recipe *r) {
     const cJSON *o = cr_model_json_object(j, root, "reference");
@@ -45,8 +42,8 @@ static void read_rules(struct cr_model_json *j, const cJSON *root, struct cr_mod
     cr_model_json_leave(j);
 }
 
-/* Setback of an end over the share of the half width: 0 on the centre line, so that every layer
- * of depth has material. */
+/* Reads how far an end stands back over the share of the half width: 0 on the centre line, so that
+ * every layer of depth has material. */
 static void read_end(struct cr_model_json *j, const cJSON *shape, const char *key,
                      struct cr_model_knots *k) {
     cr_model_json_knots(j, shape, key, k);
@@ -139,6 +136,15 @@ static void read_structures(struct cr_model_json *j, const cJSON *root, struct c
     cr_model_json_leave(j);
 }
 
+/* Refuses a reference vehicle whose lines are not in order: stretching would divide by nothing. */
+static void check_reference(struct cr_model_json *j, const struct cr_model_recipe *r) {
+    struct cr_model_stretch stretch;
+    struct cr_error why = {0};
+    if (!j->failed && cr_model_stretch_make(r, &r->dims, &stretch, &why) != CR_ERR_OK) {
+        cr_model_json_fail(j, CR_ERR_MODEL, "reference", why.text);
+    }
+}
+
 enum cr_err cr_model_recipe_read(const char *text, size_t len, const char *src,
                                  struct cr_model_recipe *r, struct cr_error *err) {
     static const char *const known[] = {"crumple_recipe", "type",       "label",       "reference",
@@ -162,6 +168,7 @@ enum cr_err cr_model_recipe_read(const char *text, size_t len, const char *src,
     read_face(&j, faces, "rear", r->mass, &r->face[CR_MODEL_REAR]);
     cr_model_json_leave(&j);
     read_structures(&j, root, r);
+    check_reference(&j, r);
     cJSON_Delete(root);
     cr_hash_hex(text, len, r->hash);
     return j.code;

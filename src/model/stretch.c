@@ -1,5 +1,5 @@
-/* The reference grid: the model is stretched piecewise between the lines that every car has, onto
- * the lines of the vehicle (paper, "reference grid"). */
+/* The reference grid: a model is stretched piecewise between the lines that every car has (ends,
+ * axles, pillars, wheel planes, roof), onto those of the vehicle (paper, "reference grid"). */
 #include "config.h"
 
 #include "model/model_priv.h"
@@ -38,7 +38,7 @@ static enum cr_err check_order(const struct cr_model_map *m, const char *const *
     return CR_ERR_OK;
 }
 
-/* Lines in x: the pillars keep their share of the wheelbase. */
+/* Sets the lines in x: the pillars keep their share of the wheelbase. */
 static void lines_x(const struct cr_model_recipe *r, const struct cr_dims *d,
                     struct cr_model_map *m) {
     const struct cr_dims *ref = &r->dims;
@@ -67,7 +67,7 @@ enum cr_err cr_model_stretch_make(const struct cr_model_recipe *r, const struct 
     lines_x(r, d, &out->x);
     out->y = (struct cr_model_map){
         3, {0, d->track / 2, d->width / 2}, {0, r->dims.track / 2, r->dims.width / 2}};
-    /* what bumpers and rails meet lies at much the same height in all cars of a type */
+    /* Bumpers and rails lie at much the same height in all cars of a type. */
     out->z =
         (struct cr_model_map){3, {0, r->keep_below, d->height}, {0, r->keep_below, r->dims.height}};
     enum cr_err code = check_order(&out->x, name_x, err);

@@ -13,15 +13,20 @@
 #include <math.h>
 #include <string.h>
 
-/* strips per voxel in which the outline is followed */
+/* Strips across a voxel in which the outline is followed. */
 enum { STRIPS = 8 };
 
-/* Arrays over the half grid. */
+/* What is taken from the plan, as longitudinal (0) and lateral (1) field where that differs: the
+ * weights in the height range, those at all heights, and where there is material. */
+enum { RANGED = 0, WHOLE = 2, PRESENT = 4, TAKEN };
+
+/* Arrays over the half grid, [half][nx]. */
 struct half_grid {
-    double *fill;      /* in the height range */
-    double *energy[2]; /* longitudinal, lateral, J, all layers */
+    double *fill;      /* share of material in the height range */
+    double *energy[2]; /* longitudinal, lateral, all heights, J */
     double *ranged[2]; /* share of it in the height range; NULL: all */
-    double *mixed, *out;
+    double *mixed;     /* scratch of the mix */
+    double *out;       /* mixed energy in the height range, J */
 };
 
 /* The half grid y >= 0 while it is made: rows of voxels at the same y, k counted from the front. */
@@ -32,21 +37,21 @@ struct work {
     const struct cr_model_query *q;
     int nx, half;
     double h, length, width;
-    double middle;      /* x at which the model's own middle comes to lie, m from the front end */
-    double *row_budget; /* [nx] J of a layer at depth k, both halves */
-    double *row_weight; /* [nx] */
-    double *col_budget; /* [half] J of a layer at y, one half */
-    double *sum;        /* scratch of the mix */
-    double *slab[5];    /* [ny of the plan][nx]: plan weights resampled along x */
-    double *line[5];    /* [nx]: the same across y, of one row */
-    double *mean;       /* [ny of the plan] scratch */
-    double *fill;       /* [nx] of one row, before the height range */
+    double middle;       /* x at which the model's own middle comes to lie, m from the front end */
+    double *row_budget;  /* [nx] J of a layer at depth k, both halves */
+    double *row_weight;  /* [nx] longitudinal weight of a layer at depth k, then J per weight */
+    double *col_budget;  /* [half] J of a layer at y, one half */
+    double *sum;         /* scratch of the mix */
+    double *slab[TAKEN]; /* [ny of the plan][nx]: the plan resampled along x */
+    double *line[TAKEN]; /* [nx]: the slab resampled across y, of one row */
+    double *mean;        /* [ny of the plan] scratch */
+    double *fill;        /* [nx] share inside the outline, of one row */
 };
 
-/* Energy per kg from the front end to x (m behind it), over front and rear half. */
+/* Energy per kg, J/kg, from the front end to x (m behind it), over front and rear half: the depths
+ * from both ends meet in the middle. */
 static double along(const struct work *w, double x) {
     const struct cr_model_face *front = &w->face[CR_MODEL_FRONT], *rear = &w->face[CR_MODEL_REAR];
-    /* where the depths from both ends meet */
     double ref_middle = w->r->dims.length / 2, middle = w->middle;
     double ref = cr_model_map_ref(&w->stretch->x, x), ref_end = w->r->dims.length;
     double at = x < middle ? x : middle, ref_at = x < middle ? ref : ref_middle;
@@ -60,7 +65,7 @@ static double along(const struct work *w, double x) {
     return e;
 }
 
-/* Energy per kg from a flank inward to y. */
+/* Energy per kg, J/kg, from a flank inward to y. */
 static double inward(const struct work *w, double y) {
     const struct cr_model_face *side = &w->face[CR_MODEL_SIDE];
     double own = w->width / 2 - y;
@@ -104,7 +109,7 @@ static double weight_of(const struct cells *c, int i) {
     return (part_up_to(hi, first, last) - part_up_to(lo, first, last)) / (c->hi - c->lo);
 }
 
-/* Mean over an interval of lines of cells, n values each, which follow each other in v. */
+/* Mean, over an interval of cells, of lines of n values each, which follow each other in v. */
 static void mean_line(const double *v, int n, const struct cells *cells, double *mean) {
     memset(mean, 0, (size_t)n * sizeof *mean);
     for (int i = cells->first; i <= cells->last; i++) {
@@ -116,12 +121,13 @@ static void mean_line(const double *v, int n, const struct cells *cells, double 
     }
 }
 
+/* Resamples the plan along x, and notes what each layer of depth takes. */
 static void resample_x(struct work *w, const struct cr_model_plan *p, const double *const *from) {
     double before = 0;
     for (int k = 0; k < w->nx; k++) {
         double to = (k + 1) * w->h < w->length ? (k + 1) * w->h : w->length;
         struct cells cells = to_cells(&w->stretch->x, p->edge, p->nx, k * w->h, to);
-        for (int v = 0; v < 5; v++) {
+        for (int v = 0; v < TAKEN; v++) {
             if (from[v] == NULL) {
                 continue;
             }
@@ -139,7 +145,7 @@ static void resample_x(struct work *w, const struct cr_model_plan *p, const doub
 static void resample_y(struct work *w, const struct cr_model_plan *p, const double *const *from,
                        double y_lo, double y_hi) {
     struct cells cells = to_cells(&w->stretch->y, p->edge, p->ny, y_lo, y_hi);
-    for (int v = 0; v < 5; v++) {
+    for (int v = 0; v < TAKEN; v++) {
         if (from[v] != NULL) {
             mean_line(w->slab[v], w->nx, &cells, w->line[v]);
         }
@@ -164,7 +170,8 @@ static void fill_row(struct work *w, int j) {
         for (int k = first; k <= last; k++) {
             w->fill[k] += inside;
         }
-        w->fill[first] -= inside * (a - first); /* part cells at both ends */
+        /* The cells at both ends are inside in part. */
+        w->fill[first] -= inside * (a - first);
         w->fill[last] -= inside * cr_clamp(last + 1 - b, 0, 1);
     }
 }
@@ -173,32 +180,34 @@ static double share_of(double part, double whole) {
     return whole > 0 ? part / whole : 0;
 }
 
-/* One row: fill, lateral energy, and the weight of the longitudinal one. */
+/* Makes one row: its fill, its lateral energy, and the weights of the longitudinal one, whose
+ * energy is known when all rows have their weight. */
 static void make_row(struct work *w, int j, const struct half_grid *g) {
     const double *const *l = (const double *const *)w->line;
     size_t at = (size_t)j * (size_t)w->nx;
     double lo = j * w->h, hi = lo + w->h < w->width / 2 ? lo + w->h : w->width / 2, sum = 0;
     for (int k = 0; k < w->nx; k++) {
-        w->row_weight[k] += 2 * w->fill[k] * l[2][k];
-        sum += w->fill[k] * l[3][k];
+        w->row_weight[k] += 2 * w->fill[k] * l[WHOLE][k];
+        sum += w->fill[k] * l[WHOLE + 1][k];
     }
     w->col_budget[j] = w->q->mass_kg * (inward(w, lo) - inward(w, hi));
     double scale = sum > 0 ? w->col_budget[j] / sum : 0;
     for (int k = 0; k < w->nx; k++) {
-        g->energy[0][at + (size_t)k] = w->fill[k] * l[2][k];
-        g->energy[1][at + (size_t)k] = w->fill[k] * l[3][k] * scale;
-        g->fill[at + (size_t)k] = w->fill[k] * l[4][k];
+        g->energy[0][at + (size_t)k] = w->fill[k] * l[WHOLE][k];
+        g->energy[1][at + (size_t)k] = w->fill[k] * l[WHOLE + 1][k] * scale;
+        g->fill[at + (size_t)k] = w->fill[k] * l[PRESENT][k];
     }
     for (int k = 0; k < w->nx && g->ranged[0] != NULL; k++) {
-        g->ranged[0][at + (size_t)k] = share_of(l[0][k], l[2][k]);
-        g->ranged[1][at + (size_t)k] = share_of(l[1][k], l[3][k]);
+        g->ranged[0][at + (size_t)k] = share_of(l[RANGED][k], l[WHOLE][k]);
+        g->ranged[1][at + (size_t)k] = share_of(l[RANGED + 1][k], l[WHOLE + 1][k]);
     }
 }
 
+/* Takes the arrays of the work. Without a height range the whole is the range, and is held once. */
 static void take_work(struct work *w, int plan_ny, bool ranged, struct cr_arena *scratch) {
     size_t nx = (size_t)w->nx;
-    for (int v = 0; v < 5; v++) {
-        bool same = !ranged && (v == 2 || v == 3);
+    for (int v = 0; v < TAKEN; v++) {
+        bool same = !ranged && v >= WHOLE && v < PRESENT;
         w->slab[v] = same ? w->slab[v - 2] : cr_arena_take_raw(scratch, nx * (size_t)plan_ny, 8);
         w->line[v] = same ? w->line[v - 2] : cr_arena_take_raw(scratch, nx, 8);
     }
@@ -210,8 +219,8 @@ static void take_work(struct work *w, int plan_ny, bool ranged, struct cr_arena 
     w->sum = cr_arena_take_raw(scratch, nx + (size_t)w->half, 8);
 }
 
-/* Turn rows of the left half that are counted from the front into rows along x, and mirror them to
- * the right half. */
+/* Turns rows of the left half that are counted from the front into rows along x, and mirrors them
+ * to the right half. */
 static void mirror(const struct work *w, double *grid) {
     size_t nx = (size_t)w->nx;
     for (int j = 0; j < w->half; j++) {
@@ -246,11 +255,11 @@ static void take_half(struct half_grid *g, size_t n, bool ranged, struct cr_aren
     }
 }
 
-/* All rows, both fields, and their mix. */
+/* Makes all rows of both fields, and their mix. */
 static void make_half(struct work *w, const struct cr_model_plan *p, const struct half_grid *g) {
     bool ranged = g->ranged[0] != NULL;
-    const double *from[5] = {p->weight[0], p->weight[1], ranged ? p->full[0] : NULL,
-                             ranged ? p->full[1] : NULL, p->present};
+    const double *from[TAKEN] = {p->weight[0], p->weight[1], ranged ? p->full[0] : NULL,
+                                 ranged ? p->full[1] : NULL, p->present};
     size_t nx = (size_t)w->nx;
     resample_x(w, p, from);
     for (int j = 0; j < w->half; j++) {
@@ -286,7 +295,8 @@ static enum cr_err run(struct work *w, const struct cr_model_plan *p, struct cr_
     if (arena->failed || scratch->failed) {
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for a model of %zu voxels", 2 * n);
     }
-    half.fill = fill + n; /* these two are made in the left half of the grid itself */
+    /* These two are made in the left half of the grid itself. */
+    half.fill = fill + n;
     half.out = energy + n;
     make_half(w, p, &half);
     mirror(w, fill);

@@ -1,4 +1,5 @@
-/* Names of the types, and the twelve sectors of the principal direction of force. */
+/* Names of the vehicle types, and the twelve sectors (clock hours) that the principal direction of
+ * force, PDOF, is sorted into. */
 #include "config.h"
 
 #include "model/model_priv.h"
@@ -69,7 +70,7 @@ int cr_pdof_clock(double pdof) {
 }
 
 static struct cr_model_sector sector_of(int clock, double part) {
-    /* exact where they are 0 and 1 */
+    /* cos^2 of the hour's angle; cos() itself would not be 0 at 3 o'clock. */
     static const double cos2[6] = {1, 0.75, 0.25, 0, 0.25, 0.75};
     double c2 = cos2[clock % 6];
     return (struct cr_model_sector){{c2, 1 - c2}, clock, c2 < 0.5, part};

@@ -1,5 +1,5 @@
-/* Voxel models for export and import: the 3D models of the types, their EES values, and the way
- * from any voxel model to a 2D substitute. */
+/* Builds the voxel models that are exported and drawn: the 3D model of a type, its 2D substitute,
+ * and the EES value of each voxel. */
 #include "config.h"
 
 #include "model/model_priv.h"
@@ -12,7 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* One column of the reference body over a patch of the plan: mean over the patch, per cell in z. */
+/* Mean column of the reference body over a patch of the plan (x, y in cells), a value per cell in
+ * z. */
 static void column_of(const struct cr_model_body *b, const double *v, const double x[2],
                       const double y[2], double *column) {
     memset(column, 0, (size_t)b->nz * sizeof *column);
@@ -38,13 +39,14 @@ static double sum_between(const double *column, int nz, double lo, double hi) {
     return sum;
 }
 
-/* Interval of the vehicle in cells of the body, never empty. */
+/* An interval of the vehicle (m) in cells of the body, never empty. */
 static void cells_of(const struct cr_model_map *map, const struct cr_model_body *b, int n,
                      double lo, double hi, double out[2]) {
     out[0] = cr_clamp(cr_model_map_ref(map, lo) / b->edge, 0, n - 1e-6);
     out[1] = cr_clamp(cr_model_map_ref(map, hi) / b->edge, out[0] + 1e-6, n);
 }
 
+/* A 3D model while it is made. */
 struct volume {
     const struct cr_model_body *body;
     struct cr_model_stretch stretch;
@@ -55,7 +57,8 @@ struct volume {
     double *fill, *energy;
 };
 
-/* One column of the 3D model: the 2D energies go up in height as the weights do. */
+/* Makes one column of the 3D model: the 2D energy of its place is shared out over the height as the
+ * weights of the body are. */
 static void raise_column(const struct volume *w, struct cr_voxels *v, int ix, int iy) {
     const struct cr_model_body *b = w->body;
     const struct cr_dims *d = &v->dims;
@@ -75,7 +78,7 @@ static void raise_column(const struct volume *w, struct cr_voxels *v, int ix, in
         z[0] = cr_model_map_ref(&w->stretch.z, lo) / b->edge;
         z[1] = cr_model_map_ref(&w->stretch.z, hi) / b->edge;
         double stretch = (hi - lo) / (z[1] - z[0]);
-        if (iz == v->nz - 1) { /* the top cell of the body is not a whole one */
+        if (iz == v->nz - 1) { /* The top cell of the body is not a whole one. */
             z[1] = b->nz;
         }
         size_t at = (size_t)iz * (size_t)v->nx * (size_t)v->ny + plan;
@@ -190,7 +193,8 @@ enum cr_err cr_model_flat(const struct cr_model_lib *lib, const struct cr_model_
     return code;
 }
 
-/* Energy crushed down to the middle of each layer, from the nearer of both ends, in place. */
+/* Replaces the energy of each layer by the energy of all that is crushed when its middle is reached
+ * from the nearer of both ends. */
 static void crushed_to(double *layer, int n) {
     double front = 0, rear = 0;
     for (int i = 0; i < (n + 1) / 2; i++) {
@@ -222,7 +226,7 @@ enum cr_err cr_voxels_ees(const struct cr_voxels *v, double *out, struct cr_erro
     crushed_to(x, v->nx);
     crushed_to(y, v->ny);
     struct cr_model_sector sector[2];
-    double side = 0; /* share of the flanks in what is loaded */
+    double side = 0; /* part of the sectors that load a flank */
     for (int k = cr_model_sectors(v->pdof, true, sector) - 1; k >= 0; k--) {
         side += sector[k].side ? sector[k].part : 0;
     }

@@ -1,4 +1,4 @@
-/* Module: the word import, with SQLite, libzip and expat. */
+/* The module of `crumple import`, which keeps SQLite, libzip and expat out of the program. */
 #include "config.h"
 
 #include "module/module.h"

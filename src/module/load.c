@@ -13,8 +13,8 @@
 #include <string.h>
 #include <unistd.h>
 
-/* beside the program in its build folder; where the installation has it, which may have been
- * moved, or staged with DESTDIR; or at the configured place */
+/* Finds the file of a module: beside the program in its build folder, where the installation has
+ * it, which may have been moved or staged with DESTDIR, or at the configured place. */
 static const char *find(const char *name, char *buf, int size) {
     char own[4096];
     cr_own_folder(own, sizeof own);

@@ -1,12 +1,12 @@
-/* Parts of the program that need large libraries: each is a shared object of its own beside the
- * program, a module, so that what does not need it starts without those libraries. A module has
- * all that it calls inside and gives away one table. */
+/* Modules: the parts of the program that need large libraries, each a shared object beside the
+ * program, so that all else starts without those libraries. A module is linked with all that it
+ * calls and exports one table, crumple_module; load.c loads it when the program comes to it. */
 #ifndef CR_MODULE_MODULE_H
 #define CR_MODULE_MODULE_H
 
 #include "figure/canvas.h"
 
-/* What a module does; the others are NULL. */
+/* What a module does; functions that it does not have are NULL. */
 struct cr_module {
     const char *version; /* of the program that it belongs to */
     int (*word)(int argc, char **argv);
@@ -18,8 +18,8 @@ struct cr_module {
 };
 extern __attribute__((visibility("default"))) const struct cr_module crumple_module;
 
-/* Files, scenes, -e and what belongs to them on a terminal: the full screen or the prompt, curses
- * and readline. Returns the exit status of crumple(1). */
+/* Run the full screen (curses) or the prompt (readline), whichever the words of the command line
+ * and the terminal allow. Returns the exit status of crumple(1). */
 int cr_screen_main(int argc, char **argv);
 
 #endif

@@ -1,4 +1,4 @@
-/* Module: pictures and pages by cairo. */
+/* The module of PNG pictures and PDF pages, which keeps cairo out of the program. */
 #include "config.h"
 
 #include "module/module.h"

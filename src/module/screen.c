@@ -1,4 +1,5 @@
-/* Module: the full screen and the prompt, with curses and readline. */
+/* The module of the full screen and of the prompt, which keeps curses and readline out of the
+ * program. */
 #include "config.h"
 
 #include "module/module.h"
@@ -29,7 +30,7 @@ int cr_screen_main(int argc, char **argv) {
                                             .report = cr_expert_order};
         status = cr_tui_main(&screen);
     } else if (!wanted && cr_repl_one_scene(argc, argv)) {
-        status = cr_cli_run(argc, argv); /* which says what is wrong with it */
+        status = cr_cli_run(argc, argv); /* It says what is wrong with the scene. */
     } else {
         if (wanted) {
             fprintf(stderr, "crumple: no full screen (%s), so the plain prompt\n", why);

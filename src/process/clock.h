@@ -2,10 +2,11 @@
 #ifndef CR_PROCESS_CLOCK_H
 #define CR_PROCESS_CLOCK_H
 
-/* s from some moment on; it only goes forward, whoever sets the time of day. */
+/* Seconds from some moment on; they only go forward, also when somebody sets the time of day. */
 double cr_clock_wall(void);
 
-/* s of processor time that the calling thread has used: a loaded machine takes nobody's away. */
+/* Seconds of processor time that the calling thread has used, which do not grow while other
+ * programs have the processor. */
 double cr_clock_thread(void);
 
 #endif

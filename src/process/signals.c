@@ -19,8 +19,8 @@ static void catch_all(const int *sig, int n, void (*handler)(int), int flags) {
 
 /* ---- a word of the command line ---- */
 
-/* A signal that comes between a look at the flag and a call that waits would be waited on: it is
- * followed by an alarm every second, which no call sleeps through. */
+/* A signal that comes between a look at the flag and a call that waits would be missed by that
+ * call: so an alarm follows every second, which interrupts the wait. */
 static void on_stop(int sig) {
     (void)sig;
     cr_signal_interrupted = 1;
@@ -33,7 +33,7 @@ void cr_signals_catch_word(void) {
     catch_all(again, 1, on_stop, 0);
     for (int i = 0; i < 2; i++) {
         struct sigaction old;
-        /* a background job of a script is started with ^C ignored, and stays so */
+        /* A background job of a script is started with ^C ignored, and must stay so. */
         if (sigaction(stops[i], NULL, &old) == 0 && old.sa_handler != SIG_IGN) {
             catch_all(&stops[i], 1, on_stop, (int)SA_RESETHAND);
         }
@@ -58,7 +58,7 @@ void cr_signals_catch_lines(void) {
 static const int faults[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGQUIT};
 enum { FAULTS = sizeof faults / sizeof *faults };
 
-/* handlers know no argument: the one screen of the process */
+/* A handler has no argument, so what it needs of the one screen of the process stands here. */
 static struct {
     int wake;
     void (*give_back)(void);
@@ -97,7 +97,7 @@ static void on_signal(int sig) {
         cr_signal_continued = 1;
         break;
     default:
-        if (cr_signal_ending == sig) { /* asked twice: do not wait for the work under way */
+        if (cr_signal_ending == sig) { /* Asked twice, it does not wait for the work under way. */
             screen.give_back();
             cr_signals_end_by(sig);
         }
@@ -116,7 +116,7 @@ void cr_signals_catch_screen(int wake, void (*give_back)(void)) {
     screen.give_back = give_back;
     catch_all(caught, sizeof caught / sizeof *caught, on_signal, 0);
     catch_all(pipe, 1, SIG_IGN, 0);
-    /* a stack that has overflowed cannot carry its own handler */
+    /* The handler of a stack overflow needs a stack of its own. */
     static char room[65536];
     stack_t stack = {.ss_sp = room, .ss_size = sizeof room};
     sigaltstack(&stack, NULL);
@@ -135,7 +135,7 @@ void cr_signals_stop(void) {
     sigemptyset(&only);
     sigaddset(&only, SIGTSTP);
     sigprocmask(SIG_UNBLOCK, &only, &kept);
-    kill(0, SIGTSTP); /* stops here until the shell continues the program */
+    kill(0, SIGTSTP); /* The program stops here until the shell continues it. */
     sigprocmask(SIG_SETMASK, &kept, NULL);
     sigaction(SIGTSTP, &ours, NULL);
     cr_signal_stopping = 0;

@@ -9,7 +9,7 @@
 
 /* Set by handlers, cleared by who has acted on them. */
 extern volatile sig_atomic_t cr_signal_interrupted; /* ^C, and for a word SIGTERM too */
-extern volatile sig_atomic_t cr_signal_ending;    /* SIGTERM or SIGHUP at the screen: its number */
+extern volatile sig_atomic_t cr_signal_ending;    /* number of a SIGTERM or SIGHUP at the screen */
 extern volatile sig_atomic_t cr_signal_resized;   /* the screen has another size */
 extern volatile sig_atomic_t cr_signal_stopping;  /* ^Z at the screen */
 extern volatile sig_atomic_t cr_signal_continued; /* the shell has continued the program */
@@ -28,7 +28,7 @@ void cr_signals_catch_lines(void);
  * request to end kills the process. */
 void cr_signals_catch_screen(int wake, void (*give_back)(void));
 
-/* Stop as ^Z does, here, until the shell continues the program. */
+/* Stop the program here as ^Z does, until the shell continues it. */
 void cr_signals_stop(void);
 
 /* End by a signal as if it had never been caught: its sender sees that in the exit status. */

@@ -13,6 +13,10 @@
     X(SWEEP, "Sweep", "sweep")                                                                     \
     X(LOG, "Log", "log")
 
+/* The words as "scene|pulse|...". */
+#define CR_AREA_BAR(name, title, word) "|" word
+#define CR_AREA_WORDS                  (&(CR_AREA_LIST(CR_AREA_BAR))[1])
+
 enum cr_area {
 #define X(name, title, word) CR_AREA_##name,
     CR_AREA_LIST(X)

@@ -1,4 +1,4 @@
-/* The words of the command line that lead to commands: files, -, -e, -i, --repl. */
+/* Runs the words of the command line that lead to commands: files, -, -e, -i, --repl. */
 #include "repl/repl_priv.h"
 
 #include "base/file.h"
@@ -21,7 +21,7 @@ const char *cr_repl_state_dir(char *buf, int size) {
     } else {
         return buf;
     }
-    for (char *p = buf + 1; *p != '\0'; p++) { /* each folder on the way, as XDG asks: 0700 */
+    for (char *p = buf + 1; *p != '\0'; p++) { /* XDG asks for 0700 of each folder on the way. */
         if (*p == '/') {
             *p = '\0';
             mkdir(buf, 0700);
@@ -43,7 +43,7 @@ static enum cr_err say_error(const struct cr_error *err) {
     return err->code;
 }
 
-/* Lines as they arrive, so that another program can talk to this one through pipes. */
+/* Runs lines as they arrive, so that another program can talk to this one through pipes. */
 static enum cr_err run_stream(struct cr_session *s) {
     char *line = NULL;
     size_t size = 0;
@@ -159,7 +159,7 @@ int cr_repl_main(int argc, char **argv, const char *data_dir, const char *cars_d
         return cr_err_status(err.code);
     }
     enum cr_err code = o.sources > 0 ? run_sources(s, argc, argv, data_dir) : CR_ERR_OK;
-    /* -i stays also after ^C, to look at what a solve has left */
+    /* -i stays also after ^C, so that one can look at what a solve has left. */
     if (prompt && (code == CR_ERR_OK || code == CR_ERR_INTERRUPTED) && !cr_session_over(s)) {
         code = ask(s, &t, state_dir);
     } else if (!prompt && code == CR_ERR_OK && (o.sources == 0 || o.prompt)) {

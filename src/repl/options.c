@@ -1,4 +1,5 @@
-/* What the words of the command line ask for: command files, scenes, -e, -i and the options. */
+/* Reads what the words of the command line ask for: command files, scenes, -e, -i and the
+ * options. */
 #include "repl/repl_priv.h"
 
 #include "base/file.h"
@@ -24,7 +25,7 @@ bool cr_repl_is_scene(const char *path) {
     return n > 5 && strcmp(path + n - 5, ".json") == 0;
 }
 
-int cr_repl_takes(const char *arg) {
+bool cr_repl_takes(const char *arg) {
     size_t n = strlen(arg);
     return strcmp(arg, "-") == 0 || strcmp(arg, "-e") == 0 || strcmp(arg, "-i") == 0 ||
            strcmp(arg, "--repl") == 0 || strcmp(arg, "--ascii") == 0 ||
@@ -34,6 +35,7 @@ int cr_repl_takes(const char *arg) {
              cr_repl_is_scene(arg) || access(arg, F_OK) == 0));
 }
 
+/* The exit status of wrong usage, after a message unless it is quiet. */
 static int fail(bool quiet, const char *what, const char *arg) {
     char shown[256];
     if (quiet) {
@@ -111,6 +113,7 @@ bool cr_repl_one_scene(int argc, char **argv) {
     return read_words(argc, argv, true, &o) == 0 && o.scenes == 1 && o.sources == 1 && !o.prompt;
 }
 
+/* Whether all files among the arguments can be read. */
 static bool all_there(int argc, char **argv, const char *data_dir) {
     char buf[4096];
     for (int i = 1; i < argc; i++) {

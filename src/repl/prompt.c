@@ -1,5 +1,5 @@
-/* The prompt: readline with history and completion. readline keeps its state in globals of its
- * own; the one pointer it needs from us lives here. */
+/* The prompt: readline with history and completion. readline keeps its state in globals of its own
+ * and hands no argument to its callbacks, so what they need lives in two globals here. */
 #include "repl/repl_priv.h"
 
 #include "base/file.h"
@@ -15,7 +15,6 @@
 
 enum { HISTORY_MAX = 5000, HELP_COLUMN = 24 };
 
-/* readline's completion functions have no argument for it */
 static struct cr_session *completing;
 static struct cr_completion candidates;
 
@@ -44,7 +43,7 @@ static char **complete(const char *typed, int start, int end) {
     return rl_completion_matches(typed, next_candidate);
 }
 
-/* the candidates with what they mean, a line each */
+/* Lists the candidates with what they mean, a line each. */
 static void show_candidates(char **matches, int n, int longest) {
     (void)matches;
     (void)n;
@@ -83,11 +82,11 @@ void cr_repl_complete(struct cr_session *s) {
     }
 }
 
-/* ^C at the prompt: the line is given up, the session goes on */
+/* At ^C the line at the prompt is given up and the session goes on. */
 static int after_signal(void) {
     if (cr_signal_interrupted) {
         cr_signal_interrupted = 0;
-        rl_replace_line("", 1); /* readline itself has shown ^C */
+        rl_replace_line("", 1); /* readline itself has shown ^C already. */
         rl_crlf();
         rl_on_new_line();
         rl_redisplay();
@@ -122,11 +121,11 @@ static void remember(const char *line, const char *file) {
     }
     add_history(line);
     if (file[0] != '\0' && append_history(1, file) != 0) {
-        write_history(file); /* the first line of all makes the file */
+        write_history(file); /* The first line of all makes the file. */
     }
 }
 
-/* a line with the lines that "\" adds to it; NULL at the end of input */
+/* Reads a line with the lines that "\" adds to it; NULL at the end of input. */
 static char *read_whole(void) {
     struct cr_str whole = {0};
     char *line = readline(CR_PROMPT);
@@ -144,8 +143,8 @@ static char *read_whole(void) {
     return whole.s != NULL ? whole.s : strdup("");
 }
 
-/* in the history a line is one line */
-static void joined(char *line) {
+/* Joins a command of several lines to one, which it is in the history. */
+static void join_lines(char *line) {
     for (char *p = line; *p != '\0'; p++) {
         if (p[0] == '\\' && p[1] == '\n') {
             p[0] = p[1] = ' ';
@@ -185,7 +184,7 @@ enum cr_err cr_repl_prompt(struct cr_session *s, struct cr_terminal *t, const ch
         }
         char *one = strdup(line);
         if (one != NULL) {
-            joined(one);
+            join_lines(one);
             remember(one, file);
         }
         free(one);

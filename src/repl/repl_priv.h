@@ -1,4 +1,4 @@
-/* What the line sources share. */
+/* What the files of src/repl share: the options of the command line, the prompt, the terminal. */
 #ifndef CR_REPL_REPL_PRIV_H
 #define CR_REPL_REPL_PRIV_H
 
@@ -16,9 +16,10 @@ struct cr_repl_options {
 /* The options of a line for cr_repl_main; 0, or the exit status after a message. */
 int cr_repl_read_options(int argc, char **argv, struct cr_repl_options *o);
 bool cr_repl_is_scene(const char *path); /* by its suffix */
-/* "share/tutorial/..." works wherever the program is run, as it does for source. */
+/* The path of a file here, or else in the data folder: "share/tutorial/..." works wherever the
+ * program is run, as it does for the command source. */
 const char *cr_repl_find_file(const char *path, const char *data_dir, char *buf, int size);
-/* The line that opens a file: "load" for a scene, "source" for commands. */
+/* Add the line that opens a file: "load" for a scene, "source" for commands. */
 void cr_repl_add_line(struct cr_str *out, const char *path);
 
 enum { CR_PROMPT_WIDTH = 9 };
@@ -33,7 +34,8 @@ struct cr_terminal {
 };
 
 struct cr_out cr_terminal_out(struct cr_terminal *t);
-/* Colours and glyphs: color is "always", "never" or "auto"; ascii forces plain ASCII. */
+/* Colours and glyphs of the terminal: color is "always", "never" or "auto"; ascii forces plain
+ * ASCII. */
 struct cr_look cr_terminal_look(const char *color, bool ascii);
 void cr_terminal_size(int *width, int *height);
 

@@ -1,4 +1,4 @@
-/* The session's output on a terminal or into a pipe. */
+/* Prints the output of a session on a terminal or into a pipe. */
 #include "repl/repl_priv.h"
 
 #include <langinfo.h>
@@ -64,7 +64,7 @@ static void fault(void *user, const struct cr_fault *f) {
     int width, height;
     clear_progress(t);
     cr_terminal_size(&width, &height);
-    /* a caret below a line that is folded would point anywhere */
+    /* A caret below a line that is folded would point anywhere. */
     shown.many = f->many || CR_PROMPT_WIDTH + (int)strlen(f->text) >= width;
     cr_fault_text(&shown, t->prompt ? CR_PROMPT_WIDTH : -1, &lines);
     fflush(stdout);
@@ -123,7 +123,7 @@ static int cancel(void *user) {
 static void size(void *user, int *width, int *height) {
     (void)user;
     cr_terminal_size(width, height);
-    /* a picture that fills the whole screen scrolls its own title away */
+    /* A picture that fills the whole screen would scroll its own title away. */
     *height = *height > 40 ? 40 : *height;
 }
 

@@ -17,7 +17,7 @@
 
 enum { ROUNDS = 4 };
 
-/* a percentage; "-" where there are too few tests to have one */
+/* The text of a percentage; "-" where there are too few tests to have one. */
 static const char *percent(double x, bool sign, char buf[16]) {
     if (!isfinite(x)) {
         return "-";
@@ -26,8 +26,8 @@ static const char *percent(double x, bool sign, char buf[16]) {
     return buf;
 }
 
-/* Walls by speed class, all types: what a linear front can and cannot do. The few tests below the
- * slowest programme count with that. */
+/* Prints the walls by speed class, all types together: they show what one curve for all speeds can
+ * and cannot do. The few tests below the slowest class count with that class. */
 static void print_speeds(const struct cr_calibration *f, struct cr_str *out) {
     double a[CR_CALIBRATE_TESTS], b[CR_CALIBRATE_TESTS], c[CR_CALIBRATE_TESTS];
     cr_str_add(out, "\nwalls by speed    n  depth MPE %  SD %    peak g MPE %  SD %\n");
@@ -107,7 +107,7 @@ static enum cr_err write_recipes(const struct cr_calibration *f, const char *dir
     return code;
 }
 
-/* Every one of the 72 models as `crumple models` shows it, from the recipes just written. */
+/* Prints the models as `crumple models` shows them, from the recipes just written. */
 static enum cr_err print_models(const char *dir, struct cr_error *err) {
     struct cr_model_papers papers;
     struct cr_str out = {0};

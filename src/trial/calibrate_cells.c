@@ -16,14 +16,16 @@
  * edge, which stood 80 mm above the road (from memory [FRONT-GRID]). */
 enum { COLUMNS = 8, ROWS = 11 };
 static const double cell_edge = 0.125, wall_bottom = 0.080;
-/* how far the front was crushed when the compartment stood still, m */
+/* How far the front was crushed when the compartment stood still, m. */
 static const double camry_crush = 0.746;
 
+/* Energy by column and by row, %. */
 struct shares {
     double column[COLUMNS]; /* by distance from the centre line, both sides */
     double row[ROWS];       /* from the lowest up */
 };
 
+/* Scales values to a sum of 100. */
 static void scale(double *v, int n) {
     double sum = 0;
     for (int i = 0; i < n; i++) {
@@ -41,7 +43,7 @@ static enum cr_err measured(const char *dir, struct shares *out, struct cr_error
     memset(out, 0, sizeof *out);
     enum cr_err code = cr_records_load(path, &t, err);
     for (int r = 0; code == CR_ERR_OK && r < t.rows; r++) {
-        int row = 'K' - cr_records_text(&t, r, "row")[0]; /* A is the highest */
+        int row = 'K' - cr_records_text(&t, r, "row")[0]; /* A is the highest of the eleven. */
         for (int i = 0; code == CR_ERR_OK && i < 2 * COLUMNS && row >= 0 && row < ROWS; i++) {
             char name[8];
             double kj;

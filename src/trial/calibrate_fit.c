@@ -12,18 +12,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* scatter from car to car: of the dynamic and of the residual depth, m [CRUSH-SCATTER] */
+/* Scatter from car to car: of the dynamic and of the residual depth, m [CRUSH-SCATTER]. */
 static const double sd_dynamic = 0.06, sd_residual = 0.065;
-/* how far a type may lie from the mean of all before its tests say so: of 1/w, relative; of the
- * springback, m; of the flank, as a number of tests */
+/* How far a type may lie from the mean of all before its tests say so: of 1/w, relative; of the
+ * springback, m; of the flank, as a number of tests. */
 static const double prior_slope = 0.04, prior_springback = 0.02, prior_poles = 4;
-/* width on which a pole of 254 mm presses before it is deep, m, and the power of a type's depths
- * with which its flank is corrected: steps of the iteration, not of its result */
+/* Width on which a pole of 254 mm presses before it is deep, m, and the power of a type's depths
+ * with which its flank is corrected: they set the steps of the iteration, not its result. */
 static const double pole_width = 0.2, pole_force = 1.6;
-/* cars before this year count half: today's cars are stiffer at 40 km/h and softer at 56 */
+/* Cars before this year count half: today's cars are stiffer at 40 km/h and softer at 56. */
 static const int new_from = 2009;
 
-/* the tests of a class */
+/* Gathers the tests of a class. */
 static enum cr_err gather(const struct cr_test_list *from, enum cr_test_class class,
                           struct cr_test_set *out, struct cr_error *err) {
     out->item = calloc((size_t)from->n + 1, sizeof *out->item);
@@ -95,28 +95,27 @@ static double dynamic_of(const struct cr_test *t) {
     return t->reference[CR_MEASURE_DYNAMIC];
 }
 
-/* w of the front, 1/s: EES over depth at the depth of a wall test at 50 km/h */
 double cr_calibration_slope(const struct cr_model_face *f) {
     const double depth = 0.6;
     return sqrt(2 * cr_model_face_energy(f, CR_CURVE_DYNAMIC, depth)) / depth;
 }
 
-/* Does a test of a car count for a type, or for what all types have in common (CR_TYPES)? */
+/* Whether a test of a car counts for a type, or for what all types have in common (CR_TYPES). */
 static bool counts(const struct cr_calibration *f, enum cr_type of, int as) {
     return as == CR_TYPES ? !f->data->ties.apart[of]
                           : (int)of == as || (int)of == f->data->ties.borrows[as];
 }
 
-/* Does a share of the solved depth spring back, and not the whole springback of the face? */
+/* Whether only a share of the face's springback springs back, because the solved depth is small. */
 static bool shallow(const struct cr_calibration *f, int i) {
     enum cr_type type = f->data->walls.item[i]->type;
     double back = f->sim[0][i] - f->sim[1][i];
     return back < cr_model_face(f->lib, type, CR_MODEL_FRONT)->springback - 1e-6;
 }
 
-/* Least squares of depth on speed for type (CR_TYPES: all): u = 1/w and the springback s from
+/* Least squares of depth on speed for a type (CR_TYPES: all): u = 1/w and the springback s from
  *     dynamic = v u,  greatest residual = v u - s,
- * v the speed that a linear front turns into the solved dynamic depth. */
+ * where v is the speed that a linear front turns into the solved dynamic depth. */
 static void fit_front(const struct cr_calibration *f, int type, double prior_u, double prior_s,
                       double *u, double *s) {
     double a = 0, b = 0, c = 0, p = 0, q = 0; /* [a b; b c] (u, s) = (p, q) */
@@ -134,7 +133,7 @@ static void fit_front(const struct cr_calibration *f, int type, double prior_u, 
         share *= t->year < new_from ? 0.5 : 1;
         double w = cr_calibration_slope(cr_model_face(f->lib, t->type, CR_MODEL_FRONT));
         double v = f->sim[0][i] * w, k = share / (sd_residual * sd_residual);
-        if (shallow(f, i)) { /* residual = ratio v u */
+        if (shallow(f, i)) { /* Here residual = ratio v u. */
             double ratio = f->sim[1][i] / f->sim[0][i];
             a += k * ratio * v * ratio * v;
             p += k * ratio * v * depth_of(t);
@@ -153,7 +152,7 @@ static void fit_front(const struct cr_calibration *f, int type, double prior_u, 
     *s = (a * q - b * p) / det;
 }
 
-/* Stretch a face's EES by a factor: force by its square. */
+/* Stretches a face's EES by a factor, which changes its force by the square of the factor. */
 static void scale_face(struct cr_model_face *f, double by) {
     for (int i = 0; i < f->ees.n; i++) {
         f->ees.y[i] *= by;
@@ -239,7 +238,7 @@ static enum cr_err side_round(struct cr_calibration *f, struct cr_error *err) {
      * flank of all from their area, the slope of all from their depth, then the flank of each type
      * from its own depth, which goes with about q^-0.6 */
     double slope = slope_from(want, cr_test_pole_area) / slope_from(deep, damaged);
-    slope = cr_clamp(slope, 0.6, 1.6); /* a step that the next round can take back */
+    slope = cr_clamp(slope, 0.6, 1.6); /* The next round can take back a step of this size. */
     for (int t = 0; t < CR_TYPES; t++) {
         double ratio = pole_ratio(f, t, &n);
         double force =
@@ -297,7 +296,6 @@ static void measure_side(struct cr_calibration *f, int type) {
     out->depth_sd = e.sd;
 }
 
-/* The last word: every test of a type and of its neighbour solved as that type. */
 enum cr_err cr_calibration_measure(struct cr_calibration *f, struct cr_error *err) {
     for (int t = 0; t < CR_TYPES; t++) {
         for (int i = 0; i < f->data->walls.n; i++) {
@@ -334,7 +332,6 @@ void cr_calibration_drop(struct cr_calibration *f) {
     free(f->own[1]);
 }
 
-/* Room for the results of the tests; the caller frees it also after an error. */
 enum cr_err cr_calibration_take(struct cr_calibration *f, struct cr_error *err) {
     double **const array[] = {&f->sim[0], &f->sim[1], &f->sim[2], &f->own[0], &f->own[1]};
     enum cr_err code = CR_ERR_OK;
@@ -347,7 +344,6 @@ enum cr_err cr_calibration_take(struct cr_calibration *f, struct cr_error *err) 
     return code;
 }
 
-/* a face without tests stays as it is */
 enum cr_err cr_calibration_rounds(struct cr_calibration *f, int rounds, struct cr_error *err) {
     enum cr_err code = CR_ERR_OK;
     for (int i = 0; i < rounds && code == CR_ERR_OK; i++) {

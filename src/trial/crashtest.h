@@ -1,5 +1,6 @@
-/* Crash tests as scenes with reference values: records of tables by one rule (share/doc/
- * validation.md), and scene files that bring their own expectations. */
+/* Crash tests as scenes with reference values, to be solved and compared: rows of tables, each
+ * turned into a scene by one rule (share/doc/validation.md), and scene files that bring their own
+ * expectations. */
 #ifndef CR_TRIAL_CRASHTEST_H
 #define CR_TRIAL_CRASHTEST_H
 
@@ -11,7 +12,7 @@
 
 #include <stdbool.h>
 
-/* X(NAME, word, title) */
+/* Classes of crash tests: X(NAME, word of crumple validate, title). */
 #define CR_TEST_CLASS_LIST(X)                                                                      \
     X(WALL, "wall", "full-width rigid wall")                                                       \
     X(POLE, "pole", "side pole, 254 mm, 75 deg, 32 km/h")                                          \
@@ -60,7 +61,8 @@ enum cr_measure {
         CR_MEASURES
 };
 
-/* Ratings of a pulse against a measured one; NaN without. The curves are owned by the list. */
+/* Ratings of a pulse against a measured one, NaN where none was measured. The curves are owned by
+ * the list of tests. */
 struct cr_test_pulse {
     double iso, cora, rms_g;
     struct cr_compare curves;
@@ -69,10 +71,11 @@ struct cr_test_pulse {
 struct cr_test_outcome {
     double value[CR_MEASURES]; /* in the unit of the list; NaN where the solve failed */
     struct cr_test_pulse pulse;
-    char error[256]; /* why it failed, "" if it did not */
+    char error[256]; /* why the solve failed, "" if it did not */
 };
 
-/* Runs of a test: the two methods, and `extended` with models that were calibrated without it. */
+/* The runs of a test are the two methods (enum cr_method), and `extended` with models that were
+ * calibrated without the test. */
 enum { CR_TEST_CROSS = 2, CR_TEST_RUNS = 3, CR_TEST_GROUP = 32 };
 
 struct cr_test {
@@ -80,19 +83,20 @@ struct cr_test {
     char id[CR_NAME_MAX];   /* "10146" or the name of the scene */
     char part[CR_NAME_MAX]; /* the participant that was measured */
     char title[96];
-    char group[CR_TEST_GROUP]; /* what a scene says it is judged with, "" */
+    char group[CR_TEST_GROUP]; /* tests that it is judged with (x_group of the scene), "" */
     char name[CR_NAME_MAX];    /* of the participant: x_name, "" without */
     enum cr_type type;         /* CR_TYPES: a barrier was measured */
     double speed_kmh;
-    double reference[CR_MEASURES]; /* NaN where nothing was measured */
+    double reference[CR_MEASURES]; /* in the unit of the list; NaN where nothing was measured */
     char *scene;                   /* JSON text, owned */
     char dir[CR_PATH_MAX];         /* folder of the scene file */
-    char file[2 * CR_PATH_MAX];    /* measured pulse, "" without */
-    char column[CR_NAME_MAX];
-    double at; /* when the motion was read, s after the first contact; NaN: end of the contact */
-    double normal; /* of the planar impact that the reference is, world, rad; NaN: it is none */
+    char file[2 * CR_PATH_MAX];    /* table of the measured pulse, "" without */
+    char column[CR_NAME_MAX];      /* its column in that table */
+    double at;     /* when the motion was read, s after first contact; NaN: end of the contact */
+    double normal; /* direction of the impulse, world, rad, where the reference is a planar impact;
+                      NaN: it is none */
     struct cr_compare_opts pulse;
-    int number, year;                        /* test number and model year of a record, 0 without */
+    int number, year;                        /* test number and model year of a row, 0 without */
     struct cr_test_outcome of[CR_TEST_RUNS]; /* CR_METHOD_EXTENDED, _PAPER, CR_TEST_CROSS */
 };
 
@@ -103,11 +107,12 @@ struct cr_test_list {
 void cr_test_list_fini(struct cr_test_list *list);
 /* New test at the end of a list, without references; NULL and an error without memory. */
 struct cr_test *cr_test_list_add(struct cr_test_list *list, struct cr_error *err);
-/* The test takes over the text as its scene. Errors: MEMORY, if it ran out while it was written. */
+/* The test, whose id is set, takes over the text as its scene. Errors: MEMORY, if it ran out while
+ * the text was written. */
 CR_MUST_CHECK enum cr_err cr_test_set_scene(struct cr_test *test, struct cr_str *text,
                                             struct cr_error *err);
 
-/* Speed class of a full wall, by the programmes that drive them; below CR_SPEEDS. */
+/* Speed class of a full wall (0 up to CR_SPEEDS - 1), by the programmes that drive such tests. */
 enum { CR_SPEEDS = 4 };
 int cr_test_speed_of(double speed_kmh);
 const char *cr_test_speed_word(int speed); /* "48 km/h" */
@@ -115,7 +120,7 @@ const char *cr_test_speed_word(int speed); /* "48 km/h" */
 /* Damaged plan area that the median side pole test leaves, m2. */
 extern const double cr_test_pole_area;
 
-/* Append the tests of a class from the data folder's share/validation. Errors: IO, SYNTAX, TYPE,
+/* Append the tests of a class from the folder validation of the data. Errors: IO, SYNTAX, TYPE,
  * MISSING, with their place. */
 CR_MUST_CHECK enum cr_err cr_test_load(const char *dir, enum cr_test_class class,
                                        const struct cr_type_rules *rules, struct cr_test_list *list,

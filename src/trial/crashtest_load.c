@@ -132,7 +132,7 @@ static bool ends_in(const char *name, const char *suffix) {
     return n > k && strcmp(name + n - k, suffix) == 0;
 }
 
-/* a scene, or with the suffix .jsonl one a line */
+/* Loads a scene, or with the suffix .jsonl a scene per line. */
 static enum cr_err load_scene(const char *path, enum cr_test_class class, struct cr_test_list *list,
                               struct cr_error *err) {
     char *text = NULL;

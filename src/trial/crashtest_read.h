@@ -1,4 +1,4 @@
-/* Reading of crash tests: what the reader of tables does for the reader of classes. */
+/* What the reader of tables of crash tests does for the reader of their classes. */
 #ifndef CR_TRIAL_CRASHTEST_READ_H
 #define CR_TRIAL_CRASHTEST_READ_H
 

@@ -1,4 +1,5 @@
-/* A crash test as a solved scene: its measures, and its pulse against the measured one. */
+/* Solves a crash test as a scene, takes its measures, and rates its pulse against the measured
+ * one. */
 #include "trial/crashtest.h"
 
 #include "result/planar.h"
@@ -8,7 +9,7 @@
 #include <string.h>
 
 static void take_measures(const struct cr_severity *s, double *to) {
-    const double *c = s->profile_outline; /* as the profiles of the tests are told */
+    const double *c = s->profile_outline; /* The profiles of the tests are measured so, too. */
     const double value[CR_MEASURES] = {
         [CR_MEASURE_EES] = cr_kmh(s->ees),
         [CR_MEASURE_DELTA_V] = cr_kmh(s->delta_v_net),
@@ -17,7 +18,7 @@ static void take_measures(const struct cr_severity *s, double *to) {
         [CR_MEASURE_YAW_RATE] = cr_deg(s->yaw_rate_change),
         [CR_MEASURE_DEPTH] = s->face_depth,
         [CR_MEASURE_DYNAMIC] = s->face_depth_dynamic,
-        /* trapezoid mean of equally spaced points */
+        /* The mean of equally spaced points is that of trapezoids. */
         [CR_MEASURE_PROFILE] = (c[0] / 2 + c[1] + c[2] + c[3] + c[4] + c[5] / 2) / 5,
         [CR_MEASURE_MEAN_CRUSH] = 20 * (c[0] / 2 + c[1] + c[2] + c[3] + c[4] + c[5] / 2),
         [CR_MEASURE_CORNER] = (c[0] + c[5]) / (c[2] + c[3]),
@@ -30,8 +31,8 @@ static void take_measures(const struct cr_severity *s, double *to) {
     memcpy(to, value, sizeof value);
 }
 
-/* Motion as it was read in the test, some time after the first contact: tyres and rubbing have
- * turned the cars on since they parted. */
+/* Takes the motion as it was read in the test, some time after the first contact: tyres and rubbing
+ * have turned the cars on since they parted. */
 static void take_motion(const struct cr_solution *sol, int body, double at, double *to) {
     const struct cr_sample *before = &sol->body[body].before;
     const struct cr_sample *then = cr_result_motion_at(sol, body, sol->t_contact + at);

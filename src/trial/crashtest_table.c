@@ -10,13 +10,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* numbers of a row by column; stops at the first that is no number */
+/* A number that is wanted of a row. */
 struct wish {
     const char *column;
     double *to;
     bool needed;
 };
 
+/* Reads the numbers of a row; stops at the first that is no number or is missing. */
 static enum cr_err read_row(const struct cr_records *r, int row, const struct wish *wish, int n,
                             struct cr_error *err) {
     enum cr_err code = CR_ERR_OK;
@@ -34,7 +35,7 @@ static void name_case(struct cr_test *c, const struct cr_records *r, int row) {
     const char *number = cr_records_text(r, row, "test_no"),
                *year = cr_records_text(r, row, "year");
     const char *make = cr_records_text(r, row, "make"), *model = cr_records_text(r, row, "model");
-    /* some rows come without a test number */
+    /* Some rows come without a test number. */
     if (number[0] == '\0' || strcmp(number, "0") == 0) {
         snprintf(c->id, sizeof c->id, "row %d", r->line[row]);
     } else {
@@ -46,14 +47,14 @@ static void name_case(struct cr_test *c, const struct cr_records *r, int row) {
     snprintf(c->title, sizeof c->title, "%s %s %s", year, make, model);
 }
 
-/* where tests come from */
+/* The table that tests come from, and how its cars are sorted. */
 struct source {
     struct cr_records records;
     const struct cr_type_rules *rules;
     enum cr_test_class class;
 };
 
-/* class, names and type of the car in a row */
+/* Sets class, names and type of the car in a row. */
 static enum cr_err begin_case(const struct source *from, int row, double mass, double length,
                               struct cr_test *c, struct cr_error *err) {
     const struct cr_records *r = &from->records;
@@ -84,8 +85,8 @@ static void begin_scene(struct cr_str *s, const struct cr_test *c, double mass, 
     }
 }
 
-/* Reference of EES and delta-v: no channel of these tests is at hand, so the speed with the
- * restitution of full walls, 0.17 [WALL-RESTITUTION]. */
+/* No channel of these tests is at hand, so EES and delta-v of the reference are those of the speed
+ * with the restitution of full walls [WALL-RESTITUTION]. */
 static const double wall_restitution = 0.17, wall_restitution_from = 36; /* -, km/h */
 
 static enum cr_err wall_case(const struct source *from, int row, struct cr_test *c,
@@ -113,7 +114,7 @@ static enum cr_err wall_case(const struct source *from, int row, struct cr_test 
         ref[CR_MEASURE_DELTA_V] = speed * (1 + wall_restitution);
     }
     ref[CR_MEASURE_DEPTH] = top;
-    /* trapezoid mean of equally spaced points */
+    /* The mean of equally spaced points is that of trapezoids. */
     ref[CR_MEASURE_PROFILE] =
         (crush[0] / 2 + crush[1] + crush[2] + crush[3] + crush[4] + crush[5] / 2) / 5000;
     ref[CR_MEASURE_CORNER] = (crush[0] + crush[5]) / (crush[2] + crush[3]);
@@ -163,7 +164,7 @@ static enum cr_err pole_case(const struct source *from, int row, struct cr_test 
     if (has_cg) {
         cr_str_addf(&s, " \"cg\": { \"behind_front_axle_m\": %.10g },", cg / 1000);
     }
-    /* the point of the flank moves towards the pole along the direction of travel */
+    /* The point of the flank moves towards the pole along the direction of travel. */
     cr_str_addf(&s,
                 "\n      \"position_m\": [0, 0], \"heading_deg\": 0, \"course_deg\": %g, "
                 "\"speed_kmh\": %.10g },\n"
@@ -196,10 +197,10 @@ enum cr_err cr_test_load_table(const char *path, enum cr_test_class class,
     return code;
 }
 
-/* a signal whose energy is further off than this, relative, is not trusted */
+/* A signal whose energy is further off than this, relative, is not trusted. */
 static const double energy_off = 0.05;
 
-/* dynamic crush and peak of the walls, by test number; only rows that the source calls valid */
+/* Only rows that the source itself calls valid count. */
 enum cr_err cr_test_add_pulses(const char *path, struct cr_test_list *list, int from,
                                struct cr_error *err) {
     struct cr_records r;
@@ -220,8 +221,6 @@ enum cr_err cr_test_add_pulses(const char *path, struct cr_test_list *list, int 
             }
         }
     }
-    if (code == CR_ERR_OK) {
-        cr_records_fini(&r);
-    }
+    cr_records_fini(&r);
     return code;
 }

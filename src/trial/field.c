@@ -1,4 +1,4 @@
-/* Real crashes evaluated: the values of damage, and their statistics by kind and type. */
+/* Evaluates real crashes: delta-v from their damage, and its errors by kind and type. */
 #include "trial/field.h"
 
 #include "base/stats.h"
@@ -38,7 +38,7 @@ void cr_field_evaluate(struct cr_field_table *field, const struct cr_crush_rules
         cr_crush_best(&what, by, &impact);
         const struct cr_crush_part *own = &impact.part[0];
         double forward = own->of[CR_DAMAGE_FORWARD].best, right = -own->of[CR_DAMAGE_LEFT].best;
-        /* a front's recorder counts what braking takes meanwhile */
+        /* The recorder of a front also counts what braking takes meanwhile. */
         forward -= row->what.car[0].m.face == CR_FACE_FRONT ? by->drag : 0;
         row->value = hypot(isnan(row->forward) ? 0 : forward, isnan(row->right) ? 0 : right);
         row->lo = row->hi = NAN;
@@ -58,7 +58,7 @@ void cr_field_spread(struct cr_field_table *field, const struct cr_crush_rules *
     }
 }
 
-/* a corner, 25 to 40 % and 40 to 60 % of a front's width, and what is no offset */
+/* A corner, 25 to 40 %, 40 to 60 %, and more of a front's width, which is no offset. */
 static const double bands[CR_FIELD_BANDS + 1] = {0, 0.25, 0.4, 0.6, INFINITY};
 
 double cr_field_band(int band) {

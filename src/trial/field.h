@@ -1,5 +1,5 @@
-/* Real crashes: delta-v from the measured damage against the cars' event data recorders, beside
- * NHTSA's own WinSMASH. */
+/* Real crashes: delta-v from the measured damage against what the cars' event data recorders wrote,
+ * beside NHTSA's own program WinSMASH. */
 #ifndef CR_TRIAL_FIELD_H
 #define CR_TRIAL_FIELD_H
 
@@ -11,6 +11,7 @@
 
 #include <stdbool.h>
 
+/* Kinds of crashes: X(NAME, word). */
 #define CR_FIELD_KIND_LIST(X)                                                                      \
     X(FRONT_FRONT, "front-front")                                                                  \
     X(FRONT_REAR, "front-rear")                                                                    \
@@ -24,20 +25,25 @@ enum cr_field_kind {
 #undef X
         CR_FIELD_KINDS
 };
-/* Across the kinds, kinds for cr_field_result: fronts met over less than 0.6 of their width, and
- * fronts by the share of their width that was met, in CR_FIELD_BANDS of them. */
+/* Kinds for cr_field_result that lie across those above: fronts met over less than 0.6 of their
+ * width, and fronts by the share of their width that was met, CR_FIELD_BAND + band. */
 enum { CR_FIELD_OFFSET = CR_FIELD_KINDS, CR_FIELD_BAND, CR_FIELD_BANDS = 4 };
 /* From which share of the width on a band begins; that of CR_FIELD_BANDS is where the last ends. */
 double cr_field_band(int band);
 const char *cr_field_kind_word(enum cr_field_kind kind);
 
-enum { CR_FIELD_FOLDS = 5, CR_FIELD_RULES = 16 };
+enum { CR_FIELD_FOLDS = 5 };
 
-/* Rules of share/validation/field/filter.csv by name: which rows count. */
+/* The rules of share/validation/field/filter.csv: which rows count, and as what. */
 struct cr_field_filter {
-    double min_delta_v, max_time, wrong_sign; /* m/s, s, m/s */
-    double complete, impacts, occupant; /* 1; most of the vehicle; kg added to the kerb mass */
+    double min_delta_v; /* of the recorder, m/s */
+    double max_time;    /* to its greatest delta-v, s */
+    double wrong_sign;  /* delta-v that pulls at the struck face instead of pushing it, m/s */
+    double complete;    /* 1: only records that are complete */
+    double impacts;     /* most that the vehicle may have had */
+    double occupant;    /* added to the kerb mass, kg */
     double super_compact, mini_compact, compact; /* kg below which a car is of the type */
+    /* Codes of bodies and of objects, between blanks. */
     char suv_bodies[200], wagon_bodies[64], poles[64], trees[64];
 };
 
@@ -45,12 +51,12 @@ struct cr_field_row {
     char name[64]; /* case and vehicle */
     int line, fold;
     enum cr_field_kind kind;
-    struct cr_crush_case what; /* car 0 is the one with the recorder */
-    double forward, right;     /* recorder, m/s; NaN: not recorded */
-    double smash_forward, smash_right;
-    double measured, winsmash; /* over the directions recorded, m/s; winsmash NaN: none */
-    double value;              /* of damage, likewise; NaN: not evaluated */
-    double lo, hi;             /* its interval; NaN: none */
+    struct cr_crush_case what;         /* car 0 is the one with the recorder */
+    double forward, right;             /* delta-v of the recorder, m/s; NaN: not recorded */
+    double smash_forward, smash_right; /* delta-v of WinSMASH, m/s */
+    /* Amounts over the directions that were recorded, m/s: of the recorder, of WinSMASH (NaN: there
+     * is none) and from the damage (NaN: not evaluated) with its interval (NaN: none). */
+    double measured, winsmash, value, lo, hi;
 };
 
 struct cr_field_table {
@@ -60,30 +66,34 @@ struct cr_field_table {
     struct cr_arena arena;
 };
 
+/* Read a table of rules. Errors: those of tables; NAME for a rule that is none. */
 CR_MUST_CHECK enum cr_err cr_field_filter_read(const char *path, struct cr_field_filter *out,
                                                struct cr_error *err);
-/* Does the table have the columns of share/validation/field/crush_edr.csv? */
+/* Whether a table has the columns of share/validation/field/crush_edr.csv. */
 bool cr_field_is(const char *path);
-/* Rows of a table that the filter lets through, with their models. Errors: those of tables with
- * their line, and of models. */
+/* Load the rows of a table that the filter lets through, with their models. Errors: those of tables
+ * with their line, and of models. */
 CR_MUST_CHECK enum cr_err cr_field_load(const char *path, const struct cr_field_filter *filter,
                                         const struct cr_model_lib *lib, struct cr_field_table *out,
                                         struct cr_error *err);
 void cr_field_fini(struct cr_field_table *field);
 
-/* Values of all rows by rules of their fold: rules[CR_FIELD_FOLDS]; or of rules[0] for all.
- * guess: as if nothing had been measured of the partners. */
+/* Compute the values of all rows: with folds by the rules of their fold, rules[CR_FIELD_FOLDS],
+ * else all by rules[0]. guess: as if nothing had been measured of the partners. */
 void cr_field_evaluate(struct cr_field_table *field, const struct cr_crush_rules *rules, bool folds,
                        bool guess);
 
-/* The intervals of the values, which it does not compute; and the share of the recorders of a kind
- * that lie within them, widened by the recorder's noise (NaN: there are none). */
+/* Compute the intervals of values that were evaluated before. */
 void cr_field_spread(struct cr_field_table *field, const struct cr_crush_rules *rules, bool folds);
+/* Share of the recorders of a kind that lie within the intervals, widened by the recorder's noise
+ * (relative); NaN: there are none. */
 double cr_field_inside(const struct cr_field_table *field, int kind, double noise);
 
+/* Errors against the recorders: mean, mean amount and median in %, and the spread of their
+ * logarithms. */
 struct cr_field_stats {
     int n;
-    double bias, mape, median, log_sd; /* %, %, %, - */
+    double bias, mape, median, log_sd;
 };
 /* Statistics of the rows of a kind (-1: all) and a type of the vehicle (-1: all): ours on all of
  * them, and ours and WinSMASH's on those that have both. */
@@ -93,10 +103,12 @@ struct cr_field_result {
 CR_MUST_CHECK enum cr_err cr_field_result(const struct cr_field_table *field, int kind, int type,
                                           struct cr_field_result *out, struct cr_error *err);
 
+/* What is written of a table: crossed and guess tell how its values were computed. */
 struct cr_field_form {
     bool cases, plot, crossed, guess;
     const char *title;
 };
+/* Add the statistics as text or JSON, or the rows as CSV. Error: MEMORY. */
 CR_MUST_CHECK enum cr_err cr_field_text(const struct cr_field_table *field,
                                         const struct cr_field_form *form,
                                         const struct cr_crush_rules *rules, struct cr_str *out,
@@ -107,31 +119,34 @@ CR_MUST_CHECK enum cr_err cr_field_json(const struct cr_field_table *field,
                                         struct cr_error *err);
 CR_MUST_CHECK enum cr_err cr_field_csv(const struct cr_field_table *field, struct cr_str *out,
                                        struct cr_error *err);
-/* Delta-v from damage over that of the recorder, by kind. Errors: those of cr_picture_write. */
+/* Draw delta-v from damage over that of the recorder, by kind. Errors: those of
+ * cr_picture_write. */
 CR_MUST_CHECK enum cr_err cr_field_picture(const struct cr_field_table *field, const char *path,
                                            struct cr_error *err);
 
-/* Fit the rules to the rows whose fold is not `without` (-1: all), starting from *rules; the loss
- * is that of the aims: bias and mean error of each kind, scatter. Errors: USAGE without NLopt. */
+/* Fit the rules to the rows whose fold is not `without` (-1: all), starting from *rules: mean
+ * error, bias and scatter of each kind become least. Errors: USAGE without NLopt, SOLVER,
+ * MEMORY. */
 CR_MUST_CHECK enum cr_err cr_field_fit(struct cr_field_table *field, int without,
                                        struct cr_crush_rules *rules, struct cr_error *err);
-/* What partners took beside what the measured car took, of the rows whose fold is not `without`: a
- * regression of the logarithms. */
+/* Set what partners took beside what the measured car took, from the rows whose fold is not
+ * `without`, by a regression of the logarithms of both energies. */
 void cr_field_partners(const struct cr_field_table *field, int without,
                        struct cr_crush_rules *rules);
-/* Scatter of the energies: of the residuals less the recorder's noise. */
+/* Set the scatter of the energies: that of the errors less the recorder's noise. */
 void cr_field_scatter(const struct cr_field_table *field, struct cr_crush_rules *rules);
-/* The rules of all and of each fold as the text of share/damage/calibration.json. */
+/* Write the rules of all and of each fold as the text of share/damage/calibration.json. Error:
+ * MEMORY. */
 CR_MUST_CHECK enum cr_err cr_field_write(const struct cr_crush_rules *all,
                                          const struct cr_crush_rules folds[CR_FIELD_FOLDS],
                                          const struct cr_field_table *field, struct cr_str *out,
                                          struct cr_error *err);
-/* Rules of the folds out of that file. */
+/* Read the rules of the folds from that file. Errors: IO, SYNTAX, MODEL. */
 CR_MUST_CHECK enum cr_err cr_field_folds_read(const char *path,
                                               struct cr_crush_rules out[CR_FIELD_FOLDS],
                                               struct cr_error *err);
 
-/* `validate field` and `validate FILE.csv` of such a table; `calibrate-damage`. */
+/* `crumple validate field`, or `crumple validate FILE.csv` of such a table. */
 struct cr_field_task {
     const char *path; /* NULL: the shipped one */
     int format;       /* 0 text, 1 JSON, 2 CSV */

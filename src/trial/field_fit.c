@@ -8,7 +8,7 @@
 #if HAVE_NLOPT
 #include <nlopt.h>
 
-/* rise and level of the three ends, and the oblique factor */
+/* The parameters are rise and level of the three ends, and the oblique factor. */
 enum { PARAMETERS = 2 * CR_MODEL_ENDS + 1 };
 static const double least[PARAMETERS] = {0.01, 0.01, 0.01, 0.2, 0.2, 0.2, 0};
 static const double most[PARAMETERS] = {0.35, 0.35, 0.35, 4, 4, 4, 2};
@@ -21,7 +21,7 @@ static void unpack(const double *x, struct cr_crush_rules *rules) {
     rules->oblique = x[2 * CR_MODEL_ENDS];
 }
 
-/* statistics of the rows of one kind and face of the car, without those of a fold */
+/* Sums over the rows of one kind and face of the car, without those of a fold. */
 struct group {
     double log_sum, log_square, percent, amount;
     int n;
@@ -36,8 +36,8 @@ static void add_to(struct group *g, double value, double measured) {
     g->amount += fabs(p);
 }
 
-/* mean error, scatter and squared bias per row, as the aims ask for each kind; the bias of the two
- * partners of a kind apart counts a third of that */
+/* Loss of a whole kind: mean error, scatter and squared bias, as the aims ask for them. The bias of
+ * one end of the car within a kind counts a third of that. */
 static double group_loss(const struct group *g, bool whole) {
     if (g->n == 0) {
         return 0;
@@ -60,10 +60,7 @@ static double loss(const struct cr_field_table *field, int without) {
         if (row->fold == without || !(row->value > 0)) {
             continue;
         }
-        enum cr_face face = row->what.car[0].m.face;
-        int end = face == CR_FACE_FRONT  ? CR_MODEL_FRONT
-                  : face == CR_FACE_REAR ? CR_MODEL_REAR
-                                         : CR_MODEL_SIDE;
+        enum cr_model_end end = cr_crush_end(row->what.car[0].m.face);
         add_to(&kind[row->kind], row->value, row->measured);
         add_to(&part[row->kind][end], row->value, row->measured);
         n++;
@@ -91,7 +88,8 @@ static double objective(unsigned n, const double *x, double *gradient, void *use
     cr_field_evaluate(s->field, &s->rules, false, false);
     double sum = loss(s->field, s->without);
     for (int i = 0; i < CR_MODEL_ENDS; i++) {
-        /* threshold and level trade in a flat valley: the recipes' own energy is the better end */
+        /* Threshold and level trade along a flat valley of the loss; its better end is where the
+         * recipes' own energy holds. */
         sum += pow(log(s->rules.level[i]), 2);
     }
     return sum;
@@ -138,13 +136,13 @@ enum cr_err cr_field_fit(struct cr_field_table *field, int without, struct cr_cr
 }
 #endif
 
-/* sums of a regression of one logarithm by another */
+/* Sums of a regression of one logarithm by another. */
 struct sums {
     double n, x, y, xx, xy, yy;
 };
 
 static void add_pair(struct sums *s, double known, double guessed) {
-    double scratch = 100; /* J: nothing takes less */
+    double scratch = 100; /* J; nothing that is called damage takes less. */
     double x = log(fmax(known, scratch) / cr_crush_known), y = log(fmax(guessed, scratch));
     s->n++;
     s->x += x;
@@ -193,8 +191,8 @@ void cr_field_scatter(const struct cr_field_table *field, struct cr_crush_rules 
     if (cr_field_result(field, -1, -1, &r, &ignored) != CR_ERR_OK || r.own.n < 3) {
         return;
     }
-    /* what is left of the scatter without the recorder is that of the energy, of which delta-v is
-     * the root */
+    /* What is left of the scatter without the recorder's is that of the energy, and delta-v goes
+     * with the root of the energy. */
     double speed = sqrt(fmax(0, r.own.log_sd * r.own.log_sd - rules->noise * rules->noise));
     for (int i = 0; i < CR_MODEL_ENDS; i++) {
         rules->log_sd[i] = 2 * speed;

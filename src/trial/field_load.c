@@ -1,4 +1,4 @@
-/* Reads tables of real crashes: which rows count, and each as a case of damage. */
+/* Reads tables of real crashes: picks the rows that count, and makes each a case of damage. */
 #include "trial/field.h"
 
 #include "base/vec.h"
@@ -38,7 +38,7 @@ static enum cr_err take_rule(const struct cr_records *t, int row, struct cr_fiel
         if (strcmp(rules[i].name, name) != 0) {
             continue;
         }
-        if (rules[i].text != NULL) { /* words between blanks */
+        if (rules[i].text != NULL) { /* The blanks make listed() find whole codes only. */
             snprintf(rules[i].text, rules[i].size, " %s ", cr_records_text(t, row, "value"));
             return CR_ERR_OK;
         }
@@ -122,7 +122,7 @@ static bool wrong_sign(int face, double forward, double right, double limit) {
            (face == CR_FACE_RIGHT && right > limit);
 }
 
-/* a row with a recorder that counts by itself; what its partner must have comes later */
+/* Whether a row with a recorder counts by itself; what its partner must have is asked later. */
 static bool counts(struct loading *l, int i, const struct cr_field_row *row) {
     const struct cr_field_filter *f = l->f;
     int face = face_of(l->t, i);
@@ -135,6 +135,7 @@ static bool counts(struct loading *l, int i, const struct cr_field_row *row) {
            !wrong_sign(face, row->forward, row->right, f->wrong_sign);
 }
 
+/* Amount of a delta-v over the directions that were recorded. */
 static double over(double forward, double right, const struct cr_field_row *row) {
     double a = isnan(row->forward) ? 0 : forward, b = isnan(row->right) ? 0 : right;
     return hypot(a, b);
@@ -194,12 +195,12 @@ static void take_crush(struct loading *l, int i, struct cr_measured *m) {
     m->length = number(l, i, "field_l_cm") / 100;
     m->offset = number(l, i, "field_d_cm") / 100;
     m->direct = number(l, i, "direct_w_cm") / 100;
-    /* the offset for the energy is that of the direct damage */
+    /* WinSMASH asks for the offset of the direct damage. */
     m->direct_offset = number(l, i, "smash_d_cm") / 100;
     m->pdof = cr_rad(number(l, i, "pdof_deg"));
 }
 
-/* What tables say beyond the car: fields as wide as the car itself, forces along its face. */
+/* Cuts what tables say beyond the car: fields wider than the car itself, forces along its face. */
 static void make_possible(struct cr_measured *m, const struct cr_participant *p) {
     double span = cr_face_is_end(m->face) ? p->width : p->length, square = cr_crush_square(m->face);
     m->length = fmin(fmax(m->length, 0.1), span);
@@ -208,7 +209,7 @@ static void make_possible(struct cr_measured *m, const struct cr_participant *p)
     m->offset = fmin(fmax(m->offset, -room), room);
     if (isnan(m->direct) || m->direct <= 0 || isnan(m->direct_offset)) {
         m->direct = m->direct_offset = NAN;
-    } else { /* it is part of the field, by more than a hair */
+    } else { /* The direct damage is part of the field, by more than a hair. */
         double reach = (m->length + m->direct) / 2 - 0.02;
         m->direct_offset = fmin(fmax(m->direct_offset, m->offset - reach), m->offset + reach);
     }
@@ -216,7 +217,7 @@ static void make_possible(struct cr_measured *m, const struct cr_participant *p)
     m->pdof = isnan(m->pdof) ? square : square + fmin(fmax(off, -most), most);
 }
 
-/* one car of a case: its participant is kept in the arena */
+/* Opens one car of a case; its participant is kept in the arena. */
 static void open_car(struct loading *l, int i, struct cr_crush_car *car) {
     struct cr_scene scene;
     struct cr_assumed assumed = {0};
@@ -230,7 +231,7 @@ static void open_car(struct loading *l, int i, struct cr_crush_car *car) {
     l->code = cr_scene_add(&scene, "car", CR_KIND_VEHICLE, &p, l->err);
     if (l->code == CR_ERR_OK) {
         p->type = type_of(l, i);
-        p->kerb_mass = mass; /* its structure goes by this, its motion by all of it */
+        p->kerb_mass = mass; /* The structure goes by this mass, the motion by all of it. */
         p->mass = mass + l->f->occupant + (isnan(cargo) ? 0 : cargo);
         p->pos = cr_vec2(0, 0);
         l->code = cr_scene_add(&scene, "wall", CR_KIND_OBJECT, &wall, l->err);
@@ -256,6 +257,7 @@ static void open_car(struct loading *l, int i, struct cr_crush_car *car) {
     cr_scene_fini(&scene);
 }
 
+/* Fold by a hash of the case, so that both cars of a crash are in one fold. */
 static int fold_of(const char *text) {
     unsigned long h = 5381;
     for (; *text != '\0'; text++) {
@@ -268,7 +270,7 @@ static bool has_mass(struct loading *l, int i) {
     return number(l, i, "curb_kg") > 0;
 }
 
-/* the recorder, and WinSMASH in the same directions */
+/* Takes delta-v of the recorder, and of WinSMASH in the same directions. */
 static void take_speeds(struct loading *l, int i, struct cr_field_row *row) {
     row->forward = cr_mps(number(l, i, "edr_dv_long"));
     row->right = cr_mps(number(l, i, "edr_dv_lat"));

@@ -1,4 +1,4 @@
-/* The calibration of damage as a file: rules of all crashes and of each fold. */
+/* Writes and reads the calibration of damage as a file: rules of all crashes and of each fold. */
 #include "trial/field.h"
 
 #include "base/file.h"
@@ -59,7 +59,7 @@ enum cr_err cr_field_write(const struct cr_crush_rules *all,
     return done && !out->failed ? CR_ERR_OK : cr_err_set(err, CR_ERR_MEMORY, "no memory");
 }
 
-/* the part of a file that holds one set of rules, through a file of its own */
+/* Reads one set of rules out of a file, by way of its text, as if it had a file of its own. */
 static enum cr_err read_fold(const cJSON *fold, const char *path, struct cr_crush_rules *out,
                              struct cr_error *err) {
     struct cr_str text = {0};

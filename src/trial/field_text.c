@@ -1,4 +1,5 @@
-/* Real crashes as a table in text, with a scatter plot, as JSON and as CSV. */
+/* Writes what real crashes say: statistics as text, with a scatter plot, and as JSON; rows as
+ * CSV. */
 #include "trial/field.h"
 
 #include "base/json.h"
@@ -162,7 +163,8 @@ static void add_stats(cJSON *to, const char *prefix, const struct cr_field_stats
     }
 }
 
-/* Both on the same rows, those that WinSMASH has too (all, if it has none); then ours on all. */
+/* Adds ours and WinSMASH's statistics on the rows that both have (all, if WinSMASH has none), and
+ * ours on all. */
 static void add_summary(cJSON *to, const char *name, const struct cr_field_result *r) {
     cJSON *o = cr_tree_object(to, name);
     add_stats(o, "", r->same.n > 0 ? &r->same : &r->own);

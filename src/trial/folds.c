@@ -4,15 +4,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* rounds of solving and fitting; the recipes begin near the fit of all tests, and a round closes
- * all but a small part of the distance */
+/* Rounds of solving and fitting: the recipes begin near the fit of all tests, and a round closes
+ * all but a small part of the distance. */
 enum { ROUNDS = 3 };
 
 int cr_fold_of(int number) {
     return number % CR_FOLDS;
 }
 
-/* the tests of a set but those of the fold */
+/* Gathers the tests of a set but those of the fold. */
 static enum cr_err leave_out(const struct cr_test_set *all, int fold, struct cr_test_set *out,
                              struct cr_error *err) {
     *out = (struct cr_test_set){.item = calloc((size_t)all->n + 1, sizeof *out->item)};

@@ -1,4 +1,5 @@
-/* Cross-validation: models calibrated on four fifths of the tests, for the fifth that is left. */
+/* Cross-validation: models are calibrated on four fifths of the tests and judged by the fifth that
+ * they have not seen. */
 #ifndef CR_TRIAL_FOLDS_H
 #define CR_TRIAL_FOLDS_H
 
@@ -6,12 +7,12 @@
 
 enum { CR_FOLDS = 5 };
 
-/* Fold of a test by its number. */
+/* Fold of a test by its number: 0 up to CR_FOLDS - 1. */
 int cr_fold_of(int number);
 
 struct cr_folds {
-    struct cr_calibration_data all, part[CR_FOLDS];
-    struct cr_model_lib *lib[CR_FOLDS];
+    struct cr_calibration_data all, part[CR_FOLDS]; /* all tests, and those that a fold may see */
+    struct cr_model_lib *lib[CR_FOLDS];             /* the models of a fold */
 };
 
 /* Read the calibration data below the data folder, and open the recipes of `models` for each fold.

@@ -1,5 +1,5 @@
-/* Computed over measured values as a picture: of crash tests a square per measure, of real crashes
- * their delta-v. */
+/* Draws computed over measured values as a picture: of crash tests a square per measure, of real
+ * crashes their delta-v. */
 #include "trial/field.h"
 #include "trial/verdict.h"
 
@@ -11,10 +11,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Sizes are in points; LEAST: values that a square needs. */
 enum { WIDTH = 500, HEIGHT = 300, MARGIN = 10, LEAST = 5, KINDS = 16 };
+/* The band that is marked reaches so far from equality, relative. */
 static const double corridor = 0.2;
 
-/* the points of a square, each of a kind */
+/* The points of a square, each of a kind with its own sign. */
 struct points {
     int n, kinds, *kind;
     double *x, *y;
@@ -74,7 +76,8 @@ static void draw(struct cr_canvas *canvas, int row, const struct points *p, cons
     cr_figure_scatter(canvas, at, &plot, NULL);
 }
 
-/* The squares of the measures that were taken often enough; without a canvas their number. */
+/* Draws the squares of the measures that were taken often enough, and returns their number; without
+ * a canvas it only counts them. */
 static int squares(const struct cr_test_list *tests, int run, struct points *p,
                    struct cr_canvas *canvas) {
     int n = 0;

@@ -8,10 +8,11 @@
 
 #include <stdbool.h>
 
+/* Cars of these bodies up to this mass and length are of the type. */
 struct cr_type_rule {
     enum cr_type type;
-    char body[16]; /* letters; "" for any */
-    double most_kg, most_m;
+    char body[16];          /* letters of bodies; "" for any */
+    double most_kg, most_m; /* INFINITY for any */
 };
 enum { CR_TYPE_RULES = 16 };
 /* What the types have to do with each other when they are calibrated. */

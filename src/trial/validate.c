@@ -1,4 +1,4 @@
-/* crumple validate: crash tests against computed crashes. */
+/* `crumple validate`: solves crash tests in threads and compares them with what was measured. */
 #include "trial/field.h"
 #include "trial/folds.h"
 #include "trial/trial.h"
@@ -39,12 +39,13 @@ struct options {
     struct cr_cli_look look;
 };
 
+/* All that the threads work on. */
 struct batch {
     struct cr_test_list tests;
     struct cr_context ctx;
     struct cr_folds folds;
-    unsigned runs;
-    int next;        /* number of the next job: fold, or test and run */
+    unsigned runs;   /* bits of the runs that are wanted */
+    int next;        /* number of the next job: a fold, or a test and run */
     struct job *job; /* [CR_TEST_RUNS * tests], at least CR_FOLDS */
     long done, all;
     bool progress;
@@ -124,7 +125,7 @@ static int find_class(const char *word) {
 static enum cr_err load(char **name, int n, struct cr_test_list *list, struct cr_error *err) {
     char dir[4096];
     struct cr_type_rules rules;
-    /* complains when there is no data folder */
+    /* This one complains when there is no data folder. */
     enum cr_err code = cr_cli_data("validation", dir, sizeof dir, err);
     if (code == CR_ERR_OK) {
         code = cr_type_rules_read(cr_data_dir(dir, sizeof dir), &rules, err);
@@ -152,7 +153,7 @@ static enum cr_err load(char **name, int n, struct cr_test_list *list, struct cr
     return code;
 }
 
-/* all scenes as files, to be opened and looked at */
+/* Writes all scenes as files, to be opened and looked at. */
 static enum cr_err write_scenes(const struct cr_test_list *list, const char *dir,
                                 struct cr_error *err) {
     if (mkdir(dir, 0777) != 0 && errno != EEXIST) {
@@ -181,7 +182,7 @@ static enum cr_err work_all(struct batch *b, const struct cr_pool_work *work, in
     return code;
 }
 
-/* calibrate the models of the folds, where there are tests for them */
+/* Calibrates the models of the folds, where there are tests for them. */
 static enum cr_err prepare_folds(struct batch *b, const char *models, int jobs,
                                  struct cr_error *err) {
     const struct cr_pool_work pool = {
@@ -301,7 +302,7 @@ static enum cr_err validate(char **name, int n, const struct options *opt, bool 
     return code;
 }
 
-/* real crashes are no scenes: their damage is evaluated, nothing is solved */
+/* Whether a file is a table of real crashes: their damage is evaluated, no scene is solved. */
 static bool is_field_table(const char *path) {
     size_t n = strlen(path);
     return n > 4 && strcmp(path + n - 4, ".csv") == 0 && cr_field_is(path);
@@ -351,14 +352,14 @@ static void list_options(struct options *opt, struct cr_option list[OPTIONS]) {
     memcpy(list, table, sizeof table);
 }
 
-/* for completion */
+/* The words that a shell completes. */
 static const char classes[] =
 #define X(name, word, title) "|" word
     CR_TEST_CLASS_LIST(X)
 #undef X
     ;
 
-/* options and operands; -1, or the exit status if that is all there is to do */
+/* Reads options and operands; returns -1, or the exit status if that is all there is to do. */
 static int read_options(int argc, char **argv, struct options *opt, int *operands) {
     struct cr_option table[OPTIONS];
     list_options(opt, table);

@@ -92,7 +92,8 @@ double cr_verdict_error(const struct cr_test *test, enum cr_measure m, int run) 
     return measures[m].relative ? 100 * (got - ref) / ref : got - ref;
 }
 
-/* groups a test is counted in, beside all of its class */
+/* The groups that a test is counted in, beside all of its class; returns how many. A group of its
+ * own comes from a scene, speed and type from a table: there are never three. */
 static int groups_of(const struct cr_test *t, char group[2][32]) {
     int n = 0;
     if (t->group[0] != '\0') {
@@ -125,7 +126,7 @@ static bool is_in(const struct cr_test *t, enum cr_test_class class, const char 
     return in;
 }
 
-/* mean, spread and mean amount of differences, where percentages make no sense */
+/* Mean, spread and mean amount of differences, for measures where percentages make no sense. */
 static struct cr_stats_error differences(const double *got, const double *ref, int n) {
     struct cr_stats_error e = cr_stats_errors(got, ref, n);
     double *d = calloc((size_t)n + 1, sizeof *d);
@@ -168,15 +169,17 @@ static void fit_lines(const struct cr_test_list *tests, enum cr_test_class class
     for (int i = 0; i < CR_TYPES; i++) {
         struct line *l = &line[i];
         double spread = l->n * l->sxx - l->sx * l->sx;
-        /* a line where the speeds differ by more than a km/h or so, else the mean */
+        /* A line has a slope where the speeds differ by more than a km/h or so, else it is the
+         * mean. */
         l->sloped = class == CR_TEST_WALL && l->n > 3 && spread > l->n * l->n;
         l->b = l->sloped ? (l->n * l->sxy - l->sx * l->sy) / spread : 0;
         l->a = (l->sy - l->b * l->sx) / l->n;
     }
 }
 
-/* Spread of the percentage errors of the best that a model of the type can know: the mean of its
- * measured values, or their line over speed; the degrees of freedom taken off. */
+/* Spread of the percentage errors of the best that a model of a type can know: the mean of its
+ * measured values, or their line over speed. It is freed of the degrees of freedom that these
+ * take. */
 static double fleet_scatter(const struct cr_test_list *tests, enum cr_test_class class,
                             enum cr_measure m) {
     struct line line[CR_TYPES] = {{0}};
@@ -207,7 +210,7 @@ static struct cr_verdict_row *new_row(struct cr_verdict *v) {
     return r;
 }
 
-/* the published figures of a line; whether there are any */
+/* Sets the published figures of a line; returns whether there are any. */
 static bool publish(struct cr_verdict_row *r) {
     bool told = false;
     for (size_t i = 0; i < FIGURES; i++) {
@@ -222,7 +225,7 @@ static bool publish(struct cr_verdict_row *r) {
     return told;
 }
 
-/* statistics of one line; a line without tests is taken back */
+/* Makes the statistics of one line; a line without tests is taken back. */
 static enum cr_err make_row(const struct cr_test_list *tests, enum cr_test_class class,
                             const char *group, enum cr_measure m, unsigned runs,
                             struct cr_verdict *v) {
@@ -265,7 +268,7 @@ static enum cr_err make_row(const struct cr_test_list *tests, enum cr_test_class
     return CR_ERR_OK;
 }
 
-/* the lines that the paper tells of its tests, measured or not */
+/* Makes the lines that the paper tells of its tests, measured or not. */
 static enum cr_err make_paper(const struct cr_test_list *tests, unsigned runs,
                               struct cr_verdict *v) {
     enum cr_err code = CR_ERR_OK;
@@ -281,7 +284,7 @@ static enum cr_err make_paper(const struct cr_test_list *tests, unsigned runs,
     return code;
 }
 
-/* does a test bring a group that none before it has, and that is not a type's word? */
+/* Whether a test brings a group that none before it has, and that is not the word of a type. */
 static bool is_first_of_group(const struct cr_test_list *tests, int i) {
     const char *group = tests->item[i].group;
     bool first = group[0] != '\0' && cr_type_find(group) < 0;
@@ -361,13 +364,13 @@ static enum cr_err row_targets(const struct cr_verdict_row *r, struct cr_verdict
     return code;
 }
 
-/* Car to car: each vehicle by itself (issue on the physics). */
+/* How far each vehicle that hit another one may be off. */
 static const double car_delta_v = 5, car_yaw = 30; /* %, deg/s */
 /* How far the damaged area of the poles may be off, %. */
 static const double pole_area_off = 10;
 
 static enum cr_err car_targets(const struct cr_test *t, struct cr_verdict *v) {
-    /* a reference that is a planar impact is compared with one */
+    /* A reference that is a planar impact is compared with a planar impact. */
     bool planar = isfinite(t->reference[CR_MEASURE_PLANAR_YAW]);
     const enum cr_measure of[] = {CR_MEASURE_DELTA_V,
                                   planar ? CR_MEASURE_PLANAR_YAW : CR_MEASURE_YAW_RATE};

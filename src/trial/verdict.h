@@ -8,8 +8,8 @@
 #include "trial/crashtest.h"
 #include "render/render.h"
 
-/* One line of the table. Relative measures: errors in percent; else in the unit of the measure,
- * with mpe the mean difference, sd its spread, mape the mean of its amount. */
+/* One line of the table. The errors of a relative measure are in percent; those of another are in
+ * its unit, with mpe the mean difference, sd its spread, mape the mean of its amount. */
 struct cr_verdict_row {
     enum cr_test_class class;
     char group[32]; /* "all", "48 km/h", "sedan" */
@@ -38,17 +38,18 @@ CR_MUST_CHECK enum cr_err cr_verdict_make(const struct cr_test_list *tests, unsi
                                           struct cr_verdict *out, struct cr_error *err);
 void cr_verdict_fini(struct cr_verdict *verdict);
 
-/* One more target; what could not be computed has not met it. Error: MEMORY. */
+/* Add a target; a value that could not be computed (NaN) has not met it. Error: MEMORY. */
 CR_MUST_CHECK enum cr_err cr_verdict_target(struct cr_verdict *v, const char *name, double value,
                                             double limit, bool at_least);
-/* The targets of the classes rear, side-mdb, narrow and barriers: medians by group. */
+/* Add the targets of the classes rear, side-mdb, narrow and barriers: mostly medians by group.
+ * Error: MEMORY. */
 CR_MUST_CHECK enum cr_err cr_verdict_groups(const struct cr_test_list *tests, struct cr_verdict *v);
 
 /* Error of a test in a measure: percent, or difference in its unit; NaN without both values. */
 double cr_verdict_error(const struct cr_test *test, enum cr_measure measure, int run);
-/* "paper", "extended", "cross-validated"; and the order in which runs are shown */
+/* Word of a run: "paper", "extended", "cross-validated". */
 const char *cr_test_run_word(int run);
-extern const int cr_test_run_order[CR_TEST_RUNS];
+extern const int cr_test_run_order[CR_TEST_RUNS]; /* the order in which runs are shown */
 bool cr_test_measure_is_relative(enum cr_measure measure);
 const char *cr_test_measure_key(enum cr_measure measure);
 const char *cr_test_measure_label(enum cr_measure measure);
@@ -56,7 +57,7 @@ const char *cr_test_measure_unit(enum cr_measure measure);
 const char *cr_test_class_word(enum cr_test_class class);
 const char *cr_test_class_title(enum cr_test_class class);
 
-/* What is written of it. */
+/* What is written of a verdict. */
 struct cr_verdict_form {
     unsigned runs;
     bool cases;          /* every test */
@@ -65,6 +66,7 @@ struct cr_verdict_form {
     const char *scenes;  /* folder that the scenes were written to, NULL: none */
     struct cr_look look; /* of the plots */
 };
+/* Add a verdict as text, CSV or JSON. Error of the JSON: MEMORY. */
 void cr_verdict_text(const struct cr_verdict *verdict, const struct cr_test_list *tests,
                      const struct cr_verdict_form *form, struct cr_str *out);
 void cr_verdict_csv(const struct cr_verdict *verdict, const struct cr_test_list *tests,
@@ -73,14 +75,14 @@ CR_MUST_CHECK enum cr_err cr_verdict_json(const struct cr_verdict *verdict,
                                           const struct cr_test_list *tests,
                                           const struct cr_verdict_form *form, struct cr_str *out,
                                           struct cr_error *err);
-/* Measured and computed pulses over each other. */
+/* Add a plot of the measured and computed pulses over each other. */
 void cr_verdict_pulse(const struct cr_test *test, unsigned runs, const struct cr_look *look,
                       struct cr_str *out);
-/* Scatter of computed over measured values and a histogram of the errors, in ASCII. */
+/* Add a scatter plot of computed over measured values and a histogram of the errors, in ASCII. */
 void cr_verdict_plot(const struct cr_test_list *tests, enum cr_test_class class,
                      enum cr_measure measure, int run, struct cr_str *out);
-/* Computed over measured values in a file .svg, .pdf or .png: a square for each measure that was
- * taken in five tests, the tests of each class by their sign; of the extended method where it is
+/* Draw computed over measured values into a file .svg, .pdf or .png: a square for each measure that
+ * was taken in five tests or more, each class with its own sign; of the extended method where it is
  * among the runs. Errors: MISSING when there is nothing to draw; those of cr_picture_write. */
 CR_MUST_CHECK enum cr_err cr_verdict_picture(const struct cr_test_list *tests, unsigned runs,
                                              const char *path, struct cr_error *err);

@@ -1,4 +1,4 @@
-/* The table of crumple validate as CSV and JSON. */
+/* Writes the table of `crumple validate` as CSV and JSON. */
 #include "config.h"
 
 #include "trial/verdict.h"
@@ -61,7 +61,7 @@ void cr_verdict_csv(const struct cr_verdict *v, const struct cr_test_list *tests
         const struct cr_verdict_row *r = &v->row[i];
         for (int j = 0; j < CR_TEST_RUNS; j++) {
             int m = cr_test_run_order[j];
-            /* what the paper tells and nobody can repeat stands there with n = 0 */
+            /* What the paper tells and nobody can repeat stands there with n = 0. */
             bool told = r->class == CR_TEST_PAPER && m != CR_TEST_CROSS;
             if (!(form->runs >> m & 1) || (r->of[m].n == 0 && !told)) {
                 continue;

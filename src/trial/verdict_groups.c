@@ -1,5 +1,5 @@
-/* Targets of the classes where single cars scatter too much to be judged: medians of groups, real
- * crashes and sets of tests. */
+/* Targets of the classes where single cars scatter too much to be judged one by one: groups of real
+ * crashes and sets of tests are judged as a whole. */
 #include "trial/verdict.h"
 
 #include "base/grow.h"
@@ -17,7 +17,7 @@ enum cr_err cr_verdict_target(struct cr_verdict *v, const char *name, double val
     struct cr_verdict_target *t = &v->target[v->targets++];
     *t = (struct cr_verdict_target){.value = value, .limit = limit, .at_least = at_least};
     snprintf(t->name, sizeof t->name, "%s", name);
-    /* what could not be computed has not met its target */
+    /* Comparisons with NaN are false: a value that could not be computed has not met its target. */
     t->met = at_least ? value >= limit : fabs(value) <= limit;
     return CR_ERR_OK;
 }
@@ -31,15 +31,14 @@ enum how {
     INTERVAL, /* computed value furthest from the middle of what was measured */
 };
 
-/* [REAR-TARGETS] and the others: what a model of a type should keep to, as the issue on the models
- * asks it; middle is of INTERVAL. */
+/* What a model of a type should keep to [REAR-TARGETS]. */
 static const struct rule {
     enum cr_test_class class;
     const char *group; /* NULL: all of the class */
     enum cr_measure measure;
     enum how how;
-    double limit, middle;
-    int least; /* tests for it to count */
+    double limit, middle; /* middle: of INTERVAL */
+    int least;            /* tests that it takes for the rule to count */
     const char *name;
 } rules[] = {
     {CR_TEST_REAR, "10-16 km/h", CR_MEASURE_MEAN_CRUSH, MEDIANS, 3, 0, 10,

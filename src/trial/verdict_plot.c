@@ -1,4 +1,4 @@
-/* Scatter and histogram of crash tests in ASCII, and pulses over each other. */
+/* Draws crash tests as text: a scatter plot, a histogram of errors, and pulses over each other. */
 #include "trial/verdict.h"
 
 #include <math.h>
@@ -13,7 +13,7 @@ static bool pick(const struct cr_test *t, enum cr_test_class class, enum cr_meas
     return t->class == class && isfinite(t->reference[m]) && isfinite(t->of[run].value[m]);
 }
 
-/* least round number that is not below x: 1, 2 or 5 times a power of ten */
+/* The least round number that is not below x: 1, 2 or 5 times a power of ten. */
 static double round_up(double x) {
     double power = pow(10, floor(log10(x)));
     const double step[] = {1, 2, 5, 10};
@@ -96,7 +96,7 @@ void cr_verdict_plot(const struct cr_test_list *tests, enum cr_test_class class,
     }
 }
 
-/* measured and computed accelerations in g over ms */
+/* Draws measured and computed accelerations in g over ms. memory[4 * n] holds the curves. */
 static enum cr_err draw_pulse(const struct cr_test *test, unsigned runs, const struct cr_look *look,
                               double *memory, struct cr_cells *cells) {
     static const char *const names[] = {"measured", "extended", "paper"};

@@ -1,4 +1,4 @@
-/* The table of crumple validate as text. */
+/* Writes the table of `crumple validate` as text. */
 #include "trial/verdict.h"
 
 #include <math.h>
@@ -14,7 +14,7 @@ static void number(struct cr_str *out, double x, int width, bool sign) {
     }
 }
 
-/* best run that is there, for lists and plots: cross-validated, extended, paper */
+/* The best run that is there, for lists and plots: cross-validated, else extended, else paper. */
 static int best_run(const struct cr_test_list *tests, enum cr_test_class class, unsigned runs) {
     for (int i = 0; (runs >> CR_TEST_CROSS & 1) && i < tests->n; i++) {
         const struct cr_test *t = &tests->item[i];
@@ -25,7 +25,8 @@ static int best_run(const struct cr_test_list *tests, enum cr_test_class class, 
     return runs >> CR_METHOD_EXTENDED & 1 ? CR_METHOD_EXTENDED : CR_METHOD_PAPER;
 }
 
-/* the runs a class has: only walls and poles are calibrated on */
+/* The runs that a class has: only walls and poles are cross-validated, as only they are calibrated
+ * on. */
 static unsigned runs_of(enum cr_test_class class, unsigned runs) {
     bool calibrated = class == CR_TEST_WALL || class == CR_TEST_POLE;
     return calibrated ? runs : runs & ~(1u << CR_TEST_CROSS);
@@ -94,7 +95,8 @@ static void put_head(enum cr_test_class class, const struct cr_test_list *tests,
     cr_str_addf(out, "%7s  %7s%7s%7s\n", "SD", "MPE", "SD", "MAPE");
 }
 
-/* groups follow all the measures of the class; their measure is named once */
+/* Adds the lines of a class: groups follow all the measures of the class, and their measure is
+ * named once. */
 static void put_class(const struct cr_verdict *v, enum cr_test_class class, unsigned runs,
                       struct cr_str *out) {
     int last = -1;
@@ -130,7 +132,7 @@ static void put_pulse(const struct cr_test *t, const struct cr_verdict_form *for
     }
 }
 
-/* measure that a class is mainly judged by: the depth, else delta-v, else its forward part */
+/* The measure that a test is mainly judged by: the depth, else delta-v, else its forward part. */
 static enum cr_measure main_measure(const struct cr_test *t) {
     static const enum cr_measure order[] = {CR_MEASURE_DEPTH, CR_MEASURE_DELTA_V,
                                             CR_MEASURE_DV_FORWARD};

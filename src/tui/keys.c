@@ -41,7 +41,7 @@ void cr_tui_focus(struct cr_tui *t, enum cr_area pane) {
 }
 
 static enum cr_area front(const struct cr_tui *t) {
-    return (enum cr_area)cr_session_view(t->session)->pane;
+    return cr_session_view(t->session)->pane;
 }
 
 static void view(struct cr_tui *t, int pane) {

@@ -98,7 +98,7 @@ static void scrub(struct cr_tui *t, int x, int y) {
 /* The tabs in the frame of a pane: " 1 Scene  2 Pulse " as cr_render_frame draws them. */
 static int tab_at(const struct cr_tui *t, int x, int y) {
     const struct cr_layout *l = &t->layout;
-    enum cr_area view = (enum cr_area)cr_session_view(t->session)->pane;
+    enum cr_area view = cr_session_view(t->session)->pane;
     struct cr_rect at = l->pane[l->kind == CR_LAYOUT_TWO ? CR_AREA_SCENE : view];
     if (l->kind == CR_LAYOUT_ALL || l->kind == CR_LAYOUT_PROMPT || at.w == 0 || y != at.y) {
         return -1;

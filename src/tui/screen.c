@@ -84,7 +84,7 @@ static enum cr_err make_cells(struct cr_tui *t, struct cr_error *err) {
 
 static int log_width(const struct cr_tui *t) {
     const struct cr_view *view = cr_session_view(t->session);
-    struct cr_layout l = cr_layout_of(t->w, t->h, (enum cr_area)view->pane, view->zoom, 0);
+    struct cr_layout l = cr_layout_of(t->w, t->h, view->pane, view->zoom, 0);
     return l.pane[CR_AREA_LOG].w > 0 && l.kind != CR_LAYOUT_PROMPT ? l.pane[CR_AREA_LOG].w - 4
                                                                    : t->w;
 }
@@ -156,7 +156,7 @@ static void describe(struct cr_tui *t, struct cr_screen *s, const struct cr_comp
     struct cr_error err;
     const struct cr_view *view = cr_session_view(t->session);
     enum cr_solve_state state = cr_session_state(t->session);
-    s->view = (enum cr_area)view->pane;
+    s->view = view->pane;
     s->zoomed = view->zoom;
     s->active = t->focus;
     s->title = title_of(t);

@@ -100,6 +100,13 @@ bad "a depth beyond all measure" 3 'A: C1 of 1e\+308 m does not fit the vehicle 
     '"face": "front", "field_length_m": 1.4, "crush_m": [1e308, 0.1]'
 bad "a depth that may be anything" 3 'tolerance of 1e\+300 m is more than the vehicle' \
     "$crush, \"crush_tolerance_m\": 1e300"
+bad "a tolerance below nothing" 3 'a tolerance is not negative' \
+    "$crush, \"crush_tolerance_m\": -0.05"
+bad "a height too many" 3 'expected \[lower, upper\]' "$crush, \"height_m\": [0, 1, 2]"
+pair '"face": "front", "field_length_m": 1.4, "crush_m": [ { "value": 0.2, "tolerance": 0.01 },
+    { "value": 0.3, "tolerance": 0.005 } ]' >"$tmp/fine.json"
+run damage "$tmp/fine.json"
+has "stations that were measured better than usual" "$out" 'crush 20 30 \+- 1 cm'
 bad "a force from anywhere" 3 'more than half a turn' \
     "$crush, \"pdof_deg\": {\"value\": 0, \"tolerance\": 400}"
 pair "$crush" | sed 's/1600/{"value": 1600, "tolerance": 2000}/' >"$tmp/bad.json"

@@ -89,6 +89,10 @@ run validate "$tmp/own.csv" --scenes "$tmp/scenes" --worst 1
 has "scenes are written to be opened" "$out" 'scenes/[12]\.json'
 run run "$tmp/scenes/1.json"
 same "and can be solved" "$status" 0
+sed 's/^2,/..\/2,/' "$tmp/own.csv" >"$tmp/bad.csv"
+run validate "$tmp/bad.csv" --scenes "$tmp/scenes" --worst 1
+same "and stay in their folder, whatever a test is called" \
+    "$(ls "$tmp/scenes/..-2.json" "$tmp/2.json" 2>/dev/null)" "$tmp/scenes/..-2.json"
 run validate "$SRC/share/validation/pulse/camry-10146.json"
 has "an own scene with expectations" "$out" 'own tests: 1 measured'
 sed 's/c1,/x1,/' "$tmp/own.csv" >"$tmp/bad.csv"

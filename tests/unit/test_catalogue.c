@@ -3,6 +3,7 @@
  * which little is known is what was measured of others. */
 #include "test.h"
 
+#include "base/file.h"
 #include "base/records.h"
 #include "catalogue/catalogue.h"
 #include "result/result.h"
@@ -12,6 +13,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 static struct cr_catalogue *cars;
 static struct cr_model_lib *lib;
@@ -77,6 +80,25 @@ static void what_is_not_one_car(void **state) {
             fail_msg("%s: %s; %s", row[i].words, err.text, err.hint);
         }
     }
+}
+
+/* Cars of a table without lengths are told apart by what is known of them. */
+static void no_length_is_told_that_is_unknown(void **state) {
+    static const char text[] = "make,model,from,to\nAcme,Anvil,1990,1994\nAcme,Anvil,1995,1999\n";
+    const char *dir = "test_catalogue.tmp";
+    struct cr_catalogue *own = NULL;
+    const struct cr_car *car;
+    struct cr_error err = {0};
+    (void)state;
+    mkdir(dir, 0700);
+    assert_int_equal(cr_file_write("test_catalogue.tmp/own.csv", text, strlen(text), NULL), 0);
+    assert_int_equal(cr_catalogue_open(&dir, 1, &own, NULL), CR_ERR_OK);
+    assert_int_equal(cr_catalogue_find(own, "anvil", &car, &err), CR_ERR_NAME);
+    assert_string_equal(err.hint,
+                        "add year, body or length: Acme Anvil 1990-1994; Acme Anvil 1995-1999");
+    cr_catalogue_free(own);
+    remove("test_catalogue.tmp/own.csv");
+    rmdir(dir);
 }
 
 struct told {
@@ -306,6 +328,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(one_car_by_many_words),
         cmocka_unit_test(what_is_not_one_car),
+        cmocka_unit_test(no_length_is_told_that_is_unknown),
         cmocka_unit_test(make_then_model_then_year),
         cmocka_unit_test(every_row_solves_against_a_wall),
         cmocka_unit_test(inertia_is_that_of_measured_vehicles),

@@ -369,6 +369,7 @@ static void test_recipes_refused(void **state) {
          CR_ERR_MODEL, "/faces/front/depth_m_ees_kmh", "never fall"},
         {"\"body_weight\": {", "\"body_weight\": [", CR_ERR_SYNTAX, "", ""},
         {"\"y_m\": [0, ", "\"y_m\": [9, ", CR_ERR_RANGE, "/structures/0/y_m", "9 is outside"},
+        {"\"track_m\": 1", "\"track_m\": 2.2, \"x_1\": 1", CR_ERR_MODEL, "/reference", "flank"},
     };
     (void)state;
     struct cr_error err = {0};

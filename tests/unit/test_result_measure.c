@@ -2,6 +2,8 @@
  * a turned car, several contacts. */
 #include "test.h"
 
+#include "base/units.h"
+#include "result/measures.h"
 #include "result/result_priv.h"
 #include "scene/compiled.h"
 
@@ -407,10 +409,23 @@ static int teardown(void **state) {
     return 0;
 }
 
+/* What is typed and told of a measure goes through the table of units. */
+static void every_measure_has_a_unit_of_the_table(void **state) {
+    int n;
+    const struct cr_measure *m = cr_measures(&n);
+    (void)state;
+    for (int i = 0; i < n; i++) {
+        if (cr_unit_find(m[i].unit, m[i].dim) == NULL) {
+            fail_msg("%s: src/base/units.c has no unit '%s'", m[i].name, m[i].unit);
+        }
+    }
+}
+
 int main(void) {
 #define TEST(f) cmocka_unit_test_setup_teardown(f, setup, teardown)
     const struct CMUnitTest tests[] = {
         TEST(constant_deceleration),
+        TEST(every_measure_has_a_unit_of_the_table),
         TEST(half_sine_pulse),
         TEST(frontal_crush),
         TEST(offset_profile),

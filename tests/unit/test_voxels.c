@@ -132,6 +132,58 @@ static void test_own_model_stretched(void **state) {
     cr_arena_free(&arena);
 }
 
+/* Four voxels of 0.5 m over the finest grid, 100 cells each: what is alike left and right stays so,
+ * and each cell across has as much as the next. */
+static void test_coarse_model_spread_evenly(void **state) {
+    static const double fill[] = {1, 1, 1, 1}, energy[] = {8e4, 8e4, 8e4, 8e4};
+    (void)state;
+    struct cr_model_query q = {.mass_kg = 1400, .voxel = 0.005, .z_hi = INFINITY};
+    q.dims = (struct cr_dims){4, 2, 1.5, 2.5, 1.6, 0.8, 1.2, 0.5};
+    struct cr_voxels v = {.flat = true, .nx = 1, .ny = 4, .nz = 1, .edge = 0.5, .x0 = 1.5};
+    struct cr_arena arena = {0};
+    struct cr_grid g;
+    v.y0 = -1;
+    v.mass_kg = q.mass_kg;
+    v.dims = q.dims;
+    v.fill = fill;
+    v.energy = energy;
+    assert_int_equal(cr_voxels_substitute(&v, &q, &arena, &g, NULL), CR_ERR_OK);
+    assert_int_equal(g.ny, 400);
+    for (int iy = 0; iy < g.ny; iy++) {
+        check_near(sum(g.energy + iy * g.nx, (size_t)g.nx), 4 * 8e4 / g.ny, 1e-6);
+    }
+    cr_arena_free(&arena);
+}
+
+/* A name that would end a quoted text or a line is cut there, so that what is written can be
+ * read. */
+static void test_name_can_be_written_again(void **state) {
+    static const char text[] =
+        "{\"crumple_voxels\": 1, \"name\": \"front\\\"B\\n\", \"edge_m\": 1, \"count\": [4, 2], "
+        "\"origin_m\": [-2, -1], \"mass_kg\": 1000, \"vehicle\": {\"length_m\": 4, \"width_m\": 2, "
+        "\"height_m\": 1.5, \"wheelbase_m\": 2.5, \"track_m\": 1.5, \"front_overhang_m\": 0.8, "
+        "\"cg_behind_front_axle_m\": 1.2}, \"energy_J\": [1, 1, 1, 1, 1, 1, 1, 1]}";
+    (void)state;
+    struct cr_arena arena = {0};
+    struct cr_voxels v;
+    write_text("test_voxels_name.tmp.json", text, strlen(text));
+    for (int i = 0; i < 3; i++) {
+        const char *path = i == 2 ? "test_voxels_name.tmp.csv" : "test_voxels_name.tmp.json";
+        struct cr_str out = {0};
+        assert_int_equal(cr_voxels_read(path, &arena, &v, NULL, NULL), CR_ERR_OK);
+        assert_string_equal(v.name, "front");
+        cr_voxels_json(&v, NULL, &out);
+        write_text("test_voxels_name.tmp.json", out.s, out.len);
+        cr_str_clear(&out);
+        cr_voxels_csv(&v, &out);
+        write_text("test_voxels_name.tmp.csv", out.s, out.len);
+        cr_str_fini(&out);
+    }
+    remove("test_voxels_name.tmp.json");
+    remove("test_voxels_name.tmp.csv");
+    cr_arena_free(&arena);
+}
+
 #define HEAD                                                                                       \
     "\"crumple_voxels\": 1, \"edge_m\": 1, \"count\": [4, 2], \"origin_m\": [-2, -1], "            \
     "\"mass_kg\": 1000, \"vehicle\": {\"length_m\": 4, \"width_m\": 2, \"height_m\": 1.5, "        \
@@ -171,6 +223,7 @@ static const struct bad bad_file[] = {
     {"csv", CSV_HEAD "ix,iy,fill,energy_J\n0,0,1,nan\n", CR_ERR_SYNTAX, 13, "a row is"},
     {"csv", CSV_HEAD "ix,iy,fill,energy_J\n0,0,1,\n1,0,1,5\n", CR_ERR_SYNTAX, 13, "a row is"},
     {"csv", CSV_HEAD "ix,iy,fill,energy_J\n4,0,1,5\n", CR_ERR_RANGE, 13, "index"},
+    {"csv", CSV_HEAD "ix,iy,fill,energy_J\n0,1,1,5\n0,1,1,6\n", CR_ERR_MODEL, 14, "already"},
     {"csv", CSV_HEAD "0,0,1,5\n", CR_ERR_SYNTAX, 12, "column names"},
     {"csv", CSV_HEAD "ix,iy,fill\n0,0,1\n", CR_ERR_SYNTAX, 12, "column names"},
     {"csv", CSV_HEAD "ix,iy,fill,energy_J\n0,0,1,5\n0,1,1\n", CR_ERR_SYNTAX, 14, "a row is"},
@@ -281,6 +334,8 @@ int main(void) {
         cmocka_unit_test(test_volume_sums_to_plan),
         cmocka_unit_test(test_files_bit_exact),
         cmocka_unit_test(test_own_model_stretched),
+        cmocka_unit_test(test_coarse_model_spread_evenly),
+        cmocka_unit_test(test_name_can_be_written_again),
         cmocka_unit_test(test_csv_of_a_spreadsheet),
         cmocka_unit_test(test_refused),
         cmocka_unit_test(test_no_words_of_the_file),
