@@ -357,11 +357,16 @@ static enum cr_err substitute(const struct cr_model_lib *lib, const struct cr_mo
     return code;
 }
 
+/* A car is as strong from the left as from the right and its fields know no forward: of the hours
+ * of a clock 1, 5, 7 and 11 have one substitute, and 12 and 6. */
 static struct key key_of(const struct cr_model_query *q) {
     const struct cr_dims *d = &q->dims;
-    double pdof = q->blend ? q->pdof : cr_pdof_clock(q->pdof);
+    struct cr_model_sector sector[2];
+    bool between = cr_model_sectors(q->pdof, q->blend, sector) > 1;
+    int hour = sector[0].clock % 6;
+    double pdof = between ? q->pdof : hour > 3 ? 6 - hour : hour;
     double lo = q->z_lo > 0 ? q->z_lo : 0, hi = q->z_hi < d->height ? q->z_hi : d->height;
-    return (struct key){{q->type, pdof, q->blend, d->length, d->width, d->height, d->wheelbase,
+    return (struct key){{q->type, pdof, between, d->length, d->width, d->height, d->wheelbase,
                          d->track, d->front_overhang, d->cg_behind_front_axle, q->mass_kg, q->voxel,
                          q->curve, lo, hi}};
 }

@@ -246,7 +246,8 @@ static enum cr_err resolve_part(struct cr_reader *r, struct cr_participant *p,
         bool placeless = code != CR_ERR_OK && r->err != NULL && r->err->src[0] == '\0' &&
                          r->err->where[0] == '\0';
         if (placeless) { /* a car that is not in the catalogue: here is who named it */
-            snprintf(r->err->where, sizeof r->err->where, "%s%s", r->path,
+            snprintf(r->err->where, sizeof r->err->where, "%.*s%s",
+                     (int)(sizeof r->err->where - sizeof "/barrier"), r->path,
                      p->car[0] != '\0'                                            ? "/car"
                      : p->shape == CR_OBJECT_BARRIER && p->kind == CR_KIND_OBJECT ? "/barrier"
                                                                                   : "");

@@ -151,20 +151,21 @@ static void look_ahead(struct cr_solver *s) {
     }
 }
 
-/* Is any contact open? What an elastic phase has taken it must give back, be it only rubbing. */
-static bool in_contact(const struct cr_solver *s) {
+/* Is any contact open in earnest; and is any elastic, which must give back what it has taken? */
+static bool in_contact(const struct cr_solver *s, bool *elastic) {
     bool open = false;
+    *elastic = false;
     for (int p = 0; p < s->cs->n * (s->cs->n - 1) / 2; p++) {
         const struct cr_touch *t = &s->touch[p];
-        bool elastic = t->record >= 0 && s->contact[t->record].phase != CR_PHASE_PLASTIC;
-        open = open || elastic || (t->record >= 0 && !t->rubbing);
+        open = open || (t->record >= 0 && !t->rubbing);
+        *elastic = *elastic || (t->record >= 0 && s->contact[t->record].phase != CR_PHASE_PLASTIC);
     }
     return open;
 }
 
 void cr_ending_check(struct cr_solver *s) {
     s->done = s->t - s->contact[0].t_begin > s->cs->opts.rest_time;
-    bool open = in_contact(s);
+    bool elastic, open = in_contact(s, &elastic);
     if (open || s->t_struck == s->t) {
         s->t_free = NAN;
     }
@@ -172,7 +173,9 @@ void cr_ending_check(struct cr_solver *s) {
         return;
     }
     if (s->cs->opts.end == CR_END_SEPARATION) {
-        look_ahead(s);
+        if (!elastic) {
+            look_ahead(s);
+        }
         return;
     }
     s->t_free = isnan(s->t_free) ? s->t : s->t_free;

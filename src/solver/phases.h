@@ -8,6 +8,8 @@
 /* abort.c: why the plastic phase is over, NONE while it goes on */
 enum cr_stop cr_abort_check(struct cr_duo *d, bool deformed);
 
+/* touch.c: whether a rubbing contact still only rubs */
+void cr_touch_weigh(struct cr_duo *d, const struct cr_force *f);
 /* touch.c: a contact begins, or a rubbing one goes on; false when memory is out */
 bool cr_touch_begin(struct cr_duo *d, const struct cr_force *f);
 /* the contact is over */

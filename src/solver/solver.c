@@ -85,6 +85,7 @@ static bool crush_pair(struct cr_duo *d, bool *deformed) {
         return false;
     }
     *deformed = true;
+    cr_touch_weigh(d, &f);
     return cr_kinetics_slice(d, &f);
 }
 

@@ -16,6 +16,11 @@ static bool is_rubbing(const struct cr_duo *d, const struct cr_force *f) {
     return cr_touch_weight(d, f) < (way < cr_elsewhere ? cr_rubbing_here : cr_rubbing_elsewhere);
 }
 
+void cr_touch_weigh(struct cr_duo *d, const struct cr_force *f) {
+    struct cr_touch *t = d->touch;
+    t->rubbing = t->rubbing && is_rubbing(d, f);
+}
+
 /* A pair that has parted can touch slice after slice: that is one contact. */
 static void reopen(struct cr_solver *s, struct cr_touch *t, const struct cr_touch *old) {
     struct cr_contact *c = &s->contact[old->last];

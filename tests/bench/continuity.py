@@ -38,7 +38,7 @@ SIDESWIPE_TODAY = 60
 SHARES = {"of cars over 60 g below 110 km/h closing, %": (0, 2),
           "of cars with over 80 % of the energy induced, %": (0, 2),
           "of crashes in which one passes through, %": (0, 3)}
-MONOTONY = {"demo, speed 40 to 120: largest step back, km/h": (0.1, 35),
+MONOTONY = {"demo, speed 40 to 120: largest step back, km/h": (0.1, 25),
             "demo, overlap 20 to 100 %: largest step back, km/h": (0.1, 15),
             "wall by 0.5 deg: largest step of EES against the mean, km/h": (0.3, 2),
             "pole by 2 cm: largest step of EES, km/h": (1, 4),

@@ -336,6 +336,8 @@ struct many {
     char scene[1024];
     bool ordered;
     double ees[32];
+    crumple_options *opt; /* whose name is that of the scene; nullable */
+    char name[16];
 };
 
 static int next_scene(void *user, const char **scene, size_t *length) {
@@ -345,6 +347,10 @@ static int next_scene(void *user, const char **scene, size_t *length) {
     }
     /* every fifth is none */
     *scene = m->next % 5 == 4 ? "{}" : scene_at(30 + m->next, m->scene);
+    if (m->opt != NULL) {
+        snprintf(m->name, sizeof m->name, "%d.json", m->next);
+        m->opt->name = m->name;
+    }
     m->next++;
     *length = strlen(*scene);
     return 1;
@@ -357,7 +363,12 @@ static int scene_done(void *user, size_t index, crumple_result *result, const cr
     if (result != NULL) {
         crumple_value(result, "A.ees_kmh", &m->ees[index]);
     } else {
-        m->ordered = m->ordered && err->code == CRUMPLE_MISSING && index % 5 == 4;
+        char name[16] = "scene";
+        if (m->opt != NULL) {
+            snprintf(name, sizeof name, "%d.json", (int)index);
+        }
+        m->ordered = m->ordered && err->code == CRUMPLE_MISSING && index % 5 == 4 &&
+                     strcmp(err->source, name) == 0;
     }
     crumple_result_free(result);
     m->done++;
@@ -366,10 +377,12 @@ static int scene_done(void *user, size_t index, crumple_result *result, const cr
 
 static void test_stack(void **state) {
     (void)state;
+    crumple_options opt = CRUMPLE_OPTIONS_INIT;
     struct many one = {.n = 12, .ordered = true}, four = one, stopped = one;
+    four.opt = &opt; /* each scene has a name of its own, though threads take them */
     crumple_error err = CRUMPLE_ERROR_INIT;
     assert_int_equal(crumple_stack(lib, 1, NULL, next_scene, scene_done, &one, NULL), CRUMPLE_OK);
-    assert_int_equal(crumple_stack(lib, 4, NULL, next_scene, scene_done, &four, NULL), CRUMPLE_OK);
+    assert_int_equal(crumple_stack(lib, 4, &opt, next_scene, scene_done, &four, NULL), CRUMPLE_OK);
     assert_true(one.ordered && four.ordered && one.done == 12 && four.done == 12);
     for (int i = 0; i < 12; i++) {
         assert_true(one.ees[i] == four.ees[i] || i % 5 == 4);
