@@ -179,10 +179,13 @@ static void explain_contact(struct cr_session *s, const struct cr_slice *c) {
             cr_say(s, "         of it induced beside the contact: %.1f J", c->induced);
         }
     } else {
+        bool first = c->phase == CR_PHASE_COMPRESSION;
+        double from = first ? pair->t_plastic_end : pair->t_elastic_end;
+        double to = first ? pair->t_elastic_end : pair->t_end;
         cr_say(s,
                "Eq. (1)  E = 0 J: no voxel yields, the elastic impulse of %.0f N s works over "
                "%.1f ms",
-               pair->elastic_impulse, 1e3 * r->compiled->cs.opts.elastic_s);
+               pair->elastic_impulse, 1e3 * (to - from));
     }
     cr_say(s, "Eq. (3)  COE = sum(E_voxel p_voxel) / sum(E_voxel) = (%.3f, %.3f) m",
            tidy(c->coe.x, 1e-3), tidy(c->coe.y, 1e-3));

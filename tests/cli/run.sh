@@ -234,4 +234,8 @@ run run "$SRC/share/scenes/pole-side.json" --format csv
 has "nor in the CSV" "$(printf '%s\n' "$out" | sed -n 2p)" '[0-9],,,,$'
 run stack "$SRC/share/scenes/rest.json"
 has "a place where there is one" "$out" '"rest":\{"x_m":-?[0-9.]+,"y_m":-?[0-9.]+,"heading_deg"'
+wall_scene >"$tmp/wall.json"
+has "explain tells how long an elastic phase lasts" \
+    "$("$crumple" -e "load $tmp/wall.json" -e solve -e "explain last" 2>&1)" \
+    'the elastic impulse of [0-9]+ N s works over [1-9][0-9]*\.[0-9] ms'
 finish
