@@ -22,12 +22,13 @@ static double share_of(double t) {
     return 1 / (1 + exp(-t));
 }
 
-/* logarithm of the ratio of the two forces for the share of a whose odds' logarithm is t */
+/* Force of a less that of b, each with its rate, for the share of a whose odds' logarithm is t; the
+ * rates by the roots of their ratio, the same whichever of the two is called a. */
 static double imbalance(const struct cr_duo *d, double t) {
     const struct cr_side *a = &d->s->side[0], *b = &d->s->side[1];
     double fa = d->touch->taut[0] + force_of(a, share_of(t)),
-           fb = d->touch->taut[1] + force_of(b, share_of(-t));
-    return cr_rate_exponent * t + (log(cr_max(fa, 1e-9)) - log(cr_max(fb, 1e-9)));
+           fb = d->touch->taut[1] + force_of(b, share_of(-t)), rate = 0.5 * cr_rate_exponent * t;
+    return fa * exp(rate) - fb * exp(-rate);
 }
 
 /* root of imbalance by bisection of the odds: it rises with t */
