@@ -12,6 +12,9 @@
 static const double quiet_speed = 0.8 / 3.6, quiet_window = 0.020;
 /* For pairs that hardly reach that change the limit is this share of their greatest change. */
 static const double faint_share = 0.05;
+/* So long after a blow another within the same touch belongs to the same crash, s (as in
+ * solver/tuning.h). */
+static const double same_crash = 0.3;
 /* Touches that follow each other sooner are one impact, s: a crash pulse is about as long. */
 static const double gap_between = 0.1;
 /* A contact is reported whole unless it rubs for longer than this before or after, s. */
@@ -64,14 +67,20 @@ static double contact_end(const struct cr_solution *sol, const struct cr_contact
     return isfinite(c->t_end) ? c->t_end : last;
 }
 
+/* A stretch of a contact in which it does more than rub. */
+struct stretch {
+    double begin, end, top; /* s, s, m/s within the window */
+};
+
 /* Slides the window over a contact and returns its greatest velocity change within, m/s; the span
- * gets from where to where the change is at least `least`, m/s. */
+ * gets from where to where the change is at least `least`, m/s: of stretches with rubbing between
+ * them the strongest, because a jolt when the two have rolled on for seconds is not the crash. */
 static double sweep(const struct work *w, int contact, double least) {
     const struct cr_solution *sol = w->sol;
     struct span *of = &w->span[contact];
     struct cr_vec2 sum = {0, 0};
     double light = lightness(w, contact), top = 0;
-    of->begin = of->end = NAN;
+    struct stretch now = {NAN, NAN, 0}, best = now;
     for (int i = of->first, tail = of->first; i <= of->last; i++) {
         if (sol->slice[i].contact != contact) {
             continue;
@@ -87,10 +96,15 @@ static double sweep(const struct work *w, int contact, double least) {
         double change = light * cr_vec2_len(sum);
         top = fmax(top, change);
         if (change >= least) {
-            of->begin = isnan(of->begin) ? sample_begin(sol, sol->slice[tail].sample) : of->begin;
-            of->end = slice_end(sol, i);
+            double from = sample_begin(sol, sol->slice[tail].sample);
+            now = from - now.end <= same_crash ? now : (struct stretch){.begin = from};
+            now.end = slice_end(sol, i);
+            now.top = fmax(now.top, change);
+            best = now.top >= best.top ? now : best;
         }
     }
+    of->begin = best.begin;
+    of->end = best.end;
     return top;
 }
 

@@ -247,6 +247,25 @@ static void a_contact_ends_where_it_only_rubs(void **state) {
     assert_int_equal(result->impact[0].stop, CR_STOP_SEPARATION);
 }
 
+/* a jolt when the two have rolled on together for seconds does not make these part of the crash */
+static void a_late_jolt_is_not_the_crash(void **state) {
+    (void)state;
+    make();
+    struct cr_contact *c = touch(0, t_contact, 100, cr_vec2(mass_kg * 5, 0), 0);
+    int n = sol.slices;
+    touch(0, t_contact + 0.05, 1800, cr_vec2(mass_kg * 0.9, 0), 0);
+    touch(0, t_contact + 0.95, 40, cr_vec2(-mass_kg * 1, 0), 0);
+    for (int i = n; i < sol.slices; i++) {
+        slice[i].contact = 0;
+    }
+    sol.contacts = 1;
+    c->t_end = t_contact + 0.97;
+    measure();
+    assert_int_equal(result->impacts, 1);
+    check_near(result->impact[0].t_end, t_contact + 0.05 + 0.02, 2e-3);
+    check_near(result->impact[0].of[1].delta_v, 5, 0.02);
+}
+
 /* yaw by the arm, tyres counted while the impact lasts */
 static void yaw_and_tyres(void **state) {
     (void)state;
@@ -384,6 +403,7 @@ int main(void) {
         TEST(touches_within_a_tenth_of_a_second_are_one),
         TEST(rubbing_is_no_impact),
         TEST(a_contact_ends_where_it_only_rubs),
+        TEST(a_late_jolt_is_not_the_crash),
         TEST(yaw_and_tyres),
         TEST(damage_belongs_to_its_impact),
         TEST(doubts_are_named),
