@@ -127,7 +127,7 @@ enum cr_err cr_cmd_set(struct cr_call *call, struct cr_error *err) {
     const char *only = cr_cmd_text(call, "SETTING", NULL);
     int given = 0, of_scene = 0;
     enum cr_err code = CR_ERR_OK;
-    struct cr_state *draft;
+    struct cr_state *draft = NULL; /* where a setting of the scene is given */
     for (int i = 1; call->cmd->arg[i].name != NULL; i++) {
         given += call->value[i].token != NULL;
         of_scene += call->value[i].token != NULL && is_scene_setting(&call->cmd->arg[i]);
@@ -145,12 +145,12 @@ enum cr_err cr_cmd_set(struct cr_call *call, struct cr_error *err) {
     if (of_scene > 0) {
         code = cr_cmd_edit(call, &draft, err);
     }
-    if (code == CR_ERR_OK && of_scene > 0) {
+    if (code == CR_ERR_OK && draft != NULL) {
         code = cr_cmd_set_keys(call, &draft->scene, NULL, err);
         code = code == CR_ERR_OK ? check_injury(call, &draft->scene, err) : code;
     }
     static const char *const texts[] = {"name", "pair"};
-    for (int i = 0; i < 2 && code == CR_ERR_OK; i++) {
+    for (int i = 0; i < 2 && code == CR_ERR_OK && draft != NULL; i++) {
         if (cr_cmd_given(call, texts[i])) {
             code = cr_scene_set(&draft->scene, texts[i], cr_cmd_text(call, texts[i], ""), err);
             code = code == CR_ERR_OK ? code : cr_cmd_blame(call, texts[i], code);
