@@ -315,7 +315,7 @@ static enum cr_err copy_stations(const struct cr_records *t, int row, cJSON *dam
     cJSON *list = cr_tree_array(damage, "crush_m");
     /* One station too many is copied too, so that take_stations refuses the row. */
     for (int k = 1; k <= CR_STATIONS_MAX + 1; k++) {
-        char name[8];
+        char name[16];
         double x;
         snprintf(name, sizeof name, "c%d_m", k);
         enum cr_err code = cr_records_number(t, row, name, &x, err);

@@ -45,7 +45,7 @@ static enum cr_err measured(const char *dir, struct shares *out, struct cr_error
     for (int r = 0; code == CR_ERR_OK && r < t.rows; r++) {
         int row = 'K' - cr_records_text(&t, r, "row")[0]; /* A is the highest of the eleven. */
         for (int i = 0; code == CR_ERR_OK && i < 2 * COLUMNS && row >= 0 && row < ROWS; i++) {
-            char name[8];
+            char name[12];
             double kj;
             snprintf(name, sizeof name, "%02d", i + 1);
             code = cr_records_number(&t, r, name, &kj, err);

@@ -188,7 +188,7 @@ static void take_crush(struct loading *l, int i, struct cr_measured *m) {
     m->face = (enum cr_face)face_of(l->t, i);
     m->stations = 6;
     for (int k = 0; k < 6; k++) {
-        char name[4];
+        char name[13];
         snprintf(name, sizeof name, "c%d", k + 1);
         m->depth[k] = fmax(0, number(l, i, name) / 100);
     }
