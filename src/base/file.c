@@ -108,22 +108,25 @@ enum cr_err cr_file_check_regular(const char *path, struct cr_error *err) {
     return S_ISREG(st.st_mode) ? CR_ERR_OK : irregular(&st, path, err);
 }
 
-enum cr_err cr_file_read_regular(const char *path, char **text, size_t *len, struct cr_error *err) {
+enum cr_err cr_file_check_open(int fd, const char *path, struct cr_error *err) {
     struct stat st;
+    if (fd < 0 || fstat(fd, &st) != 0) {
+        return io_error(err, path, "open");
+    }
+    return S_ISREG(st.st_mode) ? CR_ERR_OK : irregular(&st, path, err);
+}
+
+enum cr_err cr_file_read_regular(const char *path, char **text, size_t *len, struct cr_error *err) {
     /* a pipe without a writer must not be waited for */
     int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (fd < 0 || fstat(fd, &st) != 0) {
-        enum cr_err code = io_error(err, path, "open");
-        if (fd >= 0) {
-            close(fd);
-        }
-        return code;
+    enum cr_err code = cr_file_check_open(fd, path, err);
+    if (code == CR_ERR_OK) {
+        return read_and_close(fd, path, text, len, err);
     }
-    if (!S_ISREG(st.st_mode)) {
+    if (fd >= 0) {
         close(fd);
-        return irregular(&st, path, err);
     }
-    return read_and_close(fd, path, text, len, err);
+    return code;
 }
 
 /* ---- writing ---- */

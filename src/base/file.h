@@ -22,6 +22,8 @@ CR_MUST_CHECK enum cr_err cr_file_read_regular(const char *path, char **text, si
                                                struct cr_error *err);
 /* Whether a path leads to a regular file. Errors: IO, with what it is instead. */
 CR_MUST_CHECK enum cr_err cr_file_check_regular(const char *path, struct cr_error *err);
+/* The same of what was opened as fd; below 0: that failed, and errno says why. */
+enum cr_err cr_file_check_open(int fd, const char *path, struct cr_error *err);
 
 /* Write n bytes to path by way of a temporary file in its folder, fsync and rename: after a failure
  * the old file is as it was, and nothing is beside it, also after kill -9 where the system has

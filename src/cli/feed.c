@@ -269,8 +269,11 @@ static bool cannot(struct cr_feed_item *out, const char *src, const char *what, 
     return fault(out, src, CR_ERR_IO, text, NULL);
 }
 
-/* open a file (or standard input); false if that is not possible, with the item's fault */
+/* Opens a file (or standard input); false if that is not possible, with the item's fault. Whoever
+ * names a pipe or a device means it; one that lies in a folder would be waited for or read without
+ * end. */
 static bool open_file(struct cr_feed *f, const char *path, struct cr_feed_item *out) {
+    bool listed = f->folder != NULL;
     bool standard = strcmp(path, "-") == 0;
     struct stat st;
     f->src = copy(standard ? "standard input" : path);
@@ -287,6 +290,11 @@ static bool open_file(struct cr_feed *f, const char *path, struct cr_feed_item *
     if (S_ISDIR(st.st_mode)) {
         cannot(out, path, "read", EISDIR);
         cr_err_hint(&out->fault, "folders in a folder are not looked into: name it by itself");
+        close_file(f);
+        return false;
+    }
+    if (listed && cr_file_check_open(fd, path, &out->fault) != CR_ERR_OK) {
+        out->src = copy(path);
         close_file(f);
         return false;
     }

@@ -4,6 +4,7 @@
 #include "base/grow.h"
 #include "base/json.h"
 #include "base/number.h"
+#include "base/show.h"
 #include "base/stats.h"
 #include "base/tree.h"
 #include "result/result.h"
@@ -275,13 +276,14 @@ static void add_differences(struct all *all, const cJSON *list) {
 static void summarise(struct series *s, struct cr_str *out) {
     int less = 0, more = 0;
     double lo, hi;
+    char name[31]; /* it may come from anybody's results */
     for (int i = 0; i < s->n; i++) {
         less += s->x[i] < 0;
         more += s->x[i] > 0;
     }
     cr_stats_median_interval(s->x, s->n, 0.05, &lo, &hi);
-    cr_str_addf(out, "  %-30.30s %5d %5d %5d %9.4g", s->name, s->n, less, more,
-                cr_stats_median(s->x, s->n));
+    cr_str_addf(out, "  %-30s %5d %5d %5d %9.4g", cr_show(s->name, name, sizeof name), s->n, less,
+                more, cr_stats_median(s->x, s->n));
     if (isfinite(lo)) {
         cr_str_addf(out, " %8.3g %8.3g", lo, hi);
     } else {

@@ -4,6 +4,7 @@
 #include "base/arena.h"
 #include "base/json.h"
 #include "base/number.h"
+#include "base/show.h"
 #include "base/tree.h"
 #include "result/names.h"
 
@@ -191,20 +192,14 @@ enum cr_err cr_fields_settle_impacts(struct cr_fields *fields, const cJSON *impa
     return CR_ERR_OK;
 }
 
+/* A scene that failed has its name as it stands in its file, and a part of a stack may come from
+ * anybody. */
 static void csv_text(const char *s, struct cr_str *out) {
-    if (s == NULL) {
-        return;
-    }
-    /* A text that begins like a formula is quoted, so that spreadsheets take it as text. */
-    if (strpbrk(s, ",\"\r\n") == NULL && (s[0] == '\0' || strchr("=+-@", s[0]) == NULL)) {
-        cr_str_add(out, s);
-        return;
-    }
-    cr_str_add(out, "\"");
-    for (; *s != '\0'; s++) {
-        cr_str_addn(out, *s == '"' ? "\"\"" : s, *s == '"' ? 2 : 1);
-    }
-    cr_str_add(out, "\"");
+    struct cr_str shown = {0};
+    cr_show_add(&shown, s != NULL ? s : "");
+    cr_str_csv(out, cr_str_get(&shown));
+    out->failed = out->failed || shown.failed;
+    cr_str_fini(&shown);
 }
 
 static const char *text_of(const cJSON *record, const char *key) {

@@ -2,6 +2,7 @@
 #include "cli/study_priv.h"
 
 #include "base/grow.h"
+#include "base/show.h"
 #include "base/stats.h"
 
 #include <cjson/cJSON.h>
@@ -162,8 +163,10 @@ int cr_study_column(const struct cr_study *s, int i, int group, double *out) {
 static void quantiles(const struct cr_study *s, int i, int group, double *work,
                       struct cr_str *out) {
     static const double at[] = {0.05, 0.25, 0.5, 0.75, 0.95};
+    char name[25]; /* what it holds may come from anybody's results */
     int n = cr_study_column(s, i, group, work);
-    cr_str_addf(out, "  %-24.24s %6d", group < 0 ? column(s, i) : s->group[group], n);
+    cr_show(group < 0 ? column(s, i) : s->group[group], name, sizeof name);
+    cr_str_addf(out, "  %-24s %6d", name, n);
     if (n == 0) {
         cr_str_add(out, "\n");
         return;
@@ -181,9 +184,11 @@ void cr_study_summary(const struct cr_study *s, struct cr_str *out) {
         out->failed = true;
         return;
     }
+    char shown[4 * CR_FIELD_SIZE];
     cr_str_addf(out, "Scenes: %d; solved %d, failed %d", s->rows + s->failed, s->rows, s->failed);
     for (int i = 0; i < s->codes; i++) {
-        cr_str_addf(out, "%s%s %d", i > 0 ? ", " : " (", s->code[i].word, s->code[i].n);
+        cr_str_addf(out, "%s%s %d", i > 0 ? ", " : " (",
+                    cr_show(s->code[i].word, shown, sizeof shown), s->code[i].n);
     }
     cr_str_addf(out, "%s\n\n  %-24s %6s %9s %8s %8s %8s %8s %8s\n", s->codes > 0 ? ")" : "", "",
                 "n", "mean", "5 %", "25 %", "median", "75 %", "95 %");
@@ -192,7 +197,7 @@ void cr_study_summary(const struct cr_study *s, struct cr_str *out) {
             quantiles(s, i, -1, work, out);
             continue;
         }
-        cr_str_addf(out, "%s by %s\n", column(s, i), s->opt.group);
+        cr_str_addf(out, "%s by %s\n", cr_show(column(s, i), shown, sizeof shown), s->opt.group);
         for (int g = 0; g < s->groups; g++) {
             quantiles(s, i, g, work, out);
         }

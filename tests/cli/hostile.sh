@@ -21,6 +21,12 @@ mkdir -p folder/sub.json && cp pole.json folder
 ends "a folder in a folder" 1 '"where":"folder/sub.json:"' "$crumple" stack folder
 ends "a folder in a folder does not hide the scene" 1 '"scene":"pole","version"' \
     "$crumple" stack folder
+mkdir other && cp pole.json other/z.json && mkfifo other/a.json && ln -s /dev/zero other/b.jsonl
+ends "a pipe in a folder" 1 '"message":"this is a pipe, not a file.*"where":"other/a.json:"' \
+    "$crumple" stack other
+ends "a device in a folder" 1 '"message":"this is a device, not a file.*"where":"other/b.jsonl:"' \
+    "$crumple" stack other
+ends "neither hides the scene" 1 '"index":2,"scene":"pole","version"' "$crumple" stack other
 ends "a closed input of a stack" 1 '"code":"io".*standard input' \
     sh -c 'exec "$0" stack - <&-' "$crumple"
 ends "a closed input of a run" 2 'standard input: error: cannot read' \
@@ -123,6 +129,18 @@ quiet "a scene with such names" "$crumple" run "$cases/c1-bidi-names.json"
 quiet "the same in a stack" "$crumple" stack "$cases/c1-bidi-names.json"
 quiet "such a key" "$crumple" run "$cases/esc-in-key.json"
 quiet "such a key in a stack" "$crumple" stack "$cases/esc-in-key.json"
+quiet "such names in a table of a stack" "$crumple" stack -f csv "$cases/c1-bidi-names.json"
+# results that somebody has written, with such names, ids, values and errors
+"$crumple" stack pole.json pole.json |
+    UGLY='x\u001b]0;pwn\u0007\u009b\u202ey' awk '{ ugly = ENVIRON["UGLY"]
+        gsub(/"(pole|A|10LPAN2)"/, "\"" ugly "\""); sub(/"index"/, "\"pair\":\"" ugly "\",&"); print
+        sub(/"index":./, "\"index\":" NR + 1); sub(/"version"/, "\"error\":{\"code\":\"" ugly "\"},&")
+        print }' >part.jsonl
+quiet "such results put together" "$crumple" merge part.jsonl
+quiet "in a table" "$crumple" merge -f csv part.jsonl
+quiet "in a table of impacts" "$crumple" merge -f csv --per impact part.jsonl
+quiet "in a summary" "$crumple" merge --summary --group scene part.jsonl
+has "which has them" "$(tr '\n' ' ' <quiet.out)" 'failed 2 \(x.x1b.*pwn.*x.x1b.*ees_kmh by scene'
 quiet "such a file of a run" "$crumple" run "$ugly"
 quiet "such a file in a stack" "$crumple" stack "$ugly"
 quiet "such a word" "$crumple" "$ugly"

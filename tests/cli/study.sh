@@ -28,6 +28,13 @@ same "its columns are those of the vehicles" "$(head -n 1 "$tmp/out")" \
 A.olc_g,error"
 has "a failed scene has its error" "$(sed -n 2p "$tmp/out")" \
     '^0,s.jsonl:1,,,,,,,,"?the scene has no'
+# what a spreadsheet would take for a formula, it also takes within quotes
+for name in '=1+1' '+1' '-1' '@SUM(A1)'; do
+    small x compact 30 "$name" | sed "s/\"sx\"/\"$name\"/" >"$tmp/formula.json"
+    run stack "$tmp/formula.json" -f csv
+    has "no formula in a table: $name" "$(sed -n 2p "$tmp/out" | cut -d, -f1-3)" \
+        "^0,'[$name]*,'[$name]*\$"
+done
 run stack "$tmp/s.jsonl" -f csv --fields A.speed_kmh,A.ees --fields A.cdc,friction
 same "the fields that are asked for, of results and inputs" "$(sed -n '1p;3p' "$tmp/out" |
     sed 's/,[0-9]*\.[0-9]*,/,X,/')" \
