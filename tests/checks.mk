@@ -49,10 +49,12 @@ update-manual: crumple-manual$(EXEEXT)
 .PHONY: update-manual
 
 # static analysis of each file by clang-tidy (.clang-tidy) and gcc -fanalyzer, an hour; what they say is to be judged
+analyze_flags = -std=c11 $(DEFS) $(DEFAULT_INCLUDES) $(AM_CPPFLAGS) $(NCURSES_CFLAGS) $(CAIRO_CFLAGS) \
+	-DPKGDATADIR='""' -DPKGLIBEXECDIR='""'
 analyze: config.h
-	for file in $(srcdir)/src/*/*.c; do \
-	    clang-tidy --quiet $$file -- -std=c11 $(DEFS) $(DEFAULT_INCLUDES) $(AM_CPPFLAGS); \
-	    gcc -std=c11 -O1 -fanalyzer $(DEFS) $(DEFAULT_INCLUDES) $(AM_CPPFLAGS) -c -o /dev/null $$file; \
+	for file in $(srcdir)/src/*.c $(srcdir)/src/*/*.c; do \
+	    clang-tidy --quiet $$file -- $(analyze_flags); \
+	    gcc $(analyze_flags) -O1 -fanalyzer -c -o /dev/null $$file; \
 	done
 .PHONY: analyze
 

@@ -108,6 +108,9 @@ static enum cr_err index_part(struct merge *m, int i, struct cr_error *err) {
     }
     if (code == CR_ERR_OK && ferror(m->file[i])) {
         code = cannot("read", m->path[i], err);
+    } else if (code == CR_ERR_OK && !feof(m->file[i])) {
+        code = cr_err_set(err, CR_ERR_MEMORY, "no memory for a line");
+        cr_err_place(err, m->path[i], (int)number + 1, 0);
     }
     return code;
 }
@@ -137,9 +140,10 @@ static enum cr_err check_twice(struct merge *m, const struct entry *a, const str
     if (first != NULL) {
         memcpy(first, m->line, a->size);
         code = read_entry(m, b, err);
+    } else if (code == CR_ERR_OK) {
+        code = cr_err_set(err, CR_ERR_MEMORY, "no memory to compare results");
     }
-    if (code == CR_ERR_OK && first != NULL &&
-        (a->size != b->size || memcmp(first, m->line, a->size) != 0)) {
+    if (code == CR_ERR_OK && (a->size != b->size || memcmp(first, m->line, a->size) != 0)) {
         cr_err_set(err, CR_ERR_DUPLICATE, "scene %ld is in %.80s as well, with another result",
                    a->index, m->path[a->file]);
         cr_err_hint(err, "are these parts of one stack?");

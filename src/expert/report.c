@@ -60,6 +60,7 @@ struct work {
     struct cr_face_measured measured[CR_BODY_MAX];
     struct cr_str verdict;
     struct cr_report_source source;
+    char title[160]; /* of the source where none was given */
 };
 
 static enum cr_err check_out(const struct options *opt, struct cr_error *err) {
@@ -282,7 +283,6 @@ static void begin(struct work *w, const struct options *opt, const char *command
 }
 
 static enum cr_err solve(struct work *w, const char *path, const char *name, struct cr_error *err) {
-    char title[160];
     enum cr_err code = cr_cli_override(&w->scene, &w->opt->set, err);
     if (code == CR_ERR_OK) {
         code = cr_cli_open(&w->shared, CR_CLI_NEEDED, err);
@@ -310,9 +310,9 @@ static enum cr_err solve(struct work *w, const char *path, const char *name, str
     w->source.result = w->result;
     w->source.ctx = &w->shared.ctx;
     w->source.scene_text = w->text;
-    snprintf(title, sizeof title, "%s%.100s", cr_words(w->source.lang, "Crash report: "),
+    snprintf(w->title, sizeof w->title, "%s%.100s", cr_words(w->source.lang, "Crash report: "),
              w->result->resolved.name);
-    w->source.title = w->source.title != NULL ? w->source.title : title;
+    w->source.title = w->source.title != NULL ? w->source.title : w->title;
     code = gather(w, path, name, err);
     return code == CR_ERR_OK ? write_report(w, err) : code;
 }

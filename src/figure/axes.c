@@ -33,9 +33,10 @@ static double x_step(const struct cr_axes *a) {
 static double widest_number(const struct cr_axes *a, double step) {
     struct cr_type_face face = {.size = small_size};
     double wide = 0;
-    for (double v = ceil(a->y_lo / step - 1e-9) * step; v <= a->y_hi + step * 1e-6; v += step) {
+    const struct cr_ticks ticks = cr_ticks(a->y_lo, a->y_hi, step);
+    for (int i = 0; i < ticks.n; i++) {
         char text[TICK_TEXT];
-        cr_tick_text(v, step, text, sizeof text);
+        cr_tick_text(cr_tick_at(&ticks, i), step, text, sizeof text);
         wide = fmax(wide, cr_text_width(&face, text));
     }
     return wide;
@@ -56,9 +57,10 @@ void cr_axes_fit(struct cr_axes *a, struct cr_box at, bool title) {
 static void grid_x(const struct cr_axes *a) {
     struct cr_type_face face = {.size = small_size, .ink = CR_INK_TEXT, .anchor = CR_ANCHOR_MIDDLE};
     double step = x_step(a), bottom = a->at.y + a->at.h;
-    for (double v = ceil(a->x_lo / step - 1e-9) * step; v <= a->x_hi + step * 1e-6; v += step) {
+    const struct cr_ticks ticks = cr_ticks(a->x_lo, a->x_hi, step);
+    for (int i = 0; i < ticks.n; i++) {
         char text[TICK_TEXT];
-        double x = cr_axes_x(a, v);
+        double v = cr_tick_at(&ticks, i), x = cr_axes_x(a, v);
         cr_tick_text(v, step, text, sizeof text);
         cr_figure_rule(a->canvas, (struct cr_line){x, a->at.y, x, bottom}, CR_INK_GRID, 0.5,
                        CR_DASH_NONE);
@@ -71,9 +73,10 @@ static void grid_x(const struct cr_axes *a) {
 static void grid_y(const struct cr_axes *a) {
     struct cr_type_face face = {.size = small_size, .ink = CR_INK_TEXT, .anchor = CR_ANCHOR_END};
     double step = y_step(a), right = a->at.x + a->at.w;
-    for (double v = ceil(a->y_lo / step - 1e-9) * step; v <= a->y_hi + step * 1e-6; v += step) {
+    const struct cr_ticks ticks = cr_ticks(a->y_lo, a->y_hi, step);
+    for (int i = 0; i < ticks.n; i++) {
         char text[TICK_TEXT];
-        double y = cr_axes_y(a, v);
+        double v = cr_tick_at(&ticks, i), y = cr_axes_y(a, v);
         bool zero = fabs(v) < step * 1e-6 && a->y_lo < -step * 1e-6;
         cr_tick_text(v, step, text, sizeof text);
         cr_figure_rule(a->canvas, (struct cr_line){a->at.x, y, right, y},
@@ -160,7 +163,9 @@ void cr_figure_hatch(struct cr_canvas *c, const double *x, const double *y, int 
         lo = fmin(lo, x[i] + y[i]);
         hi = fmax(hi, x[i] + y[i]);
     }
-    for (double k = ceil(lo / spacing) * spacing; k < hi; k += spacing) {
+    const struct cr_ticks lines = cr_ticks(lo, hi, spacing);
+    for (int line = 0; line < lines.n; line++) {
+        double k = cr_tick_at(&lines, line);
         int hits = crossings(x, y, n, k, hit);
         for (int i = 0; i + 1 < hits; i += 2) {
             cr_canvas_move(c, hit[i], k - hit[i]);

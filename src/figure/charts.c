@@ -94,10 +94,11 @@ static void map_lines(struct cr_canvas *c, struct cr_box b, const struct cr_heat
         {.fill = CR_NO_INK, .line = 0xffffff, .width = 1.8},
         {.fill = CR_NO_INK, .line = CR_INK_TEXT, .width = 0.8}};
     struct map_line line = {c, b, m->nx, m->ny};
-    double step = range[1] > range[0] ? cr_tick_step(range[1] - range[0], 6) : 0;
-    for (int pass = 0; step > 0 && pass < 2; pass++) {
-        for (double v = ceil(range[0] / step) * step; v <= range[1]; v += step) {
-            cr_heat_contour(m, v, map_piece, &line);
+    double span = range[1] - range[0];
+    const struct cr_ticks levels = cr_ticks(range[0], range[1], cr_tick_step(span, 6));
+    for (int pass = 0; span > 0 && pass < 2; pass++) {
+        for (int i = 0; i < levels.n; i++) {
+            cr_heat_contour(m, cr_tick_at(&levels, i), map_piece, &line);
         }
         cr_canvas_paint(c, &strokes[pass]);
     }
@@ -184,9 +185,10 @@ void cr_figure_histogram(struct cr_canvas *canvas, struct cr_box at, const struc
 static void tornado_axis(struct cr_axes *a, const struct cr_tornado *t) {
     struct cr_type_face face = {.size = small_size, .ink = CR_INK_TEXT, .anchor = CR_ANCHOR_MIDDLE};
     double step = cr_tick_step(a->x_hi - a->x_lo, 6), bottom = a->at.y + a->at.h;
-    for (double v = ceil(a->x_lo / step - 1e-9) * step; v <= a->x_hi + step * 1e-6; v += step) {
+    const struct cr_ticks ticks = cr_ticks(a->x_lo, a->x_hi, step);
+    for (int i = 0; i < ticks.n; i++) {
         char text[32];
-        double x = cr_axes_x(a, v);
+        double v = cr_tick_at(&ticks, i), x = cr_axes_x(a, v);
         cr_tick_text(v, step, text, sizeof text);
         cr_figure_rule(a->canvas, (struct cr_line){x, a->at.y, x, bottom}, CR_INK_GRID, 0.5,
                        CR_DASH_NONE);

@@ -64,7 +64,9 @@ static void grid(const struct cr_sheet *s) {
     double x0 = s->centre.x * per - m->w / 2 / k, x1 = s->centre.x * per + m->w / 2 / k;
     double y0 = s->centre.y * per - m->h / 2 / k, y1 = s->centre.y * per + m->h / 2 / k;
     char text[32];
-    for (double v = ceil(x0 / step) * step; v <= x1; v += step) {
+    struct cr_ticks ticks = cr_ticks(x0, x1, step);
+    for (int i = 0; i < ticks.n; i++) {
+        double v = cr_tick_at(&ticks, i);
         struct cr_vec2 p = cr_sheet_at(s, cr_vec2(v / per, 0));
         cr_figure_rule(s->canvas, (struct cr_line){p.x, m->y, p.x, m->y + m->h}, CR_INK_GRID, 0.4,
                        CR_DASH_NONE);
@@ -72,7 +74,9 @@ static void grid(const struct cr_sheet *s) {
         cr_canvas_text(s->canvas, p.x, m->y + m->h + 9, &face, text);
     }
     face.anchor = CR_ANCHOR_END;
-    for (double v = ceil(y0 / step) * step; v <= y1; v += step) {
+    ticks = cr_ticks(y0, y1, step);
+    for (int i = 0; i < ticks.n; i++) {
+        double v = cr_tick_at(&ticks, i);
         struct cr_vec2 p = cr_sheet_at(s, cr_vec2(0, v / per));
         cr_figure_rule(s->canvas, (struct cr_line){m->x, p.y, m->x + m->w, p.y}, CR_INK_GRID, 0.4,
                        CR_DASH_NONE);

@@ -252,6 +252,6 @@ void cr_sheet_legend(const struct cr_sheet *s, struct cr_box at) {
         char amount[40];
         cr_units_print(pic->units, "kN", pic->force_now * 1e-3, 0, amount, sizeof amount);
         snprintf(to, sizeof to, "%.40s %.40s", cr_figure_say(s->words, "force"), amount);
-        x += arrow_entry(s, x, y, CR_INK_FORCE, to);
+        arrow_entry(s, x, y, CR_INK_FORCE, to);
     }
 }

@@ -25,7 +25,7 @@ struct reading {
     int depth;
     long elements;
     enum cr_err code;
-    struct cr_error *err;
+    struct cr_error *err, own; /* own: where nobody wants to know */
 };
 
 static int line_of(const struct reading *r) {
@@ -152,8 +152,7 @@ static enum cr_err parse_file(struct reading *r, FILE *file) {
 }
 
 static enum cr_err parse(struct reading *r, const char *path, struct cr_error *err) {
-    struct cr_error own;
-    r->err = err != NULL ? err : &own;
+    r->err = err != NULL ? err : &r->own;
     FILE *file = fopen(path, "rb");
     if (file == NULL) {
         cr_err_set(r->err, CR_ERR_IO, "cannot open: %s", strerror(errno));

@@ -142,9 +142,12 @@ static enum cr_err one_clothoid(struct cr_xosc *x, const struct cr_xml_node *nod
         code = cr_xml_fault(x->shown, node, err, CR_ERR_RANGE,
                             "stopTime must come after startTime, or both be missing");
     }
+    if (code != CR_ERR_OK) {
+        return code;
+    }
     p.heading = isnan(p.heading) ? 0 : p.heading;
     p.t = c.t0;
-    code = code == CR_ERR_OK ? push(a, &p, err) : code;
+    code = push(a, &p, err);
     return code == CR_ERR_OK ? clothoid(a, &c, err) : code;
 }
 

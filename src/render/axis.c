@@ -4,6 +4,9 @@
 #include <math.h>
 #include <stdio.h>
 
+/* More than any picture has room for. */
+enum { TICKS_MOST = 1000 };
+
 double cr_tick_step(double span, int most) {
     static const double rounds[] = {1, 2, 5, 10};
     if (!(span > 0) || most < 1) {
@@ -16,6 +19,17 @@ double cr_tick_step(double span, int most) {
         }
     }
     return 10 * base;
+}
+
+/* Counted, since adding a small step to a large number leaves it where it is: a loop of sums would
+ * never end. Of an axis that is too narrow for its numbers several ticks fall on one place. */
+struct cr_ticks cr_ticks(double lo, double hi, double step) {
+    double first = ceil(lo / step - 1e-9), n = floor(hi / step + 1e-6) - first + 1;
+    return (struct cr_ticks){first, step, n > 0 ? (int)fmin(n, TICKS_MOST) : 0};
+}
+
+double cr_tick_at(const struct cr_ticks *ticks, int i) {
+    return (ticks->first + i) * ticks->step;
 }
 
 void cr_tick_text(double value, double step, char *buf, int size) {

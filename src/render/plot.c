@@ -103,8 +103,10 @@ static void draw_x_axis(const struct frame *f, const char *unit) {
     int unit_w = cr_glyph_width(unit);
     int free_from = a->x - 1;
     int end = a->x + a->w;
-    for (double v = ceil(f->x_lo / step - 1e-9) * step; v <= f->x_hi + step * 1e-9; v += step) {
+    const struct cr_ticks ticks = cr_ticks(f->x_lo, f->x_hi, step);
+    for (int i = 0; i < ticks.n; i++) {
         char text[32];
+        double v = cr_tick_at(&ticks, i);
         cr_tick_text(v, step, text, sizeof text);
         int x = col_of(f, v), n = (int)strlen(text), at = x - n / 2;
         cr_cells_put(f->cells, x, y, CR_ROLE_FRAME, ascii ? '+' : 0x252C);
@@ -117,13 +119,12 @@ static void draw_x_axis(const struct frame *f, const char *unit) {
     cr_cells_print_right(f->cells, end, y + 1, unit_w, CR_ROLE_DIM, unit);
 }
 
-static int y_ticks(const struct frame *f, double *step) {
+static struct cr_ticks y_ticks(const struct frame *f) {
     int most = f->area.h / 3;
     /* Steps of 1, 2, 5 can leave half of the ticks that are asked for: of three one is left beside
      * zero. */
     most = most < 3 ? (f->area.h >= 5 ? 3 : 1) : most > 8 ? 8 : most;
-    *step = cr_tick_step(f->y_hi - f->y_lo, most);
-    return (int)(f->y_hi / *step + 1e-9) - (int)ceil(f->y_lo / *step - 1e-9) + 1;
+    return cr_ticks(f->y_lo, f->y_hi, cr_tick_step(f->y_hi - f->y_lo, most));
 }
 
 static void draw_y_axis(const struct frame *f) {
@@ -132,13 +133,11 @@ static void draw_y_axis(const struct frame *f) {
     for (int i = 0; i < a->h; i++) {
         cr_cells_put(f->cells, a->x - 1, a->y + i, CR_ROLE_FRAME, ascii ? '|' : 0x2502);
     }
-    double step;
-    int n = y_ticks(f, &step);
-    double first = ceil(f->y_lo / step - 1e-9);
-    for (int i = 0; i < n; i++) {
+    const struct cr_ticks ticks = y_ticks(f);
+    for (int i = 0; i < ticks.n; i++) {
         char text[Y_LABEL_MAX];
-        double v = (first + i) * step;
-        cr_tick_text(v, step, text, sizeof text);
+        double v = cr_tick_at(&ticks, i);
+        cr_tick_text(v, ticks.step, text, sizeof text);
         cr_cells_print_right(f->cells, a->x - 1, row_of(f, v), 10, CR_ROLE_DIM, text);
         cr_cells_put(f->cells, a->x - 1, row_of(f, v), CR_ROLE_FRAME, ascii ? '+' : 0x2524);
     }
@@ -147,8 +146,7 @@ static void draw_y_axis(const struct frame *f) {
 /* Lengthens the axis to a tick just above the highest point, and with down just below the
  * lowest. */
 static void round_up(struct frame *f, bool down) {
-    double step;
-    y_ticks(f, &step);
+    double step = y_ticks(f).step;
     double before = floor(f->y_lo / step + 1e-9) * step;
     if (down && f->y_lo - before < 0.3 * (f->y_hi - f->y_lo)) {
         f->y_lo = before;
@@ -160,12 +158,11 @@ static void round_up(struct frame *f, bool down) {
 }
 
 static int y_label_width(const struct frame *f) {
-    double step;
-    int n = y_ticks(f, &step), width = 1;
-    double first = ceil(f->y_lo / step - 1e-9);
-    for (int i = 0; i < n; i++) {
+    const struct cr_ticks ticks = y_ticks(f);
+    int width = 1;
+    for (int i = 0; i < ticks.n; i++) {
         char text[Y_LABEL_MAX];
-        cr_tick_text((first + i) * step, step, text, sizeof text);
+        cr_tick_text(cr_tick_at(&ticks, i), ticks.step, text, sizeof text);
         int w = (int)strlen(text);
         width = w > width ? w : width;
     }

@@ -197,6 +197,14 @@ CR_MUST_CHECK enum cr_err cr_render_map(struct cr_cells *cells, struct cr_rect a
 
 /* A round tick step, 1, 2 or 5 times a power of ten, with at most `most` steps in span (> 0). */
 double cr_tick_step(double span, int most);
+/* The ticks from lo to hi, with a rounding error at either end: the multiples of a step from the
+ * first-th on. n is 0 where lo or hi is no number. */
+struct cr_ticks {
+    double first, step;
+    int n;
+};
+struct cr_ticks cr_ticks(double lo, double hi, double step);
+double cr_tick_at(const struct cr_ticks *ticks, int i);
 /* Writes a number with the digits that ticks of this step need. */
 void cr_tick_text(double value, double step, char *buf, int size);
 /* The least and greatest x and y that the axes of a plot show: zero is among the y unless the

@@ -52,7 +52,7 @@ static enum cr_err run_stream(struct cr_session *s) {
     int number = 0, first = 1;
     while (code == CR_ERR_OK && !cr_session_over(s)) {
         ssize_t n = getline(&line, &size, stdin);
-        if (n < 0 && ferror(stdin) && !cr_signal_interrupted) {
+        if (n < 0 && !feof(stdin) && !cr_signal_interrupted) {
             struct cr_error err;
             cr_err_set(&err, CR_ERR_IO, "cannot read: %s", strerror(errno));
             cr_err_place(&err, "stdin", 0, 0);

@@ -26,7 +26,7 @@ static char *next_candidate(const char *typed, int state) {
         return NULL;
     }
     if (candidates.n == 1) {
-        rl_completion_append_character = candidates.item[0].end;
+        rl_completion_append_character = (unsigned char)candidates.item[0].end;
     }
     return strdup(candidates.item[at++].word);
 }

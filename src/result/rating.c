@@ -86,7 +86,7 @@ static enum cr_err magnitude(const double *t, const double *c, int n, double *ou
                              struct cr_error *err) {
     int half = (int)ceil(window * n) - 1;
     half = half < 0 ? 0 : half;
-    size_t w = (size_t)(2 * half + 1);
+    size_t w = 2 * (size_t)half + 1;
     double *rows = malloc(2 * w * sizeof *rows);
     unsigned char *step = malloc((size_t)n * w);
     enum cr_err code = CR_ERR_OK;

@@ -277,8 +277,9 @@ static enum cr_err read_wheels(struct cr_reader *r, const struct cr_key *key, co
     double x[CR_WHEELS];
     enum cr_err code;
     if (cJSON_IsNumber(json)) {
-        code = number_in(r, key, json, &x[0]);
-        x[1] = x[2] = x[3] = x[0];
+        double all = (double)NAN;
+        code = number_in(r, key, json, &all);
+        x[0] = x[1] = x[2] = x[3] = all;
     } else {
         code = read_numbers(r, key, json, x, CR_WHEELS, "a number or four, one per wheel");
     }

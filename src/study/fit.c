@@ -29,6 +29,7 @@ struct search {
     double best, x[CR_FIT_INPUTS]; /* least sum of squares, and where: shares of the bounds */
     bool stop;
     struct cr_error last;
+    struct cr_context free_run; /* one that is not interrupted */
 };
 
 static double value_at(const struct cr_study_input *in, double share) {
@@ -343,9 +344,10 @@ static enum cr_err run(struct search *s, struct cr_error *err) {
     }
     fit->interrupted = s->stop;
     s->stop = false;
-    struct cr_context free_run = *s->ctx;
-    free_run.cancel = NULL; /* the few solves of the intervals follow also after an interruption */
-    s->ctx = &free_run;
+    s->free_run = *s->ctx;
+    s->free_run.cancel =
+        NULL; /* the few solves of the intervals follow also after an interruption */
+    s->ctx = &s->free_run;
     code = code == CR_ERR_OK ? conclude(s, err) : code;
     return code == CR_ERR_OK && fit->interrupted
                ? cr_err_set(err, CR_ERR_INTERRUPTED, "interrupted after %d solves", fit->solves)

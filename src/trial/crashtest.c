@@ -2,6 +2,7 @@
 #include "trial/crashtest.h"
 
 #include "base/grow.h"
+#include "base/show.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -69,6 +70,11 @@ enum cr_err cr_test_set_scene(struct cr_test *c, struct cr_str *text, struct cr_
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for crash tests");
     }
     c->scene = text->s;
+    /* Names are what somebody's table or the x_ keys of a scene say. */
+    char *const name[] = {c->id, c->title, c->group, c->name};
+    for (size_t i = 0; i < sizeof name / sizeof name[0]; i++) {
+        cr_show_mask(name[i]);
+    }
     /* The file of the scene is called after the test, and must stay in its folder. */
     for (char *slash = strchr(c->id, '/'); slash != NULL; slash = strchr(slash, '/')) {
         *slash = '-';

@@ -4,6 +4,7 @@
 #include "trial/crashtest_read.h"
 
 #include "base/records.h"
+#include "base/show.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -40,6 +41,10 @@ static void name_case(struct cr_test *c, const struct cr_records *r, int row) {
         snprintf(c->id, sizeof c->id, "row %d", r->line[row]);
     } else {
         snprintf(c->id, sizeof c->id, "%s", number);
+        cr_show_mask(c->id); /* it becomes the name of a scene, where no quote may end it */
+        for (char *p = c->id; (p = strpbrk(p, "\"\\")) != NULL;) {
+            *p = '\'';
+        }
         c->number = (int)strtol(number, NULL, 10);
     }
     c->year = (int)strtol(year, NULL, 10);
@@ -211,9 +216,10 @@ enum cr_err cr_test_add_pulses(const char *path, struct cr_test_list *list, int 
                                     {"calc_peak_g", &peak, true},
                                     {"energy_ratio", &ratio, true}};
         code = read_row(&r, row, wish, 3, err);
-        bool valid = strcmp(cr_records_text(&r, row, "status"), "Valid") == 0 &&
+        bool valid = code == CR_ERR_OK &&
+                     strcmp(cr_records_text(&r, row, "status"), "Valid") == 0 &&
                      fabs(ratio - 1) <= energy_off + 1e-9;
-        for (int i = from; code == CR_ERR_OK && valid && i < list->n; i++) {
+        for (int i = from; valid && i < list->n; i++) {
             struct cr_test *c = &list->item[i];
             if (strcmp(c->id, cr_records_text(&r, row, "test_id")) == 0) {
                 c->reference[CR_MEASURE_DYNAMIC] = crush / 1000;

@@ -1,6 +1,7 @@
 /* Reads tables of real crashes: picks the rows that count, and makes each a case of damage. */
 #include "trial/field.h"
 
+#include "base/show.h"
 #include "base/vec.h"
 
 #include <math.h>
@@ -302,6 +303,7 @@ static void take_row(struct loading *l, int i) {
         .n = partner >= 0 ? 2 : 1, .object = partner < 0, .object_mass = NAN, .restitution = NAN};
     snprintf(row->name, sizeof row->name, "%.24s/%.8s", cr_records_text(l->t, i, "case"),
              cr_records_text(l->t, i, "veh"));
+    cr_show_mask(row->name);
     open_car(l, i, &row->what.car[0]);
     if (partner >= 0) {
         open_car(l, partner, &row->what.car[1]);

@@ -9,7 +9,7 @@
 enum { ROUNDS = 3 };
 
 int cr_fold_of(int number) {
-    return number % CR_FOLDS;
+    return (int)((unsigned)number % CR_FOLDS);
 }
 
 /* Gathers the tests of a set but those of the fold. */

@@ -81,6 +81,15 @@ some_memory() {
     shift 3
     faults "$s_name" memory "$s_step" "$s_out" "$@"
 }
+"$crumple" stack -j1 two.jsonl >p.jsonl
+some_memory 1 "merge with a summary" - merge --summary --group scene p.jsonl
+"$crumple" merge -f csv p.jsonl >want.out
+bad=''
+for at in 0 1 2 3 4 5 6 7 8 9; do # among them those of the first line, which getline makes
+    LD_PRELOAD=$fault FAULT_KIND=memory FAULT_AT=$at "$crumple" merge -f csv p.jsonl >got.out \
+        2>errs.out && ! cmp -s got.out want.out && bad="$bad $at:lost"
+done
+empty "merge: a line that there is no memory for" "$bad"
 import=$SRC/tests/data/import
 some_memory 1 run - run pole.json
 some_memory 13 "run with trace" - run pole.json --trace

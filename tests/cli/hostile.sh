@@ -141,6 +141,15 @@ quiet "in a table" "$crumple" merge -f csv part.jsonl
 quiet "in a table of impacts" "$crumple" merge -f csv --per impact part.jsonl
 quiet "in a summary" "$crumple" merge --summary --group scene part.jsonl
 has "which has them" "$(tr '\n' ' ' <quiet.out)" 'failed 2 \(x.x1b.*pwn.*x.x1b.*ees_kmh by scene'
+# an axis whose round steps are too small to be added to its numbers
+"$crumple" stack pole.json pole.json | awk '{
+    gsub(/"ees_kmh":[^,]*/, "\"ees_kmh\":" (NR == 1 ? "1e17" : "100000000000000016"))
+    gsub(/"(delta_v|closing)_kmh":[^,]*/, "\"delta_v_kmh\":" 30 + NR)
+    sub(/"index":./, "\"index\":" NR); print }' >narrow.jsonl
+plot='x=A.ees_kmh y=A.delta_v_kmh'
+ends "a plot of great numbers" 1 '100000000000000016$' "$crumple" merge narrow.jsonl --plot "$plot"
+ends "its picture" 1 'missing: 1 scene' "$crumple" merge narrow.jsonl --plot "$plot" \
+    --picture narrow.svg
 quiet "such a file of a run" "$crumple" run "$ugly"
 quiet "such a file in a stack" "$crumple" stack "$ugly"
 quiet "such a word" "$crumple" "$ugly"
@@ -156,6 +165,18 @@ quiet "such a participant" "$crumple" -e "vehicle \"$ugly\" type=sedan"
 quiet "such a command file" "$crumple" "$ugly.crumple"
 quiet "an echo" "$crumple" echo.crumple
 quiet "such a table of tests" "$crumple" validate "$ugly.csv"
+printf 'test_no,make,model,year,body,mass_kg,speed_kmh,c1,c2,c3,c4,c5,c6\n' >named.csv
+printf '%s,%s,%s,%s,S,1719,57,380,466,511,518,489,370\n' "$ugly" "$ugly" "$ugly" "$ugly" >>named.csv
+for form in text csv json; do
+    quiet "tests with such names as $form" \
+        sh -c '"$0" validate named.csv --cases --fast -f $1 | tr -d "\t"' "$crumple" $form
+    has "which are there" "$(cat quiet.out)" 'x\?]0;pwn\?[?]+y'
+done
+printf '%s' '{ "crumple": 1, "name": "t", "x_title": "UGLY", "x_expect": { "A": { "ees_kmh": 30 } },' |
+    sed "s/UGLY/$(printf 'x\\\\u001b]0;pwn\\\\u0007y')/" >named.json
+sed 's/.*"name": "pole",//' pole.json >>named.json
+quiet "a scene with such a title as test" "$crumple" validate named.json --cases --fast
+has "which is there" "$(cat quiet.out)" 'x\?]0;pwn\?y'
 quiet "such a measured pulse" "$crumple" -e 'load pole.json' -e solve -e "compare \"$ugly.csv\""
 quiet "such a model" "$crumple" models "$ugly"
 quiet "such an earlier result" "$crumple" stack pole.json --resume "$ugly"

@@ -93,6 +93,12 @@ sed 's/^2,/..\/2,/' "$tmp/own.csv" >"$tmp/bad.csv"
 run validate "$tmp/bad.csv" --scenes "$tmp/scenes" --worst 1
 same "and stay in their folder, whatever a test is called" \
     "$(ls "$tmp/scenes/..-2.json" "$tmp/2.json" 2>/dev/null)" "$tmp/scenes/..-2.json"
+sed 's/^2,/"2"", ""x_a"": ""b",/' "$tmp/own.csv" >"$tmp/bad.csv"
+run validate "$tmp/bad.csv" --scenes "$tmp/scenes" --worst 1
+same "and say what they would, whatever a test is called" \
+    "$status:$(grep -c x_a "$tmp/scenes"/2*x_a*.json)" 0:1
+run run "$tmp/scenes"/2*x_a*.json
+has "as its name" "$out" "\"scene\":	\"2', 'x_a': 'b\""
 run validate "$SRC/share/validation/pulse/camry-10146.json"
 has "an own scene with expectations" "$out" 'own tests: 1 measured'
 sed 's/c1,/x1,/' "$tmp/own.csv" >"$tmp/bad.csv"

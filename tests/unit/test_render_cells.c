@@ -261,6 +261,18 @@ static void test_ticks(void **state) {
         }
     }
     char buf[32];
+    struct cr_ticks ticks = cr_ticks(-0.3, 0.3, 0.1);
+    assert_int_equal(ticks.n, 7);
+    check_near(cr_tick_at(&ticks, 0), -0.3, 1e-12);
+    check_near(cr_tick_at(&ticks, 6), 0.3, 1e-12);
+    ticks = cr_ticks(0.5, 1.5, 2);
+    assert_int_equal(ticks.n, 0);
+    ticks = cr_ticks((double)NAN, 1, 2);
+    assert_int_equal(ticks.n, 0);
+    ticks = cr_ticks(1e17, 1e17 + 16, 2); /* 1e17 + 2 is 1e17 in double precision */
+    assert_in_range(ticks.n, 1, 10);
+    ticks = cr_ticks(0, 1, 1e-300);
+    assert_in_range(ticks.n, 1, 1000);
     cr_tick_text(-1e-17, 0.5, buf, sizeof buf);
     assert_string_equal(buf, "0.0");
     cr_tick_text(40, 20, buf, sizeof buf);
