@@ -123,11 +123,11 @@ static void find_arrays(struct file *f) {
     for (char *p = f->text; *p != '\0'; p++) {
         if (*p == '"') {
             char *end = string_end(p);
+            if (*end == '\0') {
+                return; /* behind it is what the file does not say */
+            }
             if (depth == 1) {
                 note_array(f, p, end);
-            }
-            if (*end == '\0') {
-                return;
             }
             p = end;
         } else {

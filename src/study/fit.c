@@ -136,6 +136,11 @@ static int better_first(const void *a, const void *b) {
     return (p->sum > q->sum) - (p->sum < q->sum);
 }
 
+/* Where nothing has had a result but too much was asked for, the next place will cost as much. */
+static bool hopeless(const struct search *s) {
+    return s->last.code == CR_ERR_EXPENSIVE && !isfinite(s->best);
+}
+
 static enum cr_err look_around(struct search *s, struct place *places, int n,
                                struct cr_error *err) {
     const struct cr_study *study = &s->fit->study;
@@ -151,7 +156,7 @@ static enum cr_err look_around(struct search *s, struct place *places, int n,
             bool known = i == 0 && given >= 0 && given <= 1;
             places[i].x[k] = known ? given : u[i * study->n + k];
         }
-        places[i].sum = s->stop ? (double)INFINITY : look(s, places[i].x);
+        places[i].sum = s->stop || hopeless(s) ? (double)INFINITY : look(s, places[i].x);
     }
     free(u);
     return code;
@@ -332,7 +337,7 @@ static enum cr_err run(struct search *s, struct cr_error *err) {
     }
     enum cr_err code = look_around(s, places, around, err);
     qsort(places, (size_t)around, sizeof *places, better_first);
-    for (int i = 0; i < starts && code == CR_ERR_OK && !s->stop; i++) {
+    for (int i = 0; i < starts && code == CR_ERR_OK && !s->stop && !hopeless(s); i++) {
         code = search_from(s, places[i].x, 0.1, s->opts->solves / (starts + 1), err);
     }
     if (code == CR_ERR_OK && !s->stop && isfinite(s->best)) { /* once more, finer */
@@ -345,8 +350,8 @@ static enum cr_err run(struct search *s, struct cr_error *err) {
     fit->interrupted = s->stop;
     s->stop = false;
     s->free_run = *s->ctx;
-    s->free_run.cancel =
-        NULL; /* the few solves of the intervals follow also after an interruption */
+    /* the few solves of the intervals follow also after an interruption */
+    s->free_run.cancel = NULL;
     s->ctx = &s->free_run;
     code = code == CR_ERR_OK ? conclude(s, err) : code;
     return code == CR_ERR_OK && fit->interrupted

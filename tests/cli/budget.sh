@@ -41,6 +41,8 @@ bomb "draws of too many voxels" 9 300 4 'too expensive.*10 MB|no GSL' \
 bomb "a search with too many voxels" 9 300 4 'too expensive.*10 MB|no NLopt' \
     fit "$cases/pole.json" A.speed=20:40km/h to dv.A=20km/h --solves 20 \
     --set voxel_mm=5 --max-memory 10
+bomb "a search that takes too long" 9 600 4 'too expensive.*1 s|no NLopt' \
+    fit "$cases/dtrest.json" A.speed=20:40km/h to dv.A=20km/h --max-seconds 1
 # at_work PID: it has used a tenth of a second
 at_work() {
     for _ in $(seq 60); do

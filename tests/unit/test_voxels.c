@@ -6,7 +6,7 @@
 
 #include "base/file.h"
 #include "base/vec.h"
-#include "model/model.h"
+#include "model/model_priv.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -306,6 +306,23 @@ static void test_no_words_of_the_file(void **state) {
     }
 }
 
+/* Behind a text that breaks off in a key lies what is none of its own, here something that looks
+ * like an array of a megabyte. */
+static void test_text_that_ends_in_a_key(void **state) {
+    (void)state;
+    static const char text[] = "{\"crumple_voxels\": 1, \"energy_J";
+    static char memory[1 << 20];
+    struct cr_arena arena = {0};
+    struct cr_voxels v;
+    struct cr_error err = {0};
+    memset(memory, '1', sizeof memory - 1);
+    memcpy(memory, text, sizeof text);
+    memcpy(memory + sizeof text, ":[", 2);
+    assert_int_equal(cr_voxels_read_json(memory, sizeof text - 1, "x", &arena, &v, &err),
+                     CR_ERR_SYNTAX);
+    cr_arena_free(&arena);
+}
+
 /* 400 x 400 x 400 voxels are 64 million: refused before any memory is taken */
 static void test_too_many(void **state) {
     static const char text[] =
@@ -339,6 +356,7 @@ int main(void) {
         cmocka_unit_test(test_csv_of_a_spreadsheet),
         cmocka_unit_test(test_refused),
         cmocka_unit_test(test_no_words_of_the_file),
+        cmocka_unit_test(test_text_that_ends_in_a_key),
         cmocka_unit_test(test_too_many),
     };
     return cmocka_run_group_tests(tests, open_lib, close_lib);
