@@ -299,7 +299,7 @@ void cr_pair_summary(const struct cr_pair_set *set, struct cr_str *out) {
         const struct pair *p = &set->pair[i];
         if (p->scenes == 2 && p->part[0] != NULL && p->part[1] != NULL) {
             cJSON *list = difference(p);
-            all.failed = all.failed || !cr_tree_whole(list);
+            all.failed = all.failed || list == NULL || !cr_tree_whole(list);
             add_differences(&all, list);
             cJSON_Delete(list);
             compared++;
