@@ -225,7 +225,11 @@ enum cr_err cr_mme_channels(const char *dir, cr_mme_take *take, void *user, stru
     }
     forget(entry, n);
     n = folder.len > 0 ? scandir(cr_str_get(&folder), &entry, is_channel, cr_file_by_bytes) : -1;
-    for (int i = 0; i < n && i < FILES_MAX && code == CR_ERR_OK; i++) {
+    if (n > FILES_MAX) {
+        code = cr_err_set(err, CR_ERR_RANGE, "more than %d channels", FILES_MAX);
+        cr_err_place(err, dir, 0, 0);
+    }
+    for (int i = 0; i < n && code == CR_ERR_OK; i++) {
         cr_str_clear(&path);
         cr_str_addf(&path, "%s/%s", cr_str_get(&folder), entry[i]->d_name);
         code = take(user, cr_str_get(&path), entry[i]->d_name, err);

@@ -70,6 +70,9 @@ mme "a text for a velocity" 's/:15.5/:fast/' '7: error: Velocity test object 1'
 mme "a mobile barrier" 's/rigid wall/MPDB/; s/:B$/:M/' 'mobile barrier, of which there is no model'
 mme "two vehicles that meet somehow" 's/rigid wall/Other car/; s/:B$/:1/; s/NOVALUE/1400/
     s/object 2      :0/object 2      :15/' 'does not say how two vehicles meet'
+rm -rf "$tmp/t" && cp -r "$data/wall.mme" "$tmp/t"
+(cd "$tmp/t/Channel" && seq 10001 15001 | sed 's/^/wall./' | xargs touch)
+refused "more channels than are looked at" 1 't: error: more than 5000 channels' "$tmp/t"
 refused "the demo, which has no velocities" 1 'demo.mme:.*no "Velocity test object 1"' "$data/mme"
 rm -rf "$tmp/t"
 cp -r "$data/wall.mme" "$tmp/t"
