@@ -16,6 +16,7 @@ struct options {
     bool picture;
     const char *out, *solved;
     struct cr_cli_look look;
+    struct cr_cli_budget budget;
 };
 
 static const char about[] =
@@ -72,8 +73,7 @@ static enum cr_err compare(struct work *w, struct cr_error *err) {
         }
     }
     if (code == CR_ERR_OK) {
-        const struct cr_cli_budget budget = CR_CLI_BUDGET;
-        code = cr_cli_solve(&w->shared, &budget, &scene, &result, err);
+        code = cr_cli_solve(&w->shared, &w->opt->budget, &scene, &result, err);
         if (code != CR_ERR_OK) {
             cr_cli_locate(w->opt->solved, err);
         }
@@ -138,7 +138,7 @@ static enum cr_err run(const char *file, const struct options *opt, struct cr_er
 
 int cr_cli_damage(int argc, char **argv) {
     struct cr_error err = {0};
-    struct options opt = {.format = 0};
+    struct options opt = {.budget = CR_CLI_BUDGET};
     const struct cr_option table[] = {
         CR_OPTION_WORD("format", 'f', FORMATS, &opt.format, "form of the result (text)"),
         CR_OPTION_FLAG("picture", 'p', &opt.picture,
@@ -146,6 +146,7 @@ int cr_cli_damage(int argc, char **argv) {
         CR_OPTION_TEXT("solved", 's', "SCENE.json", &opt.solved,
                        "beside what is left of them when that scene is solved"),
         CR_CLI_OUTPUT_OPTION(&opt.out),
+        CR_CLI_BUDGET_OPTIONS(&opt.budget),
         CR_CLI_LOOK_OPTIONS(&opt.look),
     };
     const struct cr_usage usage = CR_USAGE("damage", "FILE.json|FILE.csv", about, table, 1, 1);

@@ -25,6 +25,7 @@ struct options {
     bool flat;
     const char *at, *to, *crash, *id;
     struct cr_cli_look look;
+    struct cr_cli_budget budget;
 };
 
 static const char about[] =
@@ -114,8 +115,7 @@ static enum cr_err solve(const struct cr_cli_shared *shared, const struct option
     cr_scene_init(&scene);
     enum cr_err code = cr_scene_load(opt->crash, &scene, err);
     if (code == CR_ERR_OK) {
-        const struct cr_cli_budget budget = CR_CLI_BUDGET;
-        code = cr_cli_solve(shared, &budget, &scene, &s->result, err);
+        code = cr_cli_solve(shared, &opt->budget, &scene, &s->result, err);
         if (code != CR_ERR_OK) {
             cr_cli_locate(opt->crash, err);
         }
@@ -343,7 +343,7 @@ static void list_names(char *buf, size_t size) {
 }
 
 int cr_cli_models(int argc, char **argv) {
-    struct options opt = {.view = VIEW_ALL};
+    struct options opt = {.view = VIEW_ALL, .budget = CR_CLI_BUDGET};
     const struct cr_option table[] = {
         CR_OPTION_WORD("view", 0, VIEWS, &opt.view, "which picture (all)"),
         CR_OPTION_TEXT("at", 0, "Y", &opt.at,
@@ -361,6 +361,7 @@ int cr_cli_models(int argc, char **argv) {
                        "solve this scene, show a vehicle of it deformed"),
         CR_OPTION_TEXT("id", 0, "ID", &opt.id, "which vehicle of the scene (the first)"),
         CR_OPTION_WORD("format", 'f', "text|json", &opt.format, "form of the list (text)"),
+        CR_CLI_BUDGET_OPTIONS(&opt.budget),
         CR_CLI_LOOK_OPTIONS(&opt.look),
     };
     char names[CR_TYPES * 13 * 24];

@@ -37,12 +37,15 @@ struct options {
     bool cases, plot, targets, progress, fast, guess;
     const char *out, *scenes, *models, *picture;
     struct cr_cli_look look;
+    struct cr_cli_budget budget;
 };
 
 /* All that the threads work on. */
 struct batch {
     struct cr_test_list tests;
     struct cr_context ctx;
+    const struct cr_cli_shared *shared;
+    const struct cr_cli_budget *budget; /* of one solve of an own test; the shipped ones are known */
     struct cr_folds folds;
     unsigned runs;   /* bits of the runs that are wanted */
     int next;        /* number of the next job: a fold, or a test and run */
@@ -97,6 +100,11 @@ static void work_test(void *user, void *item) {
     const struct batch *b = user;
     struct job *j = item;
     struct cr_context ctx = b->ctx;
+    struct cr_cli_work limits;
+    if (j->test->class == CR_TEST_OWN) {
+        ctx = cr_cli_context(b->shared, b->budget, &limits);
+        ctx.models = b->ctx.models;
+    }
     if (j->run == CR_TEST_CROSS) {
         ctx.models = b->folds.lib[cr_fold_of(j->test->number)];
     }
@@ -268,6 +276,7 @@ static enum cr_err validate(char **name, int n, const struct options *opt, bool 
     static const unsigned crossed = 1u << CR_TEST_CROSS, paper = 1u << CR_METHOD_PAPER;
     static const unsigned masks[] = {7, 1u << CR_METHOD_EXTENDED | crossed, paper};
     struct batch b = {.runs = masks[opt->method] & (opt->fast ? ~crossed : ~0u),
+                      .budget = &opt->budget,
                       .progress = opt->progress};
     struct cr_cli_shared shared = {0};
     struct cr_model_lib *own = NULL;
@@ -285,6 +294,7 @@ static enum cr_err validate(char **name, int n, const struct options *opt, bool 
         code = write_scenes(&b.tests, opt->scenes, err);
     }
     if (code == CR_ERR_OK) {
+        b.shared = &shared;
         b.ctx = shared.ctx;
         b.ctx.models = own ? own : shared.models;
         cr_signals_catch_word();
@@ -325,7 +335,7 @@ static enum cr_err validate_field(const char *path, const struct options *opt,
     return code;
 }
 
-enum { OPTIONS = 17 };
+enum { OPTIONS = 19 };
 
 static void list_options(struct options *opt, struct cr_option list[OPTIONS]) {
     const struct cr_option table[OPTIONS] = {
@@ -347,6 +357,7 @@ static void list_options(struct options *opt, struct cr_option list[OPTIONS]) {
         CR_OPTION_NUMBER("jobs", 'j', &opt->jobs, 0, CR_POOL_JOBS_MAX,
                          "threads (0, the default: one per processor)"),
         CR_OPTION_FLAG("progress", 0, &opt->progress, "tell on stderr how far it is"),
+        CR_CLI_BUDGET_OPTIONS(&opt->budget),
         CR_CLI_LOOK_OPTIONS(&opt->look),
     };
     memcpy(list, table, sizeof table);
@@ -375,7 +386,7 @@ static int read_options(int argc, char **argv, struct options *opt, int *operand
 }
 
 int cr_trial_validate(int argc, char **argv) {
-    struct options opt = {.worst = 10};
+    struct options opt = {.worst = 10, .budget = CR_CLI_BUDGET};
     struct cr_error err = {0};
     int operands;
     bool missed = false;

@@ -201,8 +201,10 @@ static void put_case(const struct cr_test *t, unsigned runs, struct cr_str *out)
                     t->reference[m], cr_test_measure_unit((enum cr_measure)m));
         for (int k = 0; k < CR_TEST_RUNS; k++) {
             int run = cr_test_run_order[k];
-            if (runs >> run & 1) {
+            if ((runs >> run & 1) && isfinite(t->of[run].value[m])) {
                 cr_str_addf(out, "  %s %8.4g", cr_test_run_word(run), t->of[run].value[m]);
+            } else if (runs >> run & 1) {
+                cr_str_addf(out, "  %s %8s", cr_test_run_word(run), "-");
             }
         }
         cr_str_add(out, "\n");

@@ -43,6 +43,15 @@ bomb "a search with too many voxels" 9 300 4 'too expensive.*10 MB|no NLopt' \
     --set voxel_mm=5 --max-memory 10
 bomb "a search that takes too long" 9 600 4 'too expensive.*1 s|no NLopt' \
     fit "$cases/dtrest.json" A.speed=20:40km/h to dv.A=20km/h --max-seconds 1
+bomb "the same as the crash of a model" 9 600 4 'too expensive.*1 s' \
+    models sedan --crash="$cases/dtrest.json" --max-seconds 1
+printf '%s\n' id,type,mass_kg,face,field_length_m,pdof_deg,c1_m,c2_m,c3_m \
+    A,sedan,1600,front,1.4,0,0.3,0.33,0.3 >crush.csv
+bomb "the same beside a damage" 9 600 4 'too expensive.*1 s' \
+    damage crush.csv --solved="$cases/dtrest.json" --max-seconds 1
+sed 's/"crumple": 1,/&"x_expect": { "A": { "ees_kmh": 50 } },/' "$cases/dtrest.json" >own.json
+bomb "the same as an own test" 15 900 0 'too expensive.*1 s' validate own.json --cases --max-seconds 1
+has "which has no numbers then" "$(cat bomb.out)" 'measured +50 km/h +paper +-  extended +-$'
 # at_work PID: it has used a tenth of a second
 at_work() {
     for _ in $(seq 60); do
