@@ -45,7 +45,7 @@ struct batch {
     struct cr_test_list tests;
     struct cr_context ctx;
     const struct cr_cli_shared *shared;
-    const struct cr_cli_budget *budget; /* of one solve of an own test; the shipped ones are known */
+    const struct cr_cli_budget *budget; /* of an own test; the shipped ones are known */
     struct cr_folds folds;
     unsigned runs;   /* bits of the runs that are wanted */
     int next;        /* number of the next job: a fold, or a test and run */

@@ -50,7 +50,8 @@ printf '%s\n' id,type,mass_kg,face,field_length_m,pdof_deg,c1_m,c2_m,c3_m \
 bomb "the same beside a damage" 9 600 4 'too expensive.*1 s' \
     damage crush.csv --solved="$cases/dtrest.json" --max-seconds 1
 sed 's/"crumple": 1,/&"x_expect": { "A": { "ees_kmh": 50 } },/' "$cases/dtrest.json" >own.json
-bomb "the same as an own test" 15 900 0 'too expensive.*1 s' validate own.json --cases --max-seconds 1
+bomb "the same as an own test" 15 900 0 'too expensive.*1 s' \
+    validate own.json --cases --max-seconds 1
 has "which has no numbers then" "$(cat bomb.out)" 'measured +50 km/h +paper +-  extended +-$'
 # at_work PID: it has used a tenth of a second
 at_work() {

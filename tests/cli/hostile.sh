@@ -134,7 +134,8 @@ quiet "such names in a table of a stack" "$crumple" stack -f csv "$cases/c1-bidi
 "$crumple" stack pole.json pole.json |
     UGLY='x\u001b]0;pwn\u0007\u009b\u202ey' awk '{ ugly = ENVIRON["UGLY"]
         gsub(/"(pole|A|10LPAN2)"/, "\"" ugly "\""); sub(/"index"/, "\"pair\":\"" ugly "\",&"); print
-        sub(/"index":./, "\"index\":" NR + 1); sub(/"version"/, "\"error\":{\"code\":\"" ugly "\"},&")
+        sub(/"index":./, "\"index\":" NR + 1)
+        sub(/"version"/, "\"error\":{\"code\":\"" ugly "\"},&")
         print }' >part.jsonl
 quiet "such results put together" "$crumple" merge part.jsonl
 quiet "in a table" "$crumple" merge -f csv part.jsonl
@@ -172,7 +173,8 @@ for form in text csv json; do
         sh -c '"$0" validate named.csv --cases --fast -f $1 | tr -d "\t"' "$crumple" $form
     has "which are there" "$(cat quiet.out)" 'x\?]0;pwn\?[?]+y'
 done
-printf '%s' '{ "crumple": 1, "name": "t", "x_title": "UGLY", "x_expect": { "A": { "ees_kmh": 30 } },' |
+printf '%s' '{ "crumple": 1, "name": "t", "x_title": "UGLY", ' \
+    '"x_expect": { "A": { "ees_kmh": 30 } },' |
     sed "s/UGLY/$(printf 'x\\\\u001b]0;pwn\\\\u0007y')/" >named.json
 sed 's/.*"name": "pole",//' pole.json >>named.json
 quiet "a scene with such a title as test" "$crumple" validate named.json --cases --fast
