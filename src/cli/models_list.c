@@ -27,7 +27,13 @@ enum cr_err cr_model_papers_read(const char *dir, struct cr_model_papers *out,
             return code;
         }
         out->recipe[i] = cJSON_ParseWithLength(text, len);
+        if (out->recipe[i] == NULL && cr_json_check(text, len, NULL, NULL) == CR_ERR_OK) {
+            code = cr_err_set(err, CR_ERR_MEMORY, "no memory for a recipe");
+        }
         free(text);
+        if (code) {
+            return code;
+        }
     }
     return CR_ERR_OK;
 }

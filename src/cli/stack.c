@@ -67,16 +67,18 @@ static struct cr_result_opts form_of(const struct options *opt) {
         .trace = opt->trace, .resolved = opt->resolved, .version = opt->version};
 }
 
-/* name of the pair in a scene's text, without checking the rest */
-static void peek_pair(const struct cr_feed_item *in, char pair[CR_NAME_MAX]) {
+/* The name of the pair in a scene's text, without checking the rest; false without memory. */
+static bool peek_pair(const struct cr_feed_item *in, char pair[CR_NAME_MAX]) {
     pair[0] = '\0';
     if (!in->text || !strstr(in->text, "\"pair\"") || cr_json_large(in->text, in->len)) {
-        return;
+        return true;
     }
     cJSON *json = cJSON_ParseWithLength(in->text, in->len);
     const char *s = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(json, "pair"));
     snprintf(pair, CR_NAME_MAX, "%s", s ? s : "");
+    bool read = json != NULL || cr_json_check(in->text, in->len, NULL, NULL) != CR_ERR_OK;
     cJSON_Delete(json);
+    return read;
 }
 
 /* both scenes of a pair go to the shard of the first */
@@ -110,7 +112,10 @@ static void *take(void *user) {
         if (!cr_feed_next(s->feed, &item->in)) {
             break;
         }
-        peek_pair(&item->in, item->record.pair);
+        if (!peek_pair(&item->in, item->record.pair)) {
+            s->no_memory = true;
+            break;
+        }
         item->index = s->number++;
         if (is_mine(s, item)) {
             return item;

@@ -76,14 +76,15 @@ enum cr_err cr_recheck_assumed(const char *text, size_t len, struct cr_assumed *
     *out = (struct cr_assumed){0};
     out->key = calloc((size_t)n + 1, sizeof *out->key);
     const cJSON *item;
-    if (out->key != NULL) {
+    if (json != NULL && out->key != NULL) {
         cJSON_ArrayForEach(item, list) {
             const char *key = cJSON_GetStringValue(item);
             snprintf(out->key[out->n++], sizeof *out->key, "%s", key != NULL ? key : "");
         }
     }
+    bool done = json != NULL && out->key != NULL;
     cJSON_Delete(json);
-    return out->key != NULL ? CR_ERR_OK : cr_err_set(err, CR_ERR_MEMORY, "out of memory");
+    return done ? CR_ERR_OK : cr_err_set(err, CR_ERR_MEMORY, "out of memory");
 }
 
 /* ---- the first difference ---- */

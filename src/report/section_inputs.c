@@ -97,11 +97,13 @@ static bool is_idle(const struct cr_key *key, const struct cr_participant *part,
 static void notes(struct cr_paper *p, const char *extra) {
     cJSON *json = extra != NULL ? cJSON_Parse(extra) : NULL;
     const cJSON *item;
+    p->doc->failed = p->doc->failed || (extra != NULL && json == NULL);
     if (json != NULL) {
         cr_doc_table(p->doc, 2);
         HEAD(p, W(p, "Note in the scene"), "");
         cJSON_ArrayForEach(item, json) {
             char *text = cJSON_IsString(item) ? NULL : cJSON_PrintUnformatted(item);
+            p->doc->failed = p->doc->failed || (text == NULL && !cJSON_IsString(item));
             ROW(p, item->string, text != NULL ? text : cJSON_GetStringValue(item));
             cJSON_free(text);
         }
