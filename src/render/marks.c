@@ -224,8 +224,13 @@ void cr_pic_label(const struct cr_pic *pic, const struct cr_pic_body *b, bool wi
                   char *buf, int size) {
     struct cr_str text = {0};
     metric_label(pic, b, wide, ascii, buf, size);
+    if (pic->units == CR_UNITS_SI) {
+        return;
+    }
     cr_units_text(pic->units, buf, &text);
-    snprintf(buf, (size_t)size, "%s", cr_str_get(&text));
+    if (!text.failed) { /* else the label has its metric units */
+        snprintf(buf, (size_t)size, "%s", cr_str_get(&text));
+    }
     cr_str_fini(&text);
 }
 

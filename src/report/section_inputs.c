@@ -59,7 +59,9 @@ static void value_row(struct cr_paper *p, const char *id, const struct cr_key *k
     struct cr_str value = {0};
     char full[CR_NAME_MAX + 64];
     snprintf(full, sizeof full, "%s%s%s", id, id[0] != '\0' ? "." : "", key->name);
-    if (cr_scene_get(&p->r->resolved, full, &value, NULL) == CR_ERR_OK && value.len > 0) {
+    enum cr_err code = cr_scene_get(&p->r->resolved, full, &value, NULL);
+    p->doc->failed = p->doc->failed || code == CR_ERR_MEMORY;
+    if (code == CR_ERR_OK && value.len > 0) {
         const char *assumed = assumed_from(p, full);
         /* The commas of a list separate its numbers: its points must not become commas. */
         const char *text = cr_str_get(&value);

@@ -58,7 +58,7 @@ static bool residuals(struct search *s, const double *x, double *found, double *
         cr_scene_fini(&scene);
     }
     fit->failed += code != CR_ERR_OK;
-    s->stop = s->stop || code == CR_ERR_INTERRUPTED;
+    s->stop = s->stop || code == CR_ERR_INTERRUPTED || code == CR_ERR_MEMORY;
     for (int k = 0; k < fit->evidence.n; k++) {
         const struct cr_fit_target *t = &fit->evidence.target[k];
         found[k] = code == CR_ERR_OK ? cr_fit_found(result, t) : (double)NAN;
@@ -344,6 +344,9 @@ static enum cr_err run(struct search *s, struct cr_error *err) {
         code = search_from(s, s->x, 0.01, s->opts->solves / (starts + 1), err);
     }
     free(places);
+    if (s->last.code == CR_ERR_MEMORY) { /* which says nothing about the place */
+        return cr_err_set(err, CR_ERR_MEMORY, "%s", s->last.text);
+    }
     if (code == CR_ERR_OK && !isfinite(s->best)) {
         return s->stop ? cr_err_set(err, CR_ERR_INTERRUPTED, "interrupted") : no_result(s, err);
     }
@@ -354,6 +357,9 @@ static enum cr_err run(struct search *s, struct cr_error *err) {
     s->free_run.cancel = NULL;
     s->ctx = &s->free_run;
     code = code == CR_ERR_OK ? conclude(s, err) : code;
+    if (s->last.code == CR_ERR_MEMORY) {
+        return cr_err_set(err, CR_ERR_MEMORY, "%s", s->last.text);
+    }
     return code == CR_ERR_OK && fit->interrupted
                ? cr_err_set(err, CR_ERR_INTERRUPTED, "interrupted after %d solves", fit->solves)
                : code;

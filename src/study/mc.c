@@ -169,6 +169,7 @@ static bool give(void *user, void *given) {
         if (item->code != CR_ERR_OK && mc->failed++ == 0) {
             memcpy(mc->failure, item->message, sizeof mc->failure);
         }
+        w->no_memory = w->no_memory || item->code == CR_ERR_MEMORY;
     }
     free(item);
     bool stop = go_on && mc->opts.progress != NULL &&

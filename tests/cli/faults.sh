@@ -98,6 +98,8 @@ some_memory 3 "run as CSV" - run pole.json --format csv
 some_memory 5 stack - stack -j1 two.jsonl
 some_memory 7 commands - all.crumple
 some_memory 31 "models by text" - models
+some_memory 3 picture pole.svg run pole.json --picture pole.svg
+some_memory 11 mc - mc pole.json -n 10 -j1 -q --set A.speed_kmh=32+-3
 some_memory 7 damage - damage -f json pair.csv
 some_memory 31 "import of a table" - import "$import/long.csv"
 some_memory 31 "import of XML" - import "$import/minimal.xosc"
