@@ -103,10 +103,17 @@ struct cr_field_result {
 CR_MUST_CHECK enum cr_err cr_field_result(const struct cr_field_table *field, int kind, int type,
                                           struct cr_field_result *out, struct cr_error *err);
 
+struct cr_verdict;
+
+/* Add the targets of real crashes to a verdict that begins as zero. Error: MEMORY. */
+CR_MUST_CHECK enum cr_err cr_field_targets(const struct cr_field_table *field,
+                                           struct cr_verdict *out, struct cr_error *err);
+
 /* What is written of a table: crossed and guess tell how its values were computed. */
 struct cr_field_form {
     bool cases, plot, crossed, guess;
     const char *title;
+    const struct cr_verdict *targets; /* may be without any */
 };
 /* Add the statistics as text or JSON, or the rows as CSV. Error: MEMORY. */
 CR_MUST_CHECK enum cr_err cr_field_text(const struct cr_field_table *field,
@@ -153,7 +160,8 @@ struct cr_field_task {
     bool cases, plot, guess;
     const char *picture; /* file of the scatter plot, NULL: none */
 };
+/* The shipped crashes have targets; missed: whether one of them is. */
 CR_MUST_CHECK enum cr_err cr_field_validate(const struct cr_field_task *task, struct cr_str *out,
-                                            struct cr_error *err);
+                                            bool *missed, struct cr_error *err);
 
 #endif

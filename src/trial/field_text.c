@@ -1,6 +1,7 @@
 /* Writes what real crashes say: statistics as text, with a scatter plot, and as JSON; rows as
  * CSV. */
 #include "trial/field.h"
+#include "trial/verdict.h"
 
 #include "base/json.h"
 #include "base/tree.h"
@@ -10,11 +11,32 @@
 #include <stdio.h>
 #include <string.h>
 
+/* A number in its column, a dash where there is none. */
+static void say(struct cr_str *out, int width, int digits, bool sign, double x) {
+    if (isfinite(x)) {
+        cr_str_addf(out, sign ? " %+*.*f" : " %*.*f", width, digits, x);
+    } else {
+        cr_str_addf(out, " %*s", width, "-");
+    }
+}
+
+static void say_stats(struct cr_str *out, const struct cr_field_stats *s, bool median) {
+    say(out, 6, 1, true, s->bias);
+    say(out, 6, 1, false, s->mape);
+    if (median) {
+        say(out, 7, 1, true, s->median);
+    }
+    say(out, 7, 3, false, s->log_sd);
+}
+
 static void say_row(struct cr_str *out, const char *name, const struct cr_field_result *r) {
-    cr_str_addf(out, "  %-18s %4d %+6.1f %6.1f %+7.1f %7.3f | %4d %+6.1f %6.1f %7.3f", name,
-                r->own.n, r->own.bias, r->own.mape, r->own.median, r->own.log_sd, r->same.n,
-                r->same.bias, r->same.mape, r->same.log_sd);
-    cr_str_addf(out, " | %+6.1f %6.1f %7.3f\n", r->smash.bias, r->smash.mape, r->smash.log_sd);
+    cr_str_addf(out, "  %-18s %4d", name, r->own.n);
+    say_stats(out, &r->own, true);
+    cr_str_addf(out, " | %4d", r->same.n);
+    say_stats(out, &r->same, false);
+    cr_str_add(out, " |");
+    say_stats(out, &r->smash, false);
+    cr_str_add(out, "\n");
 }
 
 static enum cr_err say_groups(const struct cr_field_table *field, struct cr_str *out,
@@ -138,6 +160,7 @@ enum cr_err cr_field_text(const struct cr_field_table *field, const struct cr_fi
     if (form->cases) {
         say_cases(field, out);
     }
+    cr_verdict_targets_text(form->targets, "delta-v from damage, cross-validated by case", out);
     return code == CR_ERR_OK && out->failed ? cr_err_set(err, CR_ERR_MEMORY, "no memory") : code;
 }
 
@@ -234,6 +257,7 @@ enum cr_err cr_field_json(const struct cr_field_table *field, const struct cr_fi
             add_summary(types, cr_type_word((enum cr_type)t), &r);
         }
     }
+    cr_verdict_targets_json(form->targets, root);
     bool done = cr_json_add(root, true, out);
     cr_str_add(out, "\n");
     return code != CR_ERR_OK ? code

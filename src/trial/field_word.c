@@ -2,6 +2,7 @@
  * recorders of real crashes, with all of them and without each fold. */
 #include "trial/field.h"
 #include "trial/trial.h"
+#include "trial/verdict.h"
 
 #include "process/signals.h"
 #include "cli/cli.h"
@@ -65,31 +66,50 @@ static enum cr_err write_form(const struct cr_field_table *field, const struct c
                                : cr_field_text(field, form, rules, out, err);
 }
 
-enum cr_err cr_field_validate(const struct cr_field_task *task, struct cr_str *out,
+/* The targets are of the shipped crashes; of partners that were not measured nothing is wanted. */
+static enum cr_err judge(const struct opened *o, const struct cr_field_task *task,
+                         struct cr_verdict *verdict, bool *missed, struct cr_error *err) {
+    if (task->path != NULL || task->guess) {
+        return CR_ERR_OK;
+    }
+    enum cr_err code = cr_field_targets(&o->field, verdict, err);
+    for (int i = 0; i < verdict->targets; i++) {
+        *missed = *missed || !verdict->target[i].met;
+    }
+    return code;
+}
+
+enum cr_err cr_field_validate(const struct cr_field_task *task, struct cr_str *out, bool *missed,
                               struct cr_error *err) {
     struct opened o;
     struct cr_crush_rules folds[CR_FIELD_FOLDS];
+    struct cr_verdict verdict = {0};
     bool shipped = task->path == NULL;
+    const struct cr_crush_rules *by = shipped ? folds : &o.rules;
     enum cr_err code = open_table(task->path, &o, err);
     if (code == CR_ERR_OK && shipped) {
         code = cr_field_folds_read(o.rules_path, folds, err);
     }
     if (code == CR_ERR_OK) {
-        const struct cr_crush_rules *by = shipped ? folds : &o.rules;
-        const struct cr_field_form form = {.cases = task->cases,
-                                           .plot = task->plot,
-                                           .guess = task->guess,
-                                           .crossed = shipped,
-                                           .title = shipped ? "NHTSA CISS" : task->path};
         cr_field_evaluate(&o.field, by, shipped, task->guess);
         if (!task->guess) {
             cr_field_spread(&o.field, by, shipped);
         }
+        code = judge(&o, task, &verdict, missed, err);
+    }
+    if (code == CR_ERR_OK) {
+        const struct cr_field_form form = {.cases = task->cases,
+                                           .plot = task->plot,
+                                           .guess = task->guess,
+                                           .crossed = shipped,
+                                           .title = shipped ? "NHTSA CISS" : task->path,
+                                           .targets = &verdict};
         code = write_form(&o.field, task, &form, &o.rules, out, err);
     }
     if (code == CR_ERR_OK && task->picture != NULL) {
         code = cr_field_picture(&o.field, task->picture, err);
     }
+    cr_verdict_fini(&verdict);
     close_table(&o);
     return code;
 }

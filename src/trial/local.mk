@@ -7,7 +7,7 @@ libtrial_a_SOURCES = \
 	src/trial/crashtest_solve.c src/trial/crashtest_table.c \
 	src/trial/field.c src/trial/field.h \
 	src/trial/field_fit.c src/trial/field_load.c src/trial/field_rules.c \
-	src/trial/field_text.c src/trial/field_word.c \
+	src/trial/field_targets.c src/trial/field_text.c src/trial/field_word.c \
 	src/trial/folds.c src/trial/folds.h \
 	src/trial/picture.c \
 	src/trial/trial.h \

@@ -318,7 +318,7 @@ static bool is_field_table(const char *path) {
     return n > 4 && strcmp(path + n - 4, ".csv") == 0 && cr_field_is(path);
 }
 
-static enum cr_err validate_field(const char *path, const struct options *opt,
+static enum cr_err validate_field(const char *path, const struct options *opt, bool *missed,
                                   struct cr_error *err) {
     const struct cr_field_task task = {.path = path,
                                        .format = opt->format,
@@ -327,7 +327,7 @@ static enum cr_err validate_field(const char *path, const struct options *opt,
                                        .picture = opt->picture,
                                        .guess = opt->guess};
     struct cr_str text = {0};
-    enum cr_err code = cr_field_validate(&task, &text, err);
+    enum cr_err code = cr_field_validate(&task, &text, missed, err);
     if (code == CR_ERR_OK) {
         code = cr_cli_emit(opt->out, &text, err);
     }
@@ -399,9 +399,10 @@ int cr_trial_validate(int argc, char **argv) {
     }
     if (operands == 1 && (strcmp(argv[1], "field") == 0 || is_field_table(argv[1]))) {
         const char *path = strcmp(argv[1], "field") == 0 ? NULL : argv[1];
-        return validate_field(path, &opt, &err) == CR_ERR_OK ? 0 : cr_cli_fail(&err);
-    }
-    if (validate(argv + 1, operands, &opt, &missed, &err) != CR_ERR_OK) {
+        if (validate_field(path, &opt, &missed, &err) != CR_ERR_OK) {
+            return cr_cli_fail(&err);
+        }
+    } else if (validate(argv + 1, operands, &opt, &missed, &err) != CR_ERR_OK) {
         return cr_cli_fail(&err);
     }
     return opt.targets && missed ? 1 : 0;

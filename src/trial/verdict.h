@@ -8,6 +8,8 @@
 #include "trial/crashtest.h"
 #include "render/render.h"
 
+struct cJSON;
+
 /* One line of the table. The errors of a relative measure are in percent; those of another are in
  * its unit, with mpe the mean difference, sd its spread, mape the mean of its amount. */
 struct cr_verdict_row {
@@ -41,6 +43,10 @@ void cr_verdict_fini(struct cr_verdict *verdict);
 /* Add a target; a value that could not be computed (NaN) has not met it. Error: MEMORY. */
 CR_MUST_CHECK enum cr_err cr_verdict_target(struct cr_verdict *v, const char *name, double value,
                                             double limit, bool at_least);
+/* Write the targets under a title that says what they are of; nothing where there are none. */
+void cr_verdict_targets_text(const struct cr_verdict *v, const char *title, struct cr_str *out);
+/* Add the targets to an object of JSON as its array "targets". */
+void cr_verdict_targets_json(const struct cr_verdict *v, struct cJSON *json);
 /* Add the targets of the classes rear, side-mdb, narrow and barriers: mostly medians by group.
  * Error: MEMORY. */
 CR_MUST_CHECK enum cr_err cr_verdict_groups(const struct cr_test_list *tests, struct cr_verdict *v);

@@ -152,13 +152,7 @@ static void json_case(const struct cr_test *t, unsigned runs, cJSON *list) {
     }
 }
 
-enum cr_err cr_verdict_json(const struct cr_verdict *v, const struct cr_test_list *tests,
-                            const struct cr_verdict_form *form, struct cr_str *out,
-                            struct cr_error *err) {
-    cJSON *json = cJSON_CreateObject();
-    put(json, "crumple_validation", 1);
-    cr_tree_text(json, "version", PACKAGE_VERSION);
-    json_rows(v, form->runs, json);
+void cr_verdict_targets_json(const struct cr_verdict *v, cJSON *json) {
     cJSON *list = cr_tree_array(json, "targets");
     for (int i = 0; i < v->targets; i++) {
         cJSON *one = cJSON_CreateObject();
@@ -168,7 +162,17 @@ enum cr_err cr_verdict_json(const struct cr_verdict *v, const struct cr_test_lis
         put(one, v->target[i].at_least ? "at_least" : "within", v->target[i].limit);
         cr_tree_bool(one, "met", v->target[i].met);
     }
-    list = form->cases ? cr_tree_array(json, "cases") : NULL;
+}
+
+enum cr_err cr_verdict_json(const struct cr_verdict *v, const struct cr_test_list *tests,
+                            const struct cr_verdict_form *form, struct cr_str *out,
+                            struct cr_error *err) {
+    cJSON *json = cJSON_CreateObject();
+    put(json, "crumple_validation", 1);
+    cr_tree_text(json, "version", PACKAGE_VERSION);
+    json_rows(v, form->runs, json);
+    cr_verdict_targets_json(v, json);
+    cJSON *list = form->cases ? cr_tree_array(json, "cases") : NULL;
     for (int i = 0; list && i < tests->n; i++) {
         json_case(&tests->item[i], form->runs, list);
     }

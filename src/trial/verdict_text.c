@@ -211,7 +211,7 @@ static void put_case(const struct cr_test *t, unsigned runs, struct cr_str *out)
     }
 }
 
-static void put_targets(const struct cr_verdict *v, unsigned runs, struct cr_str *out) {
+void cr_verdict_targets_text(const struct cr_verdict *v, const char *title, struct cr_str *out) {
     int met = 0;
     for (int i = 0; i < v->targets; i++) {
         met += v->target[i].met;
@@ -219,9 +219,7 @@ static void put_targets(const struct cr_verdict *v, unsigned runs, struct cr_str
     if (v->targets == 0) {
         return;
     }
-    cr_str_addf(out, "\ntargets of the extended method%s: %d of %d met\n",
-                runs >> CR_TEST_CROSS & 1 ? ", walls and poles cross-validated" : "", met,
-                v->targets);
+    cr_str_addf(out, "\ntargets of %s: %d of %d met\n", title, met, v->targets);
     for (int i = 0; i < v->targets; i++) {
         const struct cr_verdict_target *t = &v->target[i];
         cr_str_addf(out, " %s  %-52s %8.2f  (%s %.2f)\n", t->met ? "met   " : "missed", t->name,
@@ -259,5 +257,9 @@ void cr_verdict_text(const struct cr_verdict *v, const struct cr_test_list *test
             put_worst(tests, class, form, out);
         }
     }
-    put_targets(v, form->runs, out);
+    cr_verdict_targets_text(v,
+                            form->runs >> CR_TEST_CROSS & 1
+                                ? "the extended method, walls and poles cross-validated"
+                                : "the extended method",
+                            out);
 }

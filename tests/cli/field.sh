@@ -35,6 +35,25 @@ print(d["partners_guessed"], 26 < a["mape_percent"] < 31, abs(a["bias_percent"])
 else
     skip "have the summary that is promised" "no python3"
 fi
+run validate field --plot
+has "the aims are targets of the table" "$out" \
+    '^targets of delta-v from damage, cross-validated by case: 12 of 12 met$'
+# The page shows what the program says today (make update-validation), all of it.
+printf '%s\n' "$out" >"$tmp/today"
+sed -n '/^## Real crashes/,$p' "$SRC/share/doc/validation.md" |
+    awk '/^```$/ { n++; next } n == 1 { print } n == 2 { exit }' >"$tmp/page"
+same "the plot of all rows on the page of the validation is today's" \
+    "$(diff "$tmp/page" "$tmp/today")" ""
+# energies ten times as great miss their bias, and --targets says so
+mkdir -p "$tmp/wrong/share/validation"
+cp -R "$SRC/models" "$tmp/wrong/"
+cp -R "$SRC/share/damage" "$SRC/share/irf" "$SRC/share/calibration" "$tmp/wrong/share/"
+cp -R "$SRC/share/validation/field" "$tmp/wrong/share/validation/"
+sed 's/\("level":[^0-9]*\)/\11/' "$SRC/share/damage/calibration.json" \
+    >"$tmp/wrong/share/damage/calibration.json"
+CRUMPLE_DATA=$tmp/wrong "$crumple" validate field --targets >"$tmp/out" 2>"$tmp/errs"
+same "a wrong calibration misses a target" "$?" 1
+has "which is told" "$(cat "$tmp/out")" '^ missed  field, all: bias, %'
 run validate field --plot --cases
 has "text has a row per kind" "$out" '^  front-side +[0-9]+ +[+-][0-9.]+'
 has "and says what a recorder is good for" "$out" "own noise is about 9 %"

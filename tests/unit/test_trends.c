@@ -22,31 +22,42 @@ static struct cr_result *solved(struct cr_str *json) {
     return r;
 }
 
-/* A wall at 51.5 to 54 degrees to the car's way, where the first edition's sectors of the direction
- * of force flipped: the yaw rate jumped from -149 to -65 deg/s. Between two walls half a degree
- * apart it may change by 3 deg/s, EES and delta-v by 3 %, and none of them turns back. */
+static struct cr_result *turned_wall(double deg) {
+    struct cr_str json = {0};
+    cr_str_addf(&json,
+                "{\"crumple\":1,\"participants\":[{\"id\":\"A\",\"kind\":\"vehicle\","
+                "\"type\":\"sedan\",\"mass_kg\":1600,\"position_m\":[0,0],\"heading_deg\":0,"
+                "\"speed_kmh\":50},{\"id\":\"W\",\"kind\":\"object\",\"shape\":\"wall\","
+                "\"position_m\":[6,0],\"heading_deg\":%g}]}",
+                180 - deg);
+    return solved(&json);
+}
+
+/* At 51.5 to 54 degrees the first edition's sectors of the direction of force flipped: the yaw rate
+ * jumped from -149 to -65 deg/s. From a wall that is met head on to one along which the car slides
+ * no half degree may change it by 8 deg/s, EES by 0.6 and delta-v by 1.1 km/h: the whole way they
+ * change by 180, 41 and 45. One step is left and is no flip of the model: from some angle on the
+ * tail reaches the wall within 0.3 s and belongs to the crash (what touches later is another). */
 static void a_turned_wall_shows_no_jump(void **state) {
     (void)state;
     double before[3] = {0};
-    for (int i = 0; i <= 10; i++) {
-        struct cr_str json = {0};
-        cr_str_addf(&json,
-                    "{\"crumple\":1,\"participants\":[{\"id\":\"A\",\"kind\":\"vehicle\","
-                    "\"type\":\"sedan\",\"mass_kg\":1600,\"position_m\":[0,0],\"heading_deg\":0,"
-                    "\"speed_kmh\":50},{\"id\":\"W\",\"kind\":\"object\",\"shape\":\"wall\","
-                    "\"position_m\":[4,0],\"heading_deg\":%g}]}",
-                    180 - (50 + 0.5 * i));
-        struct cr_result *r = solved(&json);
+    int contacts = 0, changes = 0;
+    for (double deg = 10; deg <= 76; deg += 0.5) {
+        struct cr_result *r = turned_wall(deg);
         const struct cr_severity *s = &r->of[0];
-        const double now[3] = {cr_deg(s->yaw_rate_change), s->ees, s->delta_v};
-        if (i > 0) {
-            check_near(now[0], before[0], 3);
-            check_near(now[1] / before[1], 0.985, 0.015);
-            check_near(now[2] / before[2], 0.985, 0.015);
+        const double now[3] = {cr_deg(s->yaw_rate_change), cr_kmh(s->ees), cr_kmh(s->delta_v)};
+        if (contacts == r->solution->contacts) {
+            check_near(now[0], before[0], 8);
+            check_near(now[1], before[1], 0.6);
+            check_near(now[2], before[2], 1.1);
+        } else {
+            changes += contacts > 0;
         }
+        contacts = r->solution->contacts;
         memcpy(before, now, sizeof before);
         cr_result_free(r);
     }
+    assert_true(changes <= 1);
 }
 
 /* the demonstration of the paper with other speeds and overlaps */
@@ -242,25 +253,99 @@ static void less_comes_back_of_a_faster_crash(void **state) {
     }
 }
 
+/* a standing car that is struck in the middle of its flank by another of its type */
+static struct cr_result *struck(const char *type, double speed) {
+    struct cr_str json = {0};
+    cr_str_addf(&json,
+                "{\"crumple\":1,\"participants\":[{\"id\":\"A\",\"kind\":\"vehicle\","
+                "\"type\":\"%s\",\"position_m\":[0,0],\"heading_deg\":0,\"speed_kmh\":0},"
+                "{\"id\":\"B\",\"kind\":\"vehicle\",\"type\":\"%s\",\"position_m\":[0,3.6],"
+                "\"heading_deg\":270,\"speed_kmh\":%g}]}",
+                type, type, speed);
+    struct cr_result *r = solved(&json);
+    assert_true(r->of[0].face == CR_FACE_LEFT && r->of[1].face == CR_FACE_FRONT);
+    return r;
+}
+
+static const char *const six[] = {"super-compact", "mini-compact", "compact",
+                                  "station-wagon", "sedan",        "suv"};
+
 /* A door is soft first, a bumper has a threshold: a standing car that is struck in the flank by the
  * front of another of its type at 20 km/h is dented deeper than what struck it. */
 static void a_door_is_softer_than_a_bumper(void **state) {
     (void)state;
-    static const char *const type[] = {"super-compact", "mini-compact", "compact",
-                                       "station-wagon", "sedan",        "suv"};
-    for (size_t t = 0; t < sizeof type / sizeof type[0]; t++) {
-        struct cr_str json = {0};
-        cr_str_addf(&json,
-                    "{\"crumple\":1,\"participants\":[{\"id\":\"A\",\"kind\":\"vehicle\","
-                    "\"type\":\"%s\",\"position_m\":[0,0],\"heading_deg\":0,\"speed_kmh\":0},"
-                    "{\"id\":\"B\",\"kind\":\"vehicle\",\"type\":\"%s\",\"position_m\":[0,3.6],"
-                    "\"heading_deg\":270,\"speed_kmh\":20}]}",
-                    type[t], type[t]);
-        struct cr_result *r = solved(&json);
-        assert_true(r->of[0].face == CR_FACE_LEFT && r->of[1].face == CR_FACE_FRONT);
+    for (size_t t = 0; t < sizeof six / sizeof six[0]; t++) {
+        struct cr_result *r = struck(six[t], 20);
         assert_true(r->of[0].face_depth > 0.03);
         assert_true(r->of[0].face_depth > 2 * r->of[1].face_depth);
         cr_result_free(r);
+    }
+}
+
+/* Deep in, the flank is the harder one (sill, pillars, floor): at a lateral delta-v of 31 km/h real
+ * flanks were 21 and the fronts that struck them 34 cm deep (medians, NHTSA CISS). From 40 to 60
+ * km/h a front gains more than twice what the flank does, and is the deeper one then. */
+static void a_deep_flank_is_harder_than_a_bumper(void **state) {
+    (void)state;
+    for (size_t t = 0; t < sizeof six / sizeof six[0]; t++) {
+        struct cr_result *slow = struck(six[t], 40), *fast = struck(six[t], 60);
+        double flank = fast->of[0].face_depth, front = fast->of[1].face_depth;
+        check_near(cr_kmh(fast->of[0].delta_v), 31, 1.5);
+        assert_true(flank < 0.25 && front > flank);
+        assert_true(front - slow->of[1].face_depth > 2 * (flank - slow->of[0].face_depth));
+        cr_result_free(slow);
+        cr_result_free(fast);
+    }
+}
+
+/* A car of a mass against the MPDB with 50 % overlap, 50 km/h each (`at` 0), the ODB with 40 % at 64
+ * km/h (1) or a wall at 50 km/h (2). */
+static struct cr_severity test_of(const char *type, double mass, double width, int at) {
+    struct cr_str json = {0};
+    static const char *const barrier[] = {
+        "\"shape\":\"barrier\",\"barrier\":\"mpdb\",\"speed_kmh\":50",
+        "\"shape\":\"barrier\",\"barrier\":\"odb\"", "\"shape\":\"wall\""};
+    const double y[] = {0.5, 0.5 + 0.1 * width, 0};
+    cr_str_addf(&json,
+                "{\"crumple\":1,\"participants\":[{\"id\":\"A\",\"kind\":\"vehicle\","
+                "\"type\":\"%s\",\"mass_kg\":%g,\"width_m\":%g,\"position_m\":[4.6,%g],"
+                "\"heading_deg\":180,\"speed_kmh\":%d},{\"id\":\"W\",\"kind\":\"object\",%s,"
+                "\"position_m\":[0,0],\"heading_deg\":0}]}",
+                type, mass, width, y[at], at == 1 ? 64 : 50, barrier[at]);
+    struct cr_result *r = solved(&json);
+    struct cr_severity s = r->of[0];
+    cr_result_free(r);
+    return s;
+}
+
+/* Published on the severity of the MPDB [MPDB-SEVERITY]: the pulse is clearly severer than on the
+ * ODB, it comes earlier, and is like that of a wall at 50 km/h, while the car is deformed as on the
+ * ODB; and the severity is the higher beside the fixed barrier the lighter the car is. */
+static void severity_of_the_mpdb(void **state) {
+    (void)state;
+    static const struct {
+        const char *type;
+        double mass, width;
+    } car[] = {{"mini-compact", 1150, 1.7},
+               {"compact", 1400, 1.783},
+               {"sedan", 1700, 1.833},
+               {"suv", 2000, 1.88}};
+    double before = INFINITY;
+    for (size_t i = 0; i < sizeof car / sizeof car[0]; i++) {
+        struct cr_severity mpdb = test_of(car[i].type, car[i].mass, car[i].width, 0);
+        struct cr_severity odb = test_of(car[i].type, car[i].mass, car[i].width, 1);
+        struct cr_severity wall = test_of(car[i].type, car[i].mass, car[i].width, 2);
+        print_message("# %-13s OLC, g: %.1f %.1f %.1f; residual depth, m: %.2f %.2f %.2f\n",
+                      car[i].type, mpdb.olc / CR_G, odb.olc / CR_G, wall.olc / CR_G,
+                      mpdb.face_depth, odb.face_depth, wall.face_depth);
+        assert_true(mpdb.olc / odb.olc < before);
+        before = mpdb.olc / odb.olc;
+        assert_true(mpdb.t_depth_max < 0.85 * odb.t_depth_max);
+        check_near(mpdb.face_depth / odb.face_depth, 1, 0.1);
+        if (i == 1) { /* a car as heavy as the barrier */
+            assert_true(mpdb.olc > 1.05 * odb.olc);
+            check_near(mpdb.olc / wall.olc, 1, 0.1);
+        }
     }
 }
 
@@ -274,6 +359,8 @@ int main(void) {
         cmocka_unit_test(a_bump_leaves_nothing),
         cmocka_unit_test(less_comes_back_of_a_faster_crash),
         cmocka_unit_test(a_door_is_softer_than_a_bumper),
+        cmocka_unit_test(a_deep_flank_is_harder_than_a_bumper),
+        cmocka_unit_test(severity_of_the_mpdb),
     };
     return cmocka_run_group_tests(tests, open_models, close_models);
 }
