@@ -75,6 +75,12 @@ has "with a target for each band" "$out" '(met|missed) +rear, delta-v 24-32 km/h
 has "trees and poles by their median" "$out" '(met|missed) +narrow, trees and poles: median ratio'
 has "a barrier verifies itself" "$out" '^ met +barriers, UN R95 on a wall at 35 km/h: depth'
 
+# the form of flanks under the US NCAP barrier: six types in the mean and each, and the area
+run validate side-mdb --method extended --worst 0
+has "flanks under a barrier" "$out" '^flank struck by the US NCAP barrier: 6 measured vehicles$'
+same "depth in the mean, of each type, and area are as measured" \
+    "$(printf '%s\n' "$out" | grep -c '^ met     side-mdb: ')" 3
+
 # own tests
 cat >"$tmp/own.csv" <<'END'
 # two cars like the Camry

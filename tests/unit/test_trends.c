@@ -107,6 +107,33 @@ static void delta_v_rises_with_the_overlap(void **state) {
     }
 }
 
+/* A pole in front that is moved along the grid: depth and peak may not hang on which voxel it meets.
+ * With 25 mm they ripple about their mean by 2 and 7 % at most; both halve with half the voxel. */
+static void a_pole_meets_no_voxel(void **state) {
+    (void)state;
+    enum { PLACES = 10 };
+    double depth[PLACES], peak[PLACES], mean[2] = {0};
+    for (int i = 0; i < PLACES; i++) {
+        struct cr_str json = {0};
+        cr_str_addf(&json,
+                    "{\"crumple\":1,\"participants\":[{\"id\":\"A\",\"kind\":\"vehicle\","
+                    "\"type\":\"sedan\",\"position_m\":[0,0],\"heading_deg\":0,"
+                    "\"speed_kmh\":40},{\"id\":\"P\",\"kind\":\"object\",\"shape\":\"pole\","
+                    "\"radius_m\":0.15,\"position_m\":[3.5,%g]}]}",
+                    0.1 + 0.005 * i);
+        struct cr_result *r = solved(&json);
+        depth[i] = r->of[0].face_depth_dynamic;
+        peak[i] = r->of[0].acceleration_max;
+        mean[0] += depth[i] / PLACES;
+        mean[1] += peak[i] / PLACES;
+        cr_result_free(r);
+    }
+    for (int i = 0; i < PLACES; i++) {
+        check_near(depth[i] / mean[0], 1, 0.02);
+        check_near(peak[i] / mean[1], 1, 0.07);
+    }
+}
+
 /* energy and depth of a sedan that meets a rigid block with a share of its width, head on */
 static void crush(double overlap, double speed, double *depth, double *energy) {
     struct cr_str json = {0};
@@ -354,6 +381,7 @@ int main(void) {
         cmocka_unit_test(a_turned_wall_shows_no_jump),
         cmocka_unit_test(delta_v_rises_with_the_speed),
         cmocka_unit_test(delta_v_rises_with_the_overlap),
+        cmocka_unit_test(a_pole_meets_no_voxel),
         cmocka_unit_test(force_share_of_an_offset),
         cmocka_unit_test(a_load_is_no_stiffness),
         cmocka_unit_test(a_bump_leaves_nothing),
