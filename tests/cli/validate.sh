@@ -81,6 +81,25 @@ has "flanks under a barrier" "$out" '^flank struck by the US NCAP barrier: 6 mea
 same "depth in the mean, of each type, and area are as measured" \
     "$(printf '%s\n' "$out" | grep -c '^ met     side-mdb: ')" 3
 
+# who takes how much: a movable barrier, its progressive face 1.75 m wide, meets the ODB with 40 % of
+# it; BASt computed an EES of 44.5 km/h, which leaves 0.37 of the energy to the ODB [MPDB]
+mkdir -p "$tmp/bast/share"
+cp -R "$SRC/models" "$tmp/bast/"
+cp -R "$SRC/share/irf" "$SRC/share/barriers" "$tmp/bast/share/"
+sed 's/"mass_kg": 1400/"mass_kg": 1600/; s/"carriage_width_m": 1.5/"carriage_width_m": 1.75/
+    s/\[-0.5, 0.5\]/[-0.875, 0.875]/; s/\[0.15, 0.718\]/[0.15, 0.85]/' \
+    "$SRC/share/barriers/mpdb.json" >"$tmp/bast/share/barriers/mpdb.json"
+scene bast.json '{ "crumple": 1, "participants": [
+  { "id": "M", "kind": "object", "shape": "barrier", "barrier": "mpdb",
+    "position_m": [2.6, 0.675], "heading_deg": 180, "speed_kmh": 56 },
+  { "id": "W", "kind": "object", "shape": "barrier", "barrier": "odb",
+    "position_m": [0, 0], "heading_deg": 0 } ] }'
+CRUMPLE_DATA=$tmp/bast "$crumple" stack "$tmp/bast.json" >"$tmp/out" 2>"$tmp/errs"
+ees=$(sed 's/.*"id":"M","kind":"object","ees_kmh":\([0-9.]*\).*/\1/' "$tmp/out")
+share=$(sed 's/.*"barrier":{"name":"odb"[^}]*"energy_share":\([0-9.]*\).*/\1/' "$tmp/out")
+awk -v e="$ees" -v s="$share" 'BEGIN { exit !(e > 42.2 && e < 46.8 && s > 0.32 && s < 0.42) }'
+report $? "EES within 5 % of 44.5 km/h ($ees), share of the ODB 0.37 within 0.05 ($share)"
+
 # own tests
 cat >"$tmp/own.csv" <<'END'
 # two cars like the Camry

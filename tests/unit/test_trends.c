@@ -368,11 +368,39 @@ static void severity_of_the_mpdb(void **state) {
         assert_true(mpdb.olc / odb.olc < before);
         before = mpdb.olc / odb.olc;
         assert_true(mpdb.t_depth_max < 0.85 * odb.t_depth_max);
-        check_near(mpdb.face_depth / odb.face_depth, 1, 0.1);
         if (i == 1) { /* a car as heavy as the barrier */
-            assert_true(mpdb.olc > 1.05 * odb.olc);
+            assert_true(mpdb.olc > 1.1 * odb.olc);
             check_near(mpdb.olc / wall.olc, 1, 0.1);
+            check_near(mpdb.face_depth / odb.face_depth, 1, 0.1);
         }
+    }
+}
+
+/* energy that the ODB takes from a sedan with 40 % overlap, 64 km/h, J */
+static double taken_by_the_odb(double gap, double voxel_mm, double dt_ms) {
+    struct cr_str json = {0};
+    cr_str_addf(&json,
+                "{\"crumple\":1,\"settings\":{\"voxel_mm\":%g,\"dt_ms\":%g},\"participants\":["
+                "{\"id\":\"A\",\"kind\":\"vehicle\",\"type\":\"sedan\",\"mass_kg\":1700,"
+                "\"width_m\":1.833,\"position_m\":[%g,0.6833],\"heading_deg\":180,"
+                "\"speed_kmh\":64},{\"id\":\"W\",\"kind\":\"object\",\"shape\":\"barrier\","
+                "\"barrier\":\"odb\",\"position_m\":[0,0],\"heading_deg\":0}]}",
+                voxel_mm, dt_ms, 2.6 + gap);
+    struct cr_result *r = solved(&json);
+    double energy = r->of[1].energy;
+    cr_result_free(r);
+    return energy;
+}
+
+/* Who of car and barrier takes how much hangs neither on voxels and slices nor on a millimetre: half
+ * the voxel and a quarter of the slice change it by less than 15 %, a millimetre by less than 10 %
+ * (with a pack of 20 MPa, which the car touches from its side, by 50 %). */
+static void a_barrier_takes_its_part(void **state) {
+    (void)state;
+    double usual = taken_by_the_odb(0, 25, 1);
+    check_near(taken_by_the_odb(0, 12.5, 0.25) / usual, 1, 0.15);
+    for (int i = 1; i < 5; i++) {
+        check_near(taken_by_the_odb(0.001 * i, 25, 1) / usual, 1, 0.1);
     }
 }
 
@@ -389,6 +417,7 @@ int main(void) {
         cmocka_unit_test(a_door_is_softer_than_a_bumper),
         cmocka_unit_test(a_deep_flank_is_harder_than_a_bumper),
         cmocka_unit_test(severity_of_the_mpdb),
+        cmocka_unit_test(a_barrier_takes_its_part),
     };
     return cmocka_run_group_tests(tests, open_models, close_models);
 }
