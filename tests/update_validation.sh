@@ -1,6 +1,6 @@
 #!/bin/sh
-# The tables of share/doc/validation.md and man/crumple-validation.7, and the plot of real crashes, as
-# the program prints them today; to be reviewed. Run by `make update-validation`.
+# The tables of share/doc/validation.md and man/crumple-validation.7, and the plot of real crashes,
+# as the program prints them today; to be reviewed. Run by `make update-validation`.
 set -e
 table=$(mktemp) && field=$(mktemp) && page=$(mktemp)
 trap 'rm -f "$table" "$field" "$page"' EXIT

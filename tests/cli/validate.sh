@@ -81,8 +81,8 @@ has "flanks under a barrier" "$out" '^flank struck by the US NCAP barrier: 6 mea
 same "depth in the mean, of each type, and area are as measured" \
     "$(printf '%s\n' "$out" | grep -c '^ met     side-mdb: ')" 3
 
-# who takes how much: a movable barrier, its progressive face 1.75 m wide, meets the ODB with 40 % of
-# it; BASt computed an EES of 44.5 km/h, which leaves 0.37 of the energy to the ODB [MPDB]
+# who takes how much: a movable barrier, its progressive face 1.75 m wide, meets the ODB with 40 %
+# of it; BASt computed an EES of 44.5 km/h, which leaves 0.37 of the energy to the ODB [MPDB]
 mkdir -p "$tmp/bast/share"
 cp -R "$SRC/models" "$tmp/bast/"
 cp -R "$SRC/share/irf" "$SRC/share/barriers" "$tmp/bast/share/"

@@ -107,8 +107,9 @@ static void delta_v_rises_with_the_overlap(void **state) {
     }
 }
 
-/* A pole in front that is moved along the grid: depth and peak may not hang on which voxel it meets.
- * With 25 mm they ripple about their mean by 2 and 7 % at most; both halve with half the voxel. */
+/* A pole in front that is moved along the grid: depth and peak may not hang on which voxel it
+ * meets. With 25 mm they ripple about their mean by 2 and 7 % at most; both halve with half the
+ * voxel. */
 static void a_pole_meets_no_voxel(void **state) {
     (void)state;
     enum { PLACES = 10 };
@@ -325,8 +326,8 @@ static void a_deep_flank_is_harder_than_a_bumper(void **state) {
     }
 }
 
-/* A car of a mass against the MPDB with 50 % overlap, 50 km/h each (`at` 0), the ODB with 40 % at 64
- * km/h (1) or a wall at 50 km/h (2). */
+/* A car of a mass against the MPDB with 50 % overlap, 50 km/h each (`at` 0), the ODB with 40 % at
+ * 64 km/h (1) or a wall at 50 km/h (2). */
 static struct cr_severity test_of(const char *type, double mass, double width, int at) {
     struct cr_str json = {0};
     static const char *const barrier[] = {
@@ -392,9 +393,9 @@ static double taken_by_the_odb(double gap, double voxel_mm, double dt_ms) {
     return energy;
 }
 
-/* Who of car and barrier takes how much hangs neither on voxels and slices nor on a millimetre: half
- * the voxel and a quarter of the slice change it by less than 15 %, a millimetre by less than 4 %
- * (with a pack of 20 MPa, which the car touches from its side, by 50 %). */
+/* Who of car and barrier takes how much hangs neither on voxels and slices nor on a millimetre:
+ * half the voxel and a quarter of the slice change it by less than 15 %, a millimetre by less than
+ * 4 % (with a pack of 20 MPa, which the car touches from its side, by 50 %). */
 static void a_barrier_takes_its_part(void **state) {
     (void)state;
     double usual = taken_by_the_odb(0, 25, 1);
