@@ -12,7 +12,10 @@ bool cr_crush_lose(struct cr_side *k, int voxel, int at, double phi, struct cr_v
         unit = cr_unit_energy(k, voxel, push);
     }
     if (unit > 0) { /* layers that do not meet the opponent stay */
-        amount = cr_max(f->left[voxel] - cr_surface_left(phi, n, h, f->dense[voxel]), 0);
+        /* as far as the surface moves: a normal that turns takes nothing away */
+        double after = cr_surface_left(phi, n, h, 1);
+        amount = f->left[voxel];
+        amount -= after > 0 ? amount * after / cr_surface_left(f->phi[at], n, h, 1) : 0;
     }
     if (!cr_grow(&k->loss, &k->losses_size, k->losses, sizeof *k->loss)) {
         return false;
@@ -29,18 +32,6 @@ bool cr_crush_lose(struct cr_side *k, int voxel, int at, double phi, struct cr_v
     }
     k->loss[k->losses++] = (struct cr_loss){voxel, at, amount, moved};
     return true;
-}
-
-/* Overlap that is left from before goes no faster than the bodies approach: the force is then
- * that of the structure, however much there is. */
-static double share_to_pass(const struct cr_duo *d) {
-    double thick = 0, closing = 0;
-    for (int side = 0; side < 2; side++) {
-        const struct cr_side *k = &d->s->side[side];
-        thick += k->share * k->thick;
-        closing += k->share * k->closing;
-    }
-    return thick > 0 ? cr_min(cr_pass_most * closing * d->s->dt / thick, 1) : 0;
 }
 
 /* A voxel further from the surface is as far from it as its neighbours on the way there say, m. */
@@ -72,14 +63,14 @@ static bool follow_all(struct cr_side *k) {
     return true;
 }
 
-static bool recede(struct cr_side *k, double pass) {
+static bool recede(struct cr_side *k) {
     double h = k->m->body->grid.h;
     for (int i = 0; i < k->cells; i++) {
         const struct cr_cell *c = &k->cell[i];
-        if (!c->core || c->leaves) {
+        if (!c->core || c->approach <= 0) {
             continue;
         }
-        double phi = c->phi + pass * k->share * c->overlap;
+        double phi = c->phi + k->share * c->overlap;
         double press = c->met * c->strength * cr_surface_weight(phi, h);
         if (!cr_crush_voxel(k, c->voxel, c->at, phi, c->normal, k->push)) {
             return false;
@@ -94,11 +85,10 @@ static bool recede(struct cr_side *k, double pass) {
 }
 
 bool cr_crush_contact(struct cr_duo *d) {
-    double pass = share_to_pass(d);
     for (int side = 0; side < 2; side++) {
         struct cr_side *k = &d->s->side[side];
-        k->advance = k->end > 0 ? pass * k->share * k->thick / k->end : 0;
-        if (k->m->soft && !recede(k, pass)) {
+        k->advance = k->end > 0 ? k->share * k->thick / k->end : 0;
+        if (k->m->soft && !recede(k)) {
             return false;
         }
     }

@@ -85,8 +85,7 @@ static bool strikes(struct cr_duo *d) {
     if (!found) {
         return false;
     }
-    bool here =
-        d->touch->spent > 0 && cr_vec2_len(cr_vec2_sub(f.coe, d->touch->coe)) < cr_elsewhere;
+    bool here = d->touch->spent > 0 && cr_touch_is_here(d, f.coe);
     return cr_touch_weight(d, &f) > (here ? cr_rubbing_here : cr_strike_share);
 }
 

@@ -47,7 +47,20 @@ static bool book(struct cr_duo *d, const struct cr_force *f, const struct cr_sli
     t->moment_coe = cr_vec2_axpy(t->moment_coe, j, f->coe);
     t->moment_weight += j;
     t->normal_sum = cr_vec2_axpy(t->normal_sum, energy, f->normal);
+    cr_touch_weigh(d, energy + slice->friction);
     return cr_record_slice(d->s, slice);
+}
+
+/* The force of a slice from its impulse, and its level over the last voxels of the way, which knows
+ * nothing of the ripple as line after line of voxels is met. */
+static void note_force(struct cr_duo *d, double impulse, double way) {
+    struct cr_touch *t = d->touch;
+    double h = cr_max(d->ma->body->grid.h, d->mb->body->grid.h);
+    t->force = impulse / d->s->dt;
+    double part = cr_min(way / (cr_ripple_voxels * h), 1);
+    t->level_weight += part * (1 - t->level_weight);
+    t->force_level += part / t->level_weight * (t->force - t->force_level);
+    t->force_sum += impulse * t->force;
 }
 
 /* Eq. (2), (4), (5) as an impulse: J v - J^2 / (2 m_eff) = W takes exactly the work W out of the
@@ -69,8 +82,9 @@ bool cr_kinetics_slice(struct cr_duo *d, const struct cr_force *f) {
     double lambda = cr_min(j < whole || work > most ? j * (vf - 0.5 * j / mass) / work : 1, 1);
     cr_crush_settle(d, lambda);
     cr_impulse_apply(d, f->coe, cr_vec2_scale(f->direction, j));
-    /* the last slice of the phase, cut short, says nothing about the force */
-    t->force = lambda >= 1 || t->force <= 0 ? whole / s->dt : t->force;
+    if (lambda >= 1 || t->force <= 0) { /* a slice cut short says nothing about the force */
+        note_force(d, whole, vf * s->dt);
+    }
     const struct cr_side *a = &s->side[0], *b = &s->side[1];
     return book(d, f,
                 &(struct cr_slice){.sample = s->samples,

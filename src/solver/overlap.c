@@ -79,20 +79,23 @@ static struct walk walk_of(const struct cr_opponent *o, struct cr_vec2 row, doub
     return w;
 }
 
-/* the opponent's outward normal at voxel ix of the row, at p, body frame, not quite of length 1 */
+/* The opponent's outward normal at p, body frame, not quite of length 1; p lies `off` from voxel ix
+ * of the row. */
 static inline struct cr_vec2 walk_normal(const struct walk *w, const struct cr_opponent *o, int ix,
-                                         struct cr_vec2 p) {
+                                         struct cr_vec2 p, struct cr_vec2 off) {
     struct cr_vec2 n;
     if (w->f != NULL) {
-        n = cr_surface_gradient(w->f, w->u + ix * w->du, w->v + ix * w->dv);
+        off = cr_vec2_scale(cr_vec2_rotate(off, o->c, o->s), 1 / w->h);
+        n = cr_surface_gradient(w->f, w->u + ix * w->du + off.x, w->v + ix * w->dv + off.y);
     } else {
-        cr_shape_distance(&o->m->body->shape, cr_vec2_add(o->origin, cr_vec2_rotate(p, o->c, o->s)),
-                          &n);
+        p = cr_vec2_add(o->origin, cr_vec2_rotate(p, o->c, o->s));
+        cr_shape_distance(&o->m->body->shape, p, &n);
     }
     return cr_vec2_unrotate(n, o->c, o->s);
 }
 
-/* distance at voxel ix of the row; beyond the grid that to what can be interpolated */
+/* Distance at voxel ix of the row to within half a voxel, which tells what is far; beyond the grid
+ * that to what can be interpolated. */
 static inline double walk_at(const struct walk *w, int ix) {
     double u = w->u + ix * w->du, v = w->v + ix * w->dv;
     if (!(u >= 1 && v >= 1 && u < w->wide && v < w->high)) {
@@ -108,23 +111,24 @@ static inline double walk_at(const struct walk *w, int ix) {
     return low + v * (high - low);
 }
 
-/* Share of a voxel with which it presses in this slice: what the two come closer by, as far as the
- * opponent does not pass it by. */
-static double met_of(const struct cr_cell *c, struct cr_vec2 v, double dt) {
-    double whole = cr_passed_by * cr_vec2_len(v);
-    return cr_min(c->overlap / (c->approach * dt), 1) * cr_min(c->approach / whole, 1);
-}
-
-/* How a voxel of the core meets the opponent's surface, which moves with the velocity v there. */
+/* How a voxel of the core meets the opponent's surface, which moves with the velocity v there and
+ * has come closer by a way. It gives way by hardly more than that: overlap that is left from before
+ * waits, so that the force is that of the structure, and surfaces that slide along each other are
+ * not worn down by what their distances are rounded by. It presses as far as that way was one of
+ * overlap, and as the opponent does not pass it by. */
 static void meet(struct cr_side *k, struct cr_cell *c, struct cr_vec2 v) {
     const struct cr_surface *f = &k->m->surface;
-    c->met = met_of(c, v, k->opponent.dt);
+    double way = c->approach * k->opponent.dt, whole = cr_passed_by * cr_vec2_len(v);
+    c->overlap = cr_min(-(c->phi + c->other), cr_pass_most * way);
+    c->met = cr_min(c->overlap / way, 1) * cr_min(c->approach / whole, 1);
     if (c->met > 0 && c->voxel >= 0) {
         c->strength = cr_unit_energy(k, c->voxel, k->push) * f->dense[c->voxel] / f->grid->h;
     }
 }
 
-/* A voxel that lies near both surfaces, into the list, which has room for it. */
+/* A voxel that lies near both surfaces, into the list, which has room for it. The face that it
+ * meets is the opponent's as it stood in the middle of the slice: where a corner comes by, the
+ * nearest at its end is another one. */
 static void note_cell(struct cr_side *k, const struct walk *walk, int ix, double phi, double other,
                       bool core) {
     const struct cr_opponent *o = &k->opponent;
@@ -132,7 +136,9 @@ static void note_cell(struct cr_side *k, const struct walk *walk, int ix, double
     const struct cr_grid *g = f->grid;
     int iy = walk->row;
     struct cr_vec2 place = cr_vec2(g->x0 + (ix + 0.5) * g->h, g->y0 + (iy + 0.5) * g->h);
-    struct cr_vec2 normal = walk_normal(walk, o, ix, place);
+    struct cr_vec2 v = cr_vec2_axpy(o->still, o->turn, cr_vec2_perp(place));
+    struct cr_vec2 back = cr_vec2_scale(v, core ? 0.5 * o->dt : 0);
+    struct cr_vec2 normal = walk_normal(walk, o, ix, cr_vec2_add(place, back), back);
     double steep = cr_vec2_len(normal);
     if (!(steep > 1e-3)) {
         return;
@@ -144,10 +150,8 @@ static void note_cell(struct cr_side *k, const struct walk *walk, int ix, double
                           .place = place,
                           .phi = phi,
                           .other = other,
-                          .overlap = -(phi + other),
                           .normal = cr_vec2_scale(normal, 1 / steep),
                           .core = core};
-    struct cr_vec2 v = cr_vec2_axpy(o->still, o->turn, cr_vec2_perp(place));
     c->approach = cr_vec2_dot(v, c->normal);
     c->leaves = c->approach < 0 &&
                 c->approach * c->approach > cr_passed_by * cr_passed_by * cr_vec2_dot(v, v);
@@ -189,6 +193,10 @@ static void find_in_row(struct cr_side *k, int iy, int from, int to) {
         }
         double middle = fabs(phi - other);
         bool core = middle < 2 * cr_core_voxels * h;
+        if (walk.f != NULL && middle < h && phi + other < 0.5 * h) {
+            /* its nodes reach two voxels further, about as far as the surface is kept true */
+            other = cr_surface_between(walk.f, walk.u + ix * walk.du, walk.v + ix * walk.dv);
+        }
         if (middle < 2 * kept && (!core || phi + other < 0)) {
             note_cell(k, &walk, ix, phi, other, core);
         }
@@ -215,9 +223,8 @@ static bool find_cells(struct cr_side *k) {
     return true;
 }
 
-/* Forces, thickness and closing speed of what presses. Voxels beyond the outline have no
- * strength to say; those inside speak for them, or a structure would seem weaker within its
- * first half voxel. */
+/* Forces and thickness of what presses. Voxels beyond the outline have no strength to say; those
+ * inside speak for them, or a structure would seem weaker within its first half voxel. */
 static void sum_cells(struct cr_side *k) {
     const struct cr_grid *g = &k->m->body->grid;
     double h = g->h, all[2] = {0}, solid[2] = {0};
@@ -238,12 +245,10 @@ static void sum_cells(struct cr_side *k) {
         k->begin += met * cr_surface_weight(c->phi, h);
         k->end += end;
         k->thick += end * c->overlap;
-        k->closing += end * c->approach;
     }
     k->begin *= solid[0] > 0 ? all[0] / solid[0] : 1;
     k->end *= solid[1] > 0 ? all[1] / solid[1] : 1;
     k->thick *= solid[1] > 0 ? all[1] / solid[1] : 1;
-    k->closing *= solid[1] > 0 ? all[1] / solid[1] : 1;
 }
 
 double cr_overlap_distance(const struct cr_side *k, struct cr_vec2 p) {
@@ -252,7 +257,7 @@ double cr_overlap_distance(const struct cr_side *k, struct cr_vec2 p) {
 
 struct cr_vec2 cr_overlap_normal(const struct cr_side *k, struct cr_vec2 p) {
     struct walk w = walk_of(&k->opponent, p, k->m->body->grid.h);
-    return walk_normal(&w, &k->opponent, 0, p);
+    return walk_normal(&w, &k->opponent, 0, p, cr_vec2(0, 0));
 }
 
 /* Direction in which a body is pushed, its frame: that of the force in the last slice, before

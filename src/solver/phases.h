@@ -8,8 +8,12 @@
 /* abort.c: why the plastic phase is over, NONE while it goes on */
 enum cr_stop cr_abort_check(struct cr_duo *d, bool deformed);
 
-/* touch.c: whether a rubbing contact still only rubs */
-void cr_touch_weigh(struct cr_duo *d, const struct cr_force *f);
+/* touch.c: whether a place in the world lies on one of the bodies where they last touched in
+ * earnest: they touch again there because they turn away from each other; elsewhere on both it is
+ * the other ends that slap */
+bool cr_touch_is_here(const struct cr_duo *d, struct cr_vec2 p);
+/* a touch takes some more work, J; until that is worth telling it only rubs */
+void cr_touch_weigh(struct cr_duo *d, double work);
 /* touch.c: a contact begins, or a rubbing one goes on; false when memory is out */
 bool cr_touch_begin(struct cr_duo *d, const struct cr_force *f);
 /* the contact is over */

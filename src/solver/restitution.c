@@ -55,6 +55,15 @@ static double share_of_ends(const struct cr_duo *d, const struct cr_force *f) {
     return energy > 0 ? sqrt(pressed / energy) : 1;
 }
 
+/* Factor on the restitution, 0..1: what comes back was stored by the force that presses now, not by
+ * the one that crushed before. The energy of a spring goes with the square of its force, and that
+ * of the restitution with its own: bodies that slide off each other keep their speed. */
+static double share_of_force(const struct cr_touch *t, const struct cr_contact *c) {
+    double impulse = c->plastic_impulse - t->plastic_before;
+    double part = t->force_sum > 0 ? t->force_level * impulse / t->force_sum : 1;
+    return cr_min(part / cr_whole_force, 1);
+}
+
 void cr_restitution_update(struct cr_duo *d, const struct cr_force *f) {
     struct cr_touch *t = d->touch;
     struct cr_contact *c = &d->s->contact[t->record];
@@ -62,6 +71,7 @@ void cr_restitution_update(struct cr_duo *d, const struct cr_force *f) {
     c->closing = cr_max(cr_vec2_dot(t->met_at, n), 0);
     if (d->s->cs->opts.restitution_auto) {
         bool rigid = !d->ma->soft || !d->mb->soft;
-        c->restitution = cr_restitution_auto(c->closing, rigid) * share_of_ends(d, f);
+        c->restitution =
+            cr_restitution_auto(c->closing, rigid) * share_of_ends(d, f) * share_of_force(t, c);
     }
 }

@@ -85,7 +85,6 @@ static bool crush_pair(struct cr_duo *d, bool *deformed) {
         return false;
     }
     *deformed = true;
-    cr_touch_weigh(d, &f);
     return cr_kinetics_slice(d, &f);
 }
 

@@ -54,18 +54,19 @@ struct cr_opponent {
 
 /* A voxel near the contact, as the overlap finds it. */
 struct cr_cell {
-    int voxel, at;         /* index into the grid, and into surface.phi */
-    struct cr_vec2 place;  /* its middle, body frame, m */
-    double phi;            /* of the body's own surface, m */
-    double other;          /* of the opponent's, m */
-    double overlap;        /* by which the two overlap there, m */
-    struct cr_vec2 normal; /* outward of the opponent, body frame, unit */
-    double next;           /* scratch: phi to come, m */
-    bool core;             /* near the two surfaces; else it only follows the voxels that are */
-    bool leaves;           /* the opponent moves away from it, not into it nor along it */
-    double approach;       /* of the opponent along that normal, m/s */
-    double strength;       /* force that crushes the voxel over its whole edge, N */
-    double met;            /* share of it with which it presses in this slice, 0..1 */
+    int voxel, at;        /* index into the grid, and into surface.phi */
+    struct cr_vec2 place; /* its middle, body frame, m */
+    double phi;           /* of the body's own surface, m */
+    double other;         /* of the opponent's, m */
+    double overlap;       /* by which the two have come to overlap there in the slice, m */
+    struct cr_vec2
+        normal;      /* outward of the face that the opponent strikes with, body frame, unit */
+    double next;     /* scratch: phi to come, m */
+    bool core;       /* near the two surfaces; else it only follows the voxels that are */
+    bool leaves;     /* the opponent moves away from it, not into it nor along it */
+    double approach; /* of the opponent along that normal, m/s */
+    double strength; /* force that crushes the voxel over its whole edge, N */
+    double met;      /* share of it with which it presses in this slice, 0..1 */
 };
 
 /* What a voxel loses in a slice. */
@@ -89,7 +90,6 @@ struct cr_side {
     double share;      /* of the overlap that this body gives way by, 0..1 */
     double begin, end; /* force of its structure in the contact now, and if it alone gives way, N */
     double thick;      /* sum of force x overlap, N m */
-    double closing;    /* sum of force x approach, N m/s */
     double advance;    /* of the contact into this body in the slice, mean, m */
     double energy, induced; /* of the losses, J */
     double area;            /* plan area lost, m2 */
@@ -118,12 +118,17 @@ struct cr_touch {
     double quiet;       /* time since it last deformed something, s */
     struct cr_vec2 coe; /* carried along with the bodies between slices */
     struct cr_vec2 normal, direction;
-    bool sliding;              /* force on the edge of the friction cone */
-    double taut[2];            /* force of what the contact drags along, a and b, N */
-    double spent;              /* crush energy of the pair's contacts that are over, J */
-    struct cr_vec2 met_at;     /* velocity of a against b at the COE when they met, m/s */
-    bool rubbing;              /* this touch is too slight to count as part of the crash */
-    double force;              /* along direction at the end of the plastic phase, N */
+    bool sliding;             /* force on the edge of the friction cone */
+    double taut[2];           /* force of what the contact drags along, a and b, N */
+    double spent;             /* crush energy of the pair's contacts that are over, J */
+    struct cr_vec2 met_at;    /* velocity of a against b at the COE when they met, m/s */
+    double work, slight;      /* that this touch has taken, and up to which it only rubs, J */
+    bool rubbing;             /* so far it is too slight to count as part of the crash */
+    struct cr_vec2 struck[2]; /* where the pair last touched in earnest, frames of a and b, m */
+    double force;             /* along direction at the end of the plastic phase, N */
+    double force_level, level_weight; /* the same without the ripple of the voxels, N, and how
+                                         much of its stretch has been, 0..1 */
+    double force_sum;                 /* sum of plastic impulse x force, N2 s */
     double plastic_before;     /* plastic impulse of earlier touches of the same contact, N s */
     double slip;               /* against the tangential force when the elastic phases began, m/s */
     double rubbed;             /* work of the tangential force in the elastic phases so far, J */

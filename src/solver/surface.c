@@ -238,17 +238,6 @@ bool cr_surface_new(struct cr_surface *s, const struct cr_grid *grid, struct cr_
     return true;
 }
 
-/* Weights of the three nodes about a place t off the middle one, and their slopes: a parabola in
- * each stretch, so that a gradient has no jumps, nor a side that it prefers. */
-static inline void parabola(double t, double w[3], double slope[3]) {
-    w[0] = 0.5 * (0.5 - t) * (0.5 - t);
-    w[1] = 0.75 - t * t;
-    w[2] = 0.5 * (0.5 + t) * (0.5 + t);
-    slope[0] = t - 0.5;
-    slope[1] = -2 * t;
-    slope[2] = t + 0.5;
-}
-
 /* Place in the padded grid, in voxels; false beyond it, with the least distance there. */
 static bool place_in(const struct cr_surface *s, struct cr_vec2 p, double *u, double *v,
                      double *beyond) {
@@ -265,17 +254,42 @@ static bool place_in(const struct cr_surface *s, struct cr_vec2 p, double *u, do
     return false;
 }
 
+/* Weights of four nodes for a place t between the middle two: a cubic of one slope in each node, so
+ * that a bend keeps its form. A straight line between two nodes rounds it by a millimetre each time
+ * a surface is read from the other's grid, and what slides is worn down by that. */
+static inline void cubic(double t, double w[4]) {
+    w[0] = t * (-0.5 + t * (1 - 0.5 * t));
+    w[1] = 1 + t * t * (-2.5 + 1.5 * t);
+    w[2] = t * (0.5 + t * (2 - 1.5 * t));
+    w[3] = t * t * (-0.5 + 0.5 * t);
+}
+
+double cr_surface_between(const struct cr_surface *s, double u, double v) {
+    double wx[4], wy[4], sum = 0;
+    int i = (int)u, j = (int)v;
+    cubic(u - i, wx);
+    cubic(v - j, wy);
+    const double *q = s->phi + (j - 1) * s->stride + i - 1;
+    for (int k = 0; k < 4; k++, q += s->stride) {
+        sum += wy[k] * (wx[0] * q[0] + wx[1] * q[1] + wx[2] * q[2] + wx[3] * q[3]);
+    }
+    return sum;
+}
+
 double cr_surface_distance(const struct cr_surface *s, struct cr_vec2 p) {
     double u, v, beyond;
-    if (!place_in(s, p, &u, &v, &beyond)) {
-        return beyond;
-    }
-    int i = (int)u, j = (int)v;
-    u -= i;
-    v -= j;
-    const double *q = s->phi + j * s->stride + i, *r = q + s->stride;
-    double low = q[0] + u * (q[1] - q[0]), high = r[0] + u * (r[1] - r[0]);
-    return low + v * (high - low);
+    return place_in(s, p, &u, &v, &beyond) ? cr_surface_between(s, u, v) : beyond;
+}
+
+/* Weights of the three nodes about a place t off the middle one, and their slopes: a parabola in
+ * each stretch, so that a gradient has no jumps, nor a side that it prefers. */
+static inline void parabola(double t, double w[3], double slope[3]) {
+    w[0] = 0.5 * (0.5 - t) * (0.5 - t);
+    w[1] = 0.75 - t * t;
+    w[2] = 0.5 * (0.5 + t) * (0.5 + t);
+    slope[0] = t - 0.5;
+    slope[1] = -2 * t;
+    slope[2] = t + 0.5;
 }
 
 struct cr_vec2 cr_surface_gradient(const struct cr_surface *s, double u, double v) {

@@ -54,7 +54,9 @@ static inline int cr_surface_at(const struct cr_surface *s, int ix, int iy) {
 /* The surface of an undamaged grid, memory from the arena; false when memory is out. */
 bool cr_surface_new(struct cr_surface *s, const struct cr_grid *grid, struct cr_arena *arena);
 
-/* Signed distance at a place of the body's frame, m; beyond the band a lower bound. */
+/* Signed distance at a place in voxels of the padded grid, at least 1 and 2 from its last. */
+double cr_surface_between(const struct cr_surface *s, double u, double v);
+/* The same at a place of the body's frame, m; beyond the band a lower bound. */
 double cr_surface_distance(const struct cr_surface *s, struct cr_vec2 p);
 /* Its gradient at a place in voxels of the padded grid, of about length 1 near the surface. */
 struct cr_vec2 cr_surface_gradient(const struct cr_surface *s, double u, double v);

@@ -9,16 +9,24 @@ double cr_touch_weight(const struct cr_duo *d, const struct cr_force *f) {
     return spent > 0 ? 0.5 * mass * closing * closing / spent : (double)INFINITY;
 }
 
-/* Bodies that have parted touch again where they last did because they turn away from each other; a
- * touch elsewhere is the other end that slaps. */
-static bool is_rubbing(const struct cr_duo *d, const struct cr_force *f) {
-    double way = cr_vec2_len(cr_vec2_sub(f->coe, d->touch->coe));
-    return cr_touch_weight(d, f) < (way < cr_elsewhere ? cr_rubbing_here : cr_rubbing_elsewhere);
+bool cr_touch_is_here(const struct cr_duo *d, struct cr_vec2 p) {
+    bool here = false;
+    for (int side = 0; side < 2; side++) {
+        const struct cr_moving *m = side == 0 ? d->ma : d->mb;
+        struct cr_vec2 way = cr_vec2_sub(cr_to_body(m, p), d->touch->struck[side]);
+        here = here || (m->soft && cr_vec2_len(way) < cr_elsewhere);
+    }
+    return here;
 }
 
-void cr_touch_weigh(struct cr_duo *d, const struct cr_force *f) {
+void cr_touch_weigh(struct cr_duo *d, double work) {
     struct cr_touch *t = d->touch;
-    t->rubbing = t->rubbing && is_rubbing(d, f);
+    t->work += work;
+    t->rubbing = t->work < t->slight;
+    if (!t->rubbing) {
+        t->struck[0] = cr_to_body(d->ma, t->coe);
+        t->struck[1] = cr_to_body(d->mb, t->coe);
+    }
 }
 
 /* A pair that has parted can touch slice after slice: that is one contact. */
@@ -50,7 +58,6 @@ bool cr_touch_begin(struct cr_duo *d, const struct cr_force *f) {
         return false;
     }
     struct cr_touch *t = d->touch, old = *t;
-    bool rubbing = is_rubbing(d, f);
     *t = (struct cr_touch){.record = s->contacts,
                            .last = s->contacts,
                            .coe = f->coe,
@@ -59,7 +66,10 @@ bool cr_touch_begin(struct cr_duo *d, const struct cr_force *f) {
                            .taut = {old.taut[0], old.taut[1]},
                            .spent = old.spent,
                            .met_at = cr_relative_velocity(d, f->coe),
-                           .rubbing = rubbing};
+                           .struck = {old.struck[0], old.struck[1]}};
+    double slight = cr_touch_is_here(d, f->coe) ? cr_rubbing_here : cr_rubbing_elsewhere;
+    t->slight = slight * old.spent;
+    t->rubbing = t->slight > 0;
     wake(d);
     if (t->rubbing && old.rubbing) {
         reopen(s, t, &old);

@@ -23,8 +23,11 @@ static const double cr_passed_by = 0.05;
  * on the slice; the crash tests do not tell the two apart. */
 static const double cr_rate_exponent = 0.08;
 /* guard: overlap that is left over from before is taken away at most this much faster than the
- * bodies approach, so that the force is that of the structure: strength times width. */
+ * surfaces approach there, so that the force is that of the structure: strength times width. */
 static const double cr_pass_most = 1.1;
+/* guard: a force ripples as line after line of voxels is met: its level is that over so many voxels
+ * of the way, and from this share of the mean force on it is no unloading. */
+static const double cr_ripple_voxels = 2, cr_whole_force = 0.7;
 /* fitted: the beam of an end and what stands on it hangs together between its rails, up to this
  * share of the half width; beyond, wing and wheel house are dragged along less, by this slope. */
 static const double cr_rails_share = 0.43, cr_beyond_rails = 3;
@@ -45,11 +48,11 @@ static const double cr_threshold_reached = 1e-4;
 /* source: structures leave gaps behind the bumper and before the wheel: a contact is over when this
  * long a way or time passed without crush, m and s. */
 static const double cr_gap_path = 0.35, cr_gap_time = 0.05;
-/* source: definition. A touch whose energy of approach is below this share of the pair's crush
- * energy is rubbing of bodies that turn away, not the crash: where they last touched, and
- * elsewhere. Restitution leaves two bodies at most 0.33 of their speed, 0.1 of its energy: what
- * comes back to the same place with more was pushed by a third body, and nothing hangs on how two
- * that hook into each other let go. */
+/* source: definition. A touch that takes less than this share of the pair's crush energy is rubbing
+ * of bodies that turn away, not the crash: where they last touched, and elsewhere. Restitution
+ * leaves two bodies at most 0.33 of their speed, 0.1 of its energy: what comes back to the same
+ * place with more was pushed by a third body, and nothing hangs on how two that hook into each
+ * other let go. */
 static const double cr_rubbing_here = 0.1, cr_rubbing_elsewhere = 0.001;
 /* source: corners and curved ends lag behind: from this share of an end's width on it is whole. */
 static const double cr_whole_width = 0.95;
@@ -68,8 +71,9 @@ static const double cr_elastic_least = 5e-3, cr_elastic_most = 0.03;
  * the last digit. And the step in which it is looked for. */
 static const double cr_horizon = 0.3, cr_again = 0.1, cr_probe_step = 0.01;
 /* source: definition. A touch foreseen is waited for if its energy of approach is this share of the
- * crash so far, and this far from the last one, m. */
-static const double cr_strike_share = 0.003, cr_elsewhere = 0.75;
+ * crash so far, and it is this far from the last one on both bodies, m: further than half a dent is
+ * wide. */
+static const double cr_strike_share = 0.003, cr_elsewhere = 1.2;
 /* guard: slower than this a body is at rest, m/s and rad/s. */
 static const double cr_rest_speed = 0.05, cr_rest_yaw = 0.02;
 /* guard: plan area that two bodies may share at the start without being called overlapping, m2: the

@@ -29,15 +29,15 @@ QUANTITIES = {"EES": ("ees_kmh", 5), "delta-v": ("delta_v_kmh", 5),
               "depth": ("deformation_max_m", 0.1), "yaw": ("yaw_rate_change_deg_s", 60),
               "peak": ("acceleration_max_g", 5)}
 # per cent: wanted and accepted today, each at the 90th percentile and at worst
-CONTINUITY = {"EES": (0.3, 3, 1.2, 12), "delta-v": (0.3, 3, 1.5, 25), "depth": (0.3, 3, 3, 80),
+CONTINUITY = {"EES": (0.3, 3, 1, 12), "delta-v": (0.3, 3, 1, 20), "depth": (0.3, 3, 3, 80),
               "yaw": (0.5, 5, 5, 80), "peak": (2, 10, 3.5, 20)}
 # the same at the median and at the 90th percentile
 CONVERGENCE = {"EES": (1, 3, 1, 3), "delta-v": (1, 3, 1, 3), "peak": (3, 10, 8, 15)}
-SIDESWIPE_TODAY = 60
+SIDESWIPE_TODAY = 30
 # name: wanted and accepted today
 SHARES = {"of cars over 60 g below 110 km/h closing, %": (0, 2),
           "of cars with over 80 % of the energy induced, %": (0, 2),
-          "of crashes in which one passes through, %": (0, 3)}
+          "of crashes but sideswipes in which one passes through, %": (0, 3)}
 MONOTONY = {"demo, speed 40 to 120: largest step back, km/h": (0.1, 25),
             "demo, overlap 20 to 100 %: largest step back, km/h": (0.1, 15),
             "wall by 0.5 deg: largest step of EES against the mean, km/h": (0.3, 2),
@@ -213,7 +213,9 @@ def continuity(bench, opt):
         sum(p["acceleration_max_g"] > 60 and closing(m) < 110 for m, p in all_cars) / len(all_cars),
         sum(p["ees_kmh"] > 12 and p.get("energy_induced_kJ", 0) > 0.8 * p["energy_kJ"]
             for _, p in all_cars) / len(all_cars),
-        sum(r is not None and r["time"].get("stop") == "no-overlap" for r in base) / len(base)]
+        # two that slide off each other do not overlap any more, and should not
+        sum(r is not None and r["time"].get("stop") == "no-overlap" and
+            not m["name"].startswith("sideswipe") for m, r in zip(made, base)) / len(base)]
     for (name, (wanted, today)), share in zip(SHARES.items(), shares):
         bench.line(name, [100 * share], [wanted], [today])
 

@@ -42,7 +42,7 @@ paper() { # group, measure, field (8 MPE, 10 MAPE), from, to: whether the value 
         $2 == g && $3 == m { n++; good = $f >= lo && $f <= hi } END { print n + 0, good + 0 }'
 }
 same "frontal delta-v within 6.0 % (MAPE)" "$(paper frontal delta_v_kmh 10 0 6)" "1 1"
-same "EES of the Q7 at -5 %" "$(paper "Audi Q7 2006" ees_kmh 8 -8 -2)" "1 1"
+same "EES of the Q7 at -5 %" "$(paper "Audi Q7 2006" ees_kmh 8 -9 -1)" "1 1"
 same "EES of the Fiat between 0 and +20 %" "$(paper "Fiat 500 2007" ees_kmh 8 0 20)" "1 1"
 same "full widths a tenth too shallow" "$(paper full-width face_depth_m 8 -14.6 -4.6)" "1 1"
 same "poles much too deep" "$(paper pole face_depth_m 8 40 150)" "1 1"
