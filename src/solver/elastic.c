@@ -17,29 +17,31 @@ static struct cr_vec2 axis_of(const struct cr_touch *t) {
 /* A force that falls evenly to zero has given half of its impulse when it is down to 1/sqrt(2). */
 static const double half_way = 0.70710678118654752;
 
-/* length of a phase in whole slices, from its impulse */
-static void begin_phase(const struct cr_solver *s, struct cr_touch *t, enum cr_phase phase) {
+/* length of a phase in whole slices, from the impulse it is to give */
+static void begin_phase(const struct cr_solver *s, struct cr_touch *t, enum cr_phase phase,
+                        double impulse) {
     double time = s->cs->opts.elastic_s, dt = s->cs->opts.dt;
     if (!(time > 0)) {
         double shape = phase == CR_PHASE_COMPRESSION ? 2 / (1 + half_way) : 2 / half_way;
-        time = cr_clamp(shape * t->elastic_plan / cr_max(t->force, 1), cr_elastic_least,
-                        cr_elastic_most);
+        time = cr_clamp(shape * impulse / cr_max(t->force, 1), cr_elastic_least, cr_elastic_most);
         time = ceil(time / dt) * dt;
     }
     t->elastic_time = t->elastic_left = time;
     t->elastic_done = 0;
 }
 
-/* Impulse of the slice by the course of the force over the phase: constant where the length is
- * given, else falling from one to half_way in the compression and on to zero in the restitution. */
-static double planned_impulse(const struct cr_solver *s, const struct cr_touch *t,
-                              enum cr_phase phase) {
+/* Share of the slice in what the phase has still to give, by the course of the force over it:
+ * constant where the length is given, else falling from one to half_way in the compression and on
+ * to zero in the restitution. What bodies that turn change on the way is spread over the rest. */
+static double share_of_slice(const struct cr_solver *s, const struct cr_touch *t,
+                             enum cr_phase phase) {
     double from = 1 - t->elastic_left / t->elastic_time;
     double to = from + s->dt / t->elastic_time;
     double fall = s->cs->opts.elastic_s > 0 ? 0 : phase == CR_PHASE_RESTITUTION ? 1 : 1 - half_way;
-    /* integral of 1 - fall x, against that of the whole phase */
-    double part = (to - from) * (1 - fall * 0.5 * (from + to));
-    return t->elastic_plan * part / (1 - 0.5 * fall);
+    /* integrals of 1 - fall x */
+    double slice = (to - from) * (1 - fall * 0.5 * (from + to));
+    double rest = (1 - from) * (1 - fall * 0.5 * (from + 1));
+    return t->elastic_left - s->dt <= 1e-12 ? 1 : slice / rest;
 }
 
 /* the tangential part of the force's direction, and what is left of it along the normal */
@@ -65,8 +67,7 @@ void cr_elastic_begin(struct cr_duo *d) {
     t->rubbed = 0;
     t->slip = cr_max(cr_vec2_dot(cr_relative_velocity(d, t->coe), tangent), 0);
     c->phase = CR_PHASE_COMPRESSION;
-    t->elastic_plan = v / give;
-    begin_phase(s, t, c->phase);
+    begin_phase(s, t, c->phase, v / give);
 }
 
 /* impulse that ends the phase exactly: approach zero, or all stored energy given back; more than
@@ -105,15 +106,14 @@ struct push {
     double rubbed; /* work of the tangential part, J */
 };
 
-static struct push push_of(const struct cr_duo *d, struct cr_vec2 f, double planned, bool last) {
+static struct push push_of(const struct cr_duo *d, struct cr_vec2 f) {
     const struct cr_touch *t = d->touch;
     struct cr_vec2 axis = axis_of(t), rel = cr_relative_velocity(d, t->coe);
     struct push p = {
         .f = f, .yield = cr_impulse_compliance(d, t->coe, f), .along = cr_vec2_dot(f, axis)};
     double v = cr_vec2_dot(rel, axis), give = cr_vec2_dot(p.yield, axis);
-    double most =
-        give > 0 ? last_impulse(&d->s->contact[t->record], v, give, p.along) : (double)INFINITY;
-    p.j = last && give > 0 ? most : cr_min(planned, most);
+    const struct cr_contact *c = &d->s->contact[t->record];
+    p.j = give > 0 ? share_of_slice(d->s, t, c->phase) * last_impulse(c, v, give, p.along) : 0;
     p.stored = p.along * p.j * (v - 0.5 * give * p.j);
     p.rubbed = p.j * (cr_vec2_dot(rel, f) - 0.5 * cr_vec2_dot(p.yield, f) * p.j) - p.stored;
     return p;
@@ -126,8 +126,7 @@ static void end_phase(struct cr_solver *s, struct cr_touch *t, struct cr_contact
         c->elastic_impulse += t->elastic_done * along;
         c->t_elastic_end = s->t;
         c->phase = CR_PHASE_RESTITUTION;
-        t->elastic_plan = t->elastic_done;
-        begin_phase(s, t, c->phase);
+        begin_phase(s, t, c->phase, t->elastic_done);
         return;
     }
     s->friction += c->stored; /* what an eccentric force could not give back */
@@ -141,13 +140,12 @@ bool cr_elastic_slice(struct cr_duo *d) {
     struct cr_touch *t = d->touch;
     struct cr_contact *c = &s->contact[t->record];
     struct cr_vec2 rel = cr_relative_velocity(d, t->coe);
-    double planned = planned_impulse(s, t, c->phase);
     bool last = t->elastic_left - s->dt <= 1e-12;
-    struct push p = push_of(d, sliding_direction(d, rel, planned), planned, last);
+    struct push p = push_of(d, sliding_direction(d, rel, push_of(d, t->direction).j));
     if (t->sliding && t->rubbed + p.rubbed < 0) { /* a third body has turned the slip round */
         struct cr_vec2 normal;
         tangential(t, &normal);
-        p = push_of(d, normal, planned, last);
+        p = push_of(d, normal);
     }
     t->rubbed += p.rubbed;
     struct cr_vec2 f = p.f;

@@ -134,7 +134,6 @@ struct cr_touch {
     double rubbed;             /* work of the tangential force in the elastic phases so far, J */
     double elastic_time;       /* length of the elastic phase, s */
     double elastic_left;       /* what is left of it, s */
-    double elastic_plan;       /* impulse the phase is to give, N s */
     double elastic_done;       /* impulse it has given so far, N s */
     struct cr_vec2 moment_coe; /* sum of impulse x COE */
     double moment_weight;
