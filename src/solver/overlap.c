@@ -79,14 +79,25 @@ static struct walk walk_of(const struct cr_opponent *o, struct cr_vec2 row, doub
     return w;
 }
 
-/* The opponent's outward normal at p, body frame, not quite of length 1; p lies `off` from voxel ix
- * of the row. */
+/* The row as it lies in the opponent's grid when it is shifted by `off`, body frame. */
+static inline struct walk walk_shifted(const struct walk *w, const struct cr_opponent *o,
+                                       struct cr_vec2 off) {
+    struct walk shifted = *w;
+    if (w->f != NULL) {
+        off = cr_vec2_rotate(off, o->c, o->s);
+        shifted.u += off.x / w->h;
+        shifted.v += off.y / w->h;
+    }
+    return shifted;
+}
+
+/* The opponent's outward normal at p, body frame, which is voxel ix of the row; not quite of
+ * length 1. */
 static inline struct cr_vec2 walk_normal(const struct walk *w, const struct cr_opponent *o, int ix,
-                                         struct cr_vec2 p, struct cr_vec2 off) {
+                                         struct cr_vec2 p) {
     struct cr_vec2 n;
     if (w->f != NULL) {
-        off = cr_vec2_scale(cr_vec2_rotate(off, o->c, o->s), 1 / w->h);
-        n = cr_surface_gradient(w->f, w->u + ix * w->du + off.x, w->v + ix * w->dv + off.y);
+        n = cr_surface_gradient(w->f, w->u + ix * w->du, w->v + ix * w->dv);
     } else {
         p = cr_vec2_add(o->origin, cr_vec2_rotate(p, o->c, o->s));
         cr_shape_distance(&o->m->body->shape, p, &n);
@@ -111,6 +122,14 @@ static inline double walk_at(const struct walk *w, int ix) {
     return low + v * (high - low);
 }
 
+/* The same; near both surfaces by a cubic, whose nodes reach two voxels further, about as far as
+ * the surface is kept true. */
+static inline double walk_soft(const struct walk *w, int ix, bool near) {
+    double u = w->u + ix * w->du, v = w->v + ix * w->dv;
+    bool whole = u >= 2 && v >= 2 && u < w->wide - 1 && v < w->high - 1;
+    return near && whole ? cr_surface_between(w->f, u, v) : walk_at(w, ix);
+}
+
 /* How a voxel of the core meets the opponent's surface, which moves with the velocity v there and
  * has come closer by a way. It gives way by hardly more than that: overlap that is left from before
  * waits, so that the force is that of the structure, and surfaces that slide along each other are
@@ -126,38 +145,76 @@ static void meet(struct cr_side *k, struct cr_cell *c, struct cr_vec2 v) {
     }
 }
 
-/* A voxel that lies near both surfaces, into the list, which has room for it. The face that it
- * meets is the opponent's as it stood in the middle of the slice: where a corner comes by, the
- * nearest at its end is another one. */
-static void note_cell(struct cr_side *k, const struct walk *walk, int ix, double phi, double other,
-                      bool core) {
-    const struct cr_opponent *o = &k->opponent;
-    const struct cr_surface *f = &k->m->surface;
-    const struct cr_grid *g = f->grid;
-    int iy = walk->row;
-    struct cr_vec2 place = cr_vec2(g->x0 + (ix + 0.5) * g->h, g->y0 + (iy + 0.5) * g->h);
-    struct cr_vec2 v = cr_vec2_axpy(o->still, o->turn, cr_vec2_perp(place));
-    struct cr_vec2 back = cr_vec2_scale(v, core ? 0.5 * o->dt : 0);
-    struct cr_vec2 normal = walk_normal(walk, o, ix, cr_vec2_add(place, back), back);
-    double steep = cr_vec2_len(normal);
+/* A voxel into the list, which has room for it, if the opponent's surface has a normal there; v is
+ * the velocity of that surface. */
+static bool note(struct cr_side *k, struct cr_cell *c, struct cr_vec2 v) {
+    double steep = cr_vec2_len(c->normal);
     if (!(steep > 1e-3)) {
-        return;
+        return false;
     }
-    bool inside = ix >= 0 && iy >= 0 && ix < g->nx && iy < g->ny;
-    struct cr_cell *c = &k->cell[k->cells++];
-    *c = (struct cr_cell){.voxel = inside ? iy * g->nx + ix : -1,
-                          .at = cr_surface_at(f, ix, iy),
-                          .place = place,
-                          .phi = phi,
-                          .other = other,
-                          .normal = cr_vec2_scale(normal, 1 / steep),
-                          .core = core};
+    c->normal = cr_vec2_scale(c->normal, 1 / steep);
     c->approach = cr_vec2_dot(v, c->normal);
     c->leaves = c->approach < 0 &&
                 c->approach * c->approach > cr_passed_by * cr_passed_by * cr_vec2_dot(v, v);
-    if (core && c->approach > 0) {
-        meet(k, c, v);
+    k->cell[k->cells++] = *c;
+    return true;
+}
+
+/* A voxel that lies near both surfaces. */
+static struct cr_cell cell_at(const struct cr_side *k, const struct walk *walk, int ix,
+                              double phi) {
+    const struct cr_surface *f = &k->m->surface;
+    const struct cr_grid *g = f->grid;
+    int iy = walk->row;
+    bool inside = ix >= 0 && iy >= 0 && ix < g->nx && iy < g->ny;
+    return (struct cr_cell){
+        .voxel = inside ? iy * g->nx + ix : -1,
+        .at = cr_surface_at(f, ix, iy),
+        .place = cr_vec2(g->x0 + (ix + 0.5) * g->h, g->y0 + (iy + 0.5) * g->h),
+        .phi = phi,
+    };
+}
+
+/* The opponent's distance at p, voxel ix of the row, at the end of a slice in which its surface
+ * moves with the velocity v. A body's surface ends where the opponent's stood when the body had
+ * given its own share of the way. A rigid opponent gives none, so that is its end. Two that crush
+ * share: the distance lies on a line through that at the begin and that in the middle. Where a
+ * corner comes by, what is nearest at the end is another of its faces, which p has not met, and
+ * read there, each slice would take as much off the corner as it advances. */
+static double distance_at_end(const struct walk *walk, const struct cr_opponent *o, int ix,
+                              struct cr_vec2 p, struct cr_vec2 v, bool near) {
+    if (walk->f == NULL) {
+        return distance_to(o, p);
     }
+    struct walk begin = walk_shifted(walk, o, cr_vec2_scale(v, o->dt));
+    struct walk middle = walk_shifted(walk, o, cr_vec2_scale(v, 0.5 * o->dt));
+    return 2 * walk_soft(&middle, ix, near) - walk_soft(&begin, ix, near);
+}
+
+/* A voxel of the core into the list, which has room for it, if the surfaces have come to overlap
+ * there. The face that it meets is the opponent's as it stood in the middle of the slice. */
+static void note_core(struct cr_side *k, const struct walk *walk, int ix, double phi, bool near) {
+    const struct cr_opponent *o = &k->opponent;
+    struct cr_cell c = cell_at(k, walk, ix, phi);
+    struct cr_vec2 v = cr_vec2_axpy(o->still, o->turn, cr_vec2_perp(c.place));
+    struct cr_vec2 half = cr_vec2_scale(v, 0.5 * o->dt);
+    struct walk middle = walk_shifted(walk, o, half);
+    c.other = distance_at_end(walk, o, ix, c.place, v, near);
+    c.normal = walk_normal(&middle, o, ix, cr_vec2_add(c.place, half));
+    c.core = true;
+    if (phi + c.other < 0 && note(k, &c, v) && c.approach > 0) {
+        meet(k, &k->cell[k->cells - 1], v);
+    }
+}
+
+/* A voxel further from the surfaces, which only follows. */
+static void note_band(struct cr_side *k, const struct walk *walk, int ix, double phi,
+                      double other) {
+    const struct cr_opponent *o = &k->opponent;
+    struct cr_cell c = cell_at(k, walk, ix, phi);
+    c.other = other;
+    c.normal = walk_normal(walk, o, ix, c.place);
+    note(k, &c, cr_vec2_axpy(o->still, o->turn, cr_vec2_perp(c.place)));
 }
 
 /* The voxels [from, to) of a row, of which the list has room for all. Voxels that a distance says
@@ -193,12 +250,10 @@ static void find_in_row(struct cr_side *k, int iy, int from, int to) {
         }
         double middle = fabs(phi - other);
         bool core = middle < 2 * cr_core_voxels * h;
-        if (walk.f != NULL && middle < h && phi + other < 0.5 * h) {
-            /* its nodes reach two voxels further, about as far as the surface is kept true */
-            other = cr_surface_between(walk.f, walk.u + ix * walk.du, walk.v + ix * walk.dv);
-        }
-        if (middle < 2 * kept && (!core || phi + other < 0)) {
-            note_cell(k, &walk, ix, phi, other, core);
+        if (!core && middle < 2 * kept) {
+            note_band(k, &walk, ix, phi, other);
+        } else if (core && phi + other < 0.5 * cr_approach_voxels * h) {
+            note_core(k, &walk, ix, phi, middle < h);
         }
     }
 }
@@ -257,7 +312,7 @@ double cr_overlap_distance(const struct cr_side *k, struct cr_vec2 p) {
 
 struct cr_vec2 cr_overlap_normal(const struct cr_side *k, struct cr_vec2 p) {
     struct walk w = walk_of(&k->opponent, p, k->m->body->grid.h);
-    return walk_normal(&w, &k->opponent, 0, p, cr_vec2(0, 0));
+    return walk_normal(&w, &k->opponent, 0, p);
 }
 
 /* Direction in which a body is pushed, its frame: that of the force in the last slice, before

@@ -33,7 +33,7 @@ CONTINUITY = {"EES": (0.3, 3, 1, 12), "delta-v": (0.3, 3, 1, 20), "depth": (0.3,
               "yaw": (0.5, 5, 5, 80), "peak": (2, 10, 3.5, 20)}
 # the same at the median and at the 90th percentile
 CONVERGENCE = {"EES": (1, 3, 1, 3), "delta-v": (1, 3, 1, 3), "peak": (3, 10, 8, 15)}
-SIDESWIPE_TODAY = 30
+SIDESWIPE_TODAY = 15
 # name: wanted and accepted today
 SHARES = {"of cars over 60 g below 110 km/h closing, %": (0, 2),
           "of cars with over 80 % of the energy induced, %": (0, 2),

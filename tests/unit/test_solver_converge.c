@@ -113,12 +113,47 @@ static void place_of_the_grid(void **state) {
     }
 }
 
+/* Two blocks of 2 m x 1 m and 0.1 MJ/m2, the second stronger by a ratio, that pass each other on
+ * straight paths, their sides overlapping by 0.3 m: energy of both, J. */
+static double passing(double h, double dt, double ratio, double slope) {
+    struct cr_arena arena = {0};
+    double q[2] = {1e5, 1e5 * ratio};
+    struct cr_grid first = block_grid(&arena, 2, 1, h, constant_strength, &q[0]);
+    struct cr_grid second = block_grid(&arena, 2, 1, h, constant_strength, &q[1]);
+    struct cr_case cs = case_of(block_body(first, 1e9, 2, 1, at(-1.05, 0, 0, 10)),
+                                block_body(second, 1e9, 2, 1, at(1.05, 1 - 0.3, CR_PI, 10)));
+    for (int f = 0; f < CR_FACES; f++) {
+        cs.body[0].grid.drag_slope[f] = cs.body[1].grid.drag_slope[f] = slope;
+    }
+    cs.opts.induced = slope > 0;
+    cs.opts.dt = dt;
+    cs.opts.friction_auto = false;
+    cs.opts.friction = 0;
+    struct numbers n = numbers_of(&cs);
+    cr_arena_free(&arena);
+    return n.energy[0] + n.energy[1];
+}
+
+/* What the two share of their sides is used up, 0.12 MJ, whichever gives way. What they drag along
+ * with it hangs on how sharp their corners stay, which plough along each other's flanks: with
+ * distances read at the end of each slice 153, 211 and 232 kJ came out with 1, 0.5 and 0.25 ms. */
+static void corners_stay_sharp(void **state) {
+    (void)state;
+    check_near(passing(0.05, 1e-3, 1, 0), 120e3, 0.06 * 120e3);
+    check_near(passing(0.025, 1e-3, 1, 0), 120e3, 0.03 * 120e3);
+    check_near(passing(0.0125, 0.25e-3, 1, 0), 120e3, 0.015 * 120e3);
+    for (double ratio = 1; ratio < 2.1; ratio += 0.5) {
+        double limit = passing(0.0125, 0.25e-3, ratio, 0.555);
+        check_near(passing(0.025, 1e-3, ratio, 0.555), limit, 0.1 * limit);
+        check_near(passing(0.025, 0.25e-3, ratio, 0.555), limit, 0.1 * limit);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(defaults_are_near_the_limit),
-        cmocka_unit_test(errors_shrink),
-        cmocka_unit_test(place_of_the_partner),
-        cmocka_unit_test(place_of_the_grid),
+        cmocka_unit_test(defaults_are_near_the_limit), cmocka_unit_test(errors_shrink),
+        cmocka_unit_test(place_of_the_partner),        cmocka_unit_test(place_of_the_grid),
+        cmocka_unit_test(corners_stay_sharp),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -172,7 +172,7 @@ static void energy_split_converges_with_dt(void **state) {
  * its own surface says, and not more than the 1.0 of the car. */
 static void friction_by_kind_of_body(void **state) {
     (void)state;
-    static const double own[] = {-1, 0.3, 1.4}, mu[] = {0.1, 0.3, 1};
+    static const double own[] = {-1, 0.3, 1.4}, mu[] = {0.15, 0.3, 1};
     for (int i = 0; i < 3; i++) {
         double vn = speed * cos(cr_rad(45));
         struct hit hit = hit_surface(45, (double)NAN, own[i], 0, 0.5e-3);
