@@ -174,7 +174,8 @@ static int complete(int argc, char **argv) {
             cr_str_addf(&out, "%s\n", options[i]);
         }
     }
-    int status = print(cr_str_get(&out));
+    int status = print(out.failed ? "" : cr_str_get(&out)); /* half a list would mislead */
+    status = out.failed ? cr_err_status(CR_ERR_MEMORY) : status;
     cr_str_fini(&out);
     return status;
 }

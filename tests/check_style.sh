@@ -42,6 +42,8 @@ empty "no member of a JSON tree is added unchecked" \
     "$(grep -nE '^ *(\(void\) ?)?cJSON_Add.*\);$' "$@" | grep -v '^tests/')"
 empty "no text in parts loses its failure" "$(grep -nE \
     'cr_str_add\(.*cr_str_get|cr_say\(.*"%s", cr_str_get|cr_session_lines\(.*cr_str_get' "$@")"
+empty "no file is written with a text that memory was out for" \
+    "$(grep -nE 'cr_file_write\([^,]*, cr_str_get' "$@" | grep -v '^src/base/file.c:')"
 empty "no unbounded or unchecked C library calls" \
     "$(grep -nE '\b(alloca|gets|strcat|sprintf|vsprintf|atoi|atof|strtok) *\(' "$@")"
 

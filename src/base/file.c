@@ -320,6 +320,15 @@ enum cr_err cr_file_write(const char *path, const char *text, size_t n, struct c
     return code;
 }
 
+enum cr_err cr_file_write_str(const char *path, const struct cr_str *text, struct cr_error *err) {
+    if (text->failed) {
+        cr_err_set(err, CR_ERR_MEMORY, "no memory for what is to be written");
+        cr_err_place(err, path, 0, 0);
+        return CR_ERR_MEMORY;
+    }
+    return cr_file_write(path, cr_str_get(text), text->len, err);
+}
+
 char *cr_file_part(const char *data_dir, const char *part, char *buf, size_t size) {
     struct stat st;
     part += strncmp(part, "share/", 6) == 0 ? 6 : 0;
@@ -343,6 +352,32 @@ char *cr_file_own_part(const char *xdg_data_home, const char *home, const char *
 
 int cr_file_by_bytes(const struct dirent **a, const struct dirent **b) {
     return strcmp((*a)->d_name, (*b)->d_name);
+}
+
+enum cr_err cr_folder_list(const char *dir, int (*filter)(const struct dirent *), bool may_miss,
+                           struct cr_folder *out, struct cr_error *err) {
+    *out = (struct cr_folder){.entry = NULL};
+    int n = scandir(dir, &out->entry, filter, cr_file_by_bytes);
+    if (n >= 0) {
+        out->n = n;
+        return CR_ERR_OK;
+    }
+    out->entry = NULL;
+    if (may_miss && (errno == ENOENT || errno == ENOTDIR)) {
+        return CR_ERR_OK;
+    }
+    if (errno == ENOMEM) {
+        return cr_err_set(err, CR_ERR_MEMORY, "no memory to list a folder");
+    }
+    return io_error(err, dir, "list the folder");
+}
+
+void cr_folder_fini(struct cr_folder *folder) {
+    for (int i = 0; i < folder->n; i++) {
+        free(folder->entry[i]);
+    }
+    free(folder->entry);
+    *folder = (struct cr_folder){.entry = NULL};
 }
 
 void cr_file_dir(const char *path, char *buf, size_t size) {

@@ -31,6 +31,10 @@ enum cr_err cr_file_check_open(int fd, const char *path, struct cr_error *err);
  * made lasting too; a failure of that alone leaves the new file. Errors: IO. */
 CR_MUST_CHECK enum cr_err cr_file_write(const char *path, const char *text, size_t n,
                                         struct cr_error *err);
+/* The same with a text that was put together; where memory was out for some of it, nothing is
+ * written. Errors: IO, MEMORY. */
+CR_MUST_CHECK enum cr_err cr_file_write_str(const char *path, const struct cr_str *text,
+                                            struct cr_error *err);
 
 /* The file that a path leads to through links, which need not be there: what is written and renamed
  * to that leaves the links as they are. Added to out. */
@@ -58,6 +62,18 @@ char *cr_file_own_part(const char *xdg_data_home, const char *home, const char *
 /* Order of names for scandir: by bytes, the same in every locale. */
 struct dirent;
 int cr_file_by_bytes(const struct dirent **a, const struct dirent **b);
+
+struct cr_folder {
+    struct dirent **entry;
+    int n;
+};
+/* List the entries of a folder that the filter takes (NULL: all), in the order of their bytes; out
+ * is there to be finished after an error, too. A folder that is not there is empty where it may be
+ * missing. Errors: IO, MEMORY. */
+CR_MUST_CHECK enum cr_err cr_folder_list(const char *dir, int (*filter)(const struct dirent *),
+                                         bool may_miss, struct cr_folder *out,
+                                         struct cr_error *err);
+void cr_folder_fini(struct cr_folder *folder);
 
 /* Folder part of a path, "." if there is none, into buf. */
 void cr_file_dir(const char *path, char *buf, size_t size);

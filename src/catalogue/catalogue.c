@@ -113,26 +113,19 @@ static int is_table(const struct dirent *entry) {
 
 static enum cr_err add_folder(struct cr_catalogue *c, const char *dir, bool own,
                               struct cr_error *err) {
-    struct dirent **entry = NULL;
-    enum cr_err code = CR_ERR_OK;
-    int n = scandir(dir, &entry, is_table, cr_file_by_bytes);
-    if (n < 0 && errno != ENOENT) {
-        cr_err_set(err, CR_ERR_IO, "cannot read the folder: %s", strerror(errno));
-        cr_err_place(err, dir, 0, 0);
-        return CR_ERR_IO;
-    }
-    for (int i = 0; i < n; i++) {
+    struct cr_folder folder;
+    enum cr_err code = cr_folder_list(dir, is_table, true, &folder, err);
+    for (int i = 0; i < folder.n && code == CR_ERR_OK; i++) {
         struct cr_str path = {0};
-        cr_str_addf(&path, "%s/%s", dir, entry[i]->d_name);
+        cr_str_addf(&path, "%s/%s", dir, folder.entry[i]->d_name);
         int first = c->n;
-        code = code == CR_ERR_OK ? add_table(c, cr_str_get(&path), err) : code;
+        code = add_table(c, cr_str_get(&path), err);
         for (int k = first; k < c->n; k++) {
             c->car[k].own = own;
         }
         cr_str_fini(&path);
-        free(entry[i]);
     }
-    free(entry);
+    cr_folder_fini(&folder);
     return code;
 }
 

@@ -192,7 +192,8 @@ static enum cr_err choose(char *const *word, int n, int format, const char *path
     for (int i = 0; i < n; i++) {
         cr_str_addf(&words, "%s%s", i > 0 ? " " : "", word[i]);
     }
-    enum cr_err code = list(cr_str_get(&words), format, path, err);
+    enum cr_err code = words.failed ? cr_err_set(err, CR_ERR_MEMORY, "no memory for the words")
+                                    : list(cr_str_get(&words), format, path, err);
     cr_str_fini(&words);
     return code;
 }

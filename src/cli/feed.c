@@ -376,11 +376,11 @@ static bool next_line(struct cr_feed *f, struct cr_feed_item *out) {
         } else {
             read_line(f, &text);
         }
-        if (broken(f) || (text.len == 0 && f->in.end)) {
+        if (broken(f) || (text.len == 0 && !text.failed && f->in.end)) {
             cr_str_fini(&text);
             return false;
         }
-        if (strspn(cr_str_get(&text), " \t\r\n") < text.len) {
+        if (text.failed || strspn(cr_str_get(&text), " \t\r\n") < text.len) {
             return give(f, &text, line, 1, out);
         }
         cr_str_fini(&text);

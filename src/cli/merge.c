@@ -249,6 +249,9 @@ static enum cr_err merge(struct merge *m, struct cr_sink *sink, struct cr_error 
     if (code == CR_ERR_OK && to_file) {
         code = cr_part_finish(&part, err);
     }
+    if (code != CR_ERR_OK) { /* merging again begins again */
+        cr_part_drop(&part);
+    }
     if (code == CR_ERR_OK && !gone) {
         tell_missing(m);
         code = cr_sink_summary(sink, err);

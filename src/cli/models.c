@@ -262,7 +262,8 @@ static enum cr_err show(const char *name, const struct options *opt,
         if (known) {
             cr_model_provenance(papers, shared->models, model.type, model.clock, &origin);
         }
-        code = export_to(&s, opt->to, known ? cr_str_get(&origin) : NULL, out, err);
+        code = origin.failed ? cr_err_set(err, CR_ERR_MEMORY, "no memory for the provenance")
+                             : export_to(&s, opt->to, known ? cr_str_get(&origin) : NULL, out, err);
     } else if (code == CR_ERR_OK) {
         if (known) {
             cr_model_list_text(papers, (int)model.type, model.clock, out);

@@ -41,13 +41,13 @@ enum cr_err cr_cli_emit(const char *path, const struct cr_str *text, struct cr_e
     if (path == NULL || strcmp(path, "-") == 0) {
         return write_stdout(text, err);
     }
-    return cr_file_write(path, cr_str_get(text), text->len, err);
+    return cr_file_write_str(path, text, err);
 }
 
 enum cr_err cr_cli_emit_after(enum cr_err code, const char *path, const struct cr_str *text,
                               struct cr_error *err) {
     struct cr_error other;
-    if (text->len == 0) {
+    if (text->len == 0 && !text->failed) {
         return code;
     }
     enum cr_err wrote = cr_cli_emit(path, text, code == CR_ERR_OK ? err : &other);

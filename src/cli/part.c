@@ -89,7 +89,8 @@ static enum cr_err set_aside(struct cr_part *part, struct cr_error *err) {
             part->olds++;
         }
         attempt(part, ++part->olds, &to);
-        if (rename(cr_str_get(&part->name), cr_str_get(&to)) != 0 && errno != ENOENT) {
+        part->aside = rename(cr_str_get(&part->name), cr_str_get(&to)) == 0;
+        if (!part->aside && errno != ENOENT) {
             code = cannot("rename", cr_str_get(&part->name), err);
         }
     }
@@ -115,6 +116,7 @@ enum cr_err cr_part_open(struct cr_part *part, struct cr_error *err) {
         return code;
     }
     int fd = open(cr_str_get(&part->name), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    part->made = fd >= 0;
     if (fd >= 0) {
         cr_file_keep_mode(fd, target);
     }
@@ -140,11 +142,29 @@ enum cr_err cr_part_finish(struct cr_part *part, struct cr_error *err) {
     if (rename(name, target) != 0) {
         return cannot("rename", name, err);
     }
+    part->made = false;
     for (int i = 1; i <= part->olds; i++) {
         unlink(attempt(part, i, &old));
     }
     cr_str_fini(&old);
     return cr_file_sync_folder(target, err);
+}
+
+void cr_part_drop(struct cr_part *part) {
+    struct cr_str old = {0};
+    const char *before = part->aside ? attempt(part, part->olds, &old) : NULL;
+    if (part->file != NULL) {
+        fclose(part->file);
+        part->file = NULL;
+    }
+    if (part->made) {
+        unlink(cr_str_get(&part->name));
+        if (before != NULL && rename(before, cr_str_get(&part->name)) != 0) {
+            errno = 0; /* it keeps the name that it was set aside under */
+        }
+    }
+    part->made = part->aside = false;
+    cr_str_fini(&old);
 }
 
 void cr_part_fini(struct cr_part *part) {

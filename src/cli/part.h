@@ -14,6 +14,7 @@ struct cr_part {
     FILE *file;
     struct cr_str target, name;        /* FILE with links followed, and what is written to */
     bool in_place;                     /* a pipe or device: written as it is */
+    bool made, aside;                  /* FILE.part is ours; one that was there was set aside */
     int olds;                          /* FILE.part.1 ...: unfinished attempts before this one */
     char *taken[CR_PART_OLDS_MAX + 1]; /* their names in the list of files to resume */
     int takes;
@@ -28,6 +29,9 @@ CR_MUST_CHECK enum cr_err cr_part_find(struct cr_part *part, const char *path,
 CR_MUST_CHECK enum cr_err cr_part_open(struct cr_part *part, struct cr_error *err);
 /* All is written: FILE.part becomes FILE, those set aside go. Errors: IO. */
 CR_MUST_CHECK enum cr_err cr_part_finish(struct cr_part *part, struct cr_error *err);
+/* For an output that nothing takes up again: after an error FILE.part goes, and one that was there
+ * before has its name back. */
+void cr_part_drop(struct cr_part *part);
 /* Close what is open; unless finished, FILE.part stays for --resume. */
 void cr_part_fini(struct cr_part *part);
 

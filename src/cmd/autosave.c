@@ -12,17 +12,36 @@
 #include <time.h>
 #include <unistd.h>
 
+static enum cr_err write_autosave(struct cr_session *s, struct cr_error *err) {
+    if (s->autosave[0] == '\0') {
+        return cr_err_set(err, CR_ERR_IO, "neither XDG_STATE_HOME nor HOME names a folder");
+    }
+    if (s->opts.stateless != NULL) {
+        return cr_err_set(err, CR_ERR_IO, "cannot make %.150s: %s", s->opts.state_dir,
+                          s->opts.stateless);
+    }
+    return cr_scene_save(&cr_session_now(s)->scene, s->autosave, err);
+}
+
 void cr_session_autosave(struct cr_session *s) {
     struct cr_error err;
-    if (s->autosave[0] == '\0') {
+    if (s->opts.state_dir == NULL) {
         return;
     }
     if (cr_session_unsaved(s) == 0) {
         unlink(s->autosave);
-    } else if (cr_scene_save(&cr_session_now(s)->scene, s->autosave, &err) != CR_ERR_OK) {
+        return;
+    }
+    /* It is tried with each change, because a disk may be full for a while; told once, until it
+     * goes again. */
+    bool saved = write_autosave(s, &err) == CR_ERR_OK;
+    if (!saved && !s->no_autosave) {
         cr_warn(s, "no autosave: %s", err.text);
-        s->autosave[0] = '\0';
-    } else if (s->recovered[0] != '\0') { /* what it held is in ours now */
+        cr_warn(s, "changes outlive a crash only where you save FILE; XDG_STATE_HOME names another "
+                   "folder");
+    }
+    s->no_autosave = !saved;
+    if (saved && s->recovered[0] != '\0') { /* what it held is in ours now */
         unlink(s->recovered);
         s->recovered[0] = '\0';
     }

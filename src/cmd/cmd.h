@@ -155,7 +155,8 @@ struct cr_report_order;
 struct cr_session_opts {
     const char *data_dir;  /* folder of models/ and share/; "" if there is none */
     const char *cars_dir;  /* folder of the user's own tables of cars, NULL or "": none */
-    const char *state_dir; /* folder for the autosave, NULL: none is kept */
+    const char *state_dir; /* folder for the autosave, "" if there is none; NULL: none is wanted */
+    const char *stateless; /* why that folder cannot be made, NULL: it is there */
     bool ask;              /* quit asks when changes are unsaved */
     int max_seconds;   /* of processor time for one solve, 0: any; somebody at a prompt has ^C */
     int max_megabytes; /* of memory for one solve, 0: CR_MAX_MEGABYTES */

@@ -104,6 +104,7 @@ struct cr_session {
     struct cr_result *result;
     struct cr_reference *reference; /* NULL: nothing was compared */
     bool solving, over, echo;
+    bool no_autosave;    /* that there is none was told */
     enum cr_units units; /* of what is said and shown */
     bool lost;           /* memory was out for something that was to be said: the command fails */
     struct cr_compiled *compiled; /* of compiled_rev, NULL: none */

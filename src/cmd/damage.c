@@ -210,7 +210,7 @@ static enum cr_err write_file(struct cr_call *call, const struct cr_crush_case *
     }
     enum cr_err code = cr_crush_json(what, impact, &text, err);
     if (code == CR_ERR_OK) {
-        code = cr_file_write(path, cr_str_get(&text), text.len, err);
+        code = cr_file_write_str(path, &text, err);
     }
     cr_str_fini(&text);
     if (code == CR_ERR_OK) {

@@ -203,11 +203,8 @@ static enum cr_err may_export(struct cr_call *call, int what, struct cr_error *e
 
 static enum cr_err write_out(struct cr_export *x, int what, struct cr_error *err) {
     enum cr_err code = what_table[what].make(x, err);
-    if (code == CR_ERR_OK && x->text.failed) {
-        code = cr_err_set(err, CR_ERR_MEMORY, "out of memory");
-    }
     if (code == CR_ERR_OK && !x->written) {
-        code = cr_file_write(x->path, cr_str_get(&x->text), x->text.len, err);
+        code = cr_file_write_str(x->path, &x->text, err);
         code = code == CR_ERR_OK ? code : cr_cmd_blame(x->call, "FILE", code);
     }
     return code;

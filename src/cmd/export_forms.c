@@ -35,7 +35,7 @@ static enum cr_err put_file(void *user, const char *name, const struct cr_str *t
         }
     }
     snprintf(path, sizeof path, "%s/%s", place->dir, name);
-    return cr_file_write(path, cr_str_get(text), text->len, err);
+    return cr_file_write_str(path, text, err);
 }
 
 enum cr_err cr_export_channels(struct cr_export *x, struct cr_error *err) {

@@ -113,7 +113,7 @@ static enum cr_err write_file(struct cr_call *call, const struct cr_fit *fit,
     }
     enum cr_err code = cr_fit_json(fit, &text, err);
     if (code == CR_ERR_OK) {
-        code = cr_file_write(path, cr_str_get(&text), text.len, err);
+        code = cr_file_write_str(path, &text, err);
     }
     cr_str_fini(&text);
     if (code == CR_ERR_OK) {

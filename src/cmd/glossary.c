@@ -177,6 +177,7 @@ static void say_units(struct cr_session *s) {
             }
         }
         cr_str_addf(&page, "  %-28s ", cr_dim_word((enum cr_dim)dim));
+        page.failed = page.failed || list.failed;
         cr_help_fold(&page, cr_str_get(&list), 31, 31);
         cr_str_fini(&list);
     }

@@ -106,6 +106,7 @@ static void arg_line(const struct cr_arg *arg, struct cr_str *out) {
     if (arg->place != CR_ARG_KEY || arg->type == CR_VALUE_WORD || cr_arg_key(arg) != NULL) {
         struct cr_str words = {0};
         value_word(arg, &words);
+        out->failed = out->failed || words.failed;
         if (strchr(cr_str_get(&words), '|') != NULL && arg->type != CR_VALUE_FILE) {
             cr_str_addf(&text, ": %s", words.s);
         }
@@ -113,6 +114,7 @@ static void arg_line(const struct cr_arg *arg, struct cr_str *out) {
     } else if (arg->words != NULL && arg->type != CR_VALUE_FILE && arg->type != CR_VALUE_SWITCH) {
         cr_str_addf(&text, "; or %s", arg->words);
     }
+    out->failed = out->failed || text.failed;
     cr_help_fold(out, cr_str_get(&text),
                  (int)strlen(name) + 3 > INDENT ? (int)strlen(name) + 3 : INDENT, INDENT);
     cr_str_fini(&text);
@@ -122,6 +124,7 @@ void cr_command_help(const struct cr_command *cmd, struct cr_str *out) {
     struct cr_str usage = {0};
     cr_str_addf(out, "%s: %s\n", cmd->name, cmd->help);
     cr_command_usage(cmd, &usage);
+    out->failed = out->failed || usage.failed;
     cr_help_fold(out, cr_str_get(&usage), 0, 4);
     cr_str_fini(&usage);
     for (int i = 0; cmd->arg[i].name != NULL; i++) {
@@ -233,7 +236,7 @@ enum cr_err cr_cmd_help(struct cr_call *call, struct cr_error *err) {
     return CR_ERR_OK;
 }
 
-static bool mentions(const struct cr_command *cmd, const char *word) {
+static bool mentions(struct cr_session *s, const struct cr_command *cmd, const char *word) {
     if (cr_help_contains(cmd->name, word) || cr_help_contains(cmd->help, word)) {
         return true;
     }
@@ -243,6 +246,7 @@ static bool mentions(const struct cr_command *cmd, const char *word) {
         bool found = cr_help_contains(cmd->arg[i].name, word) ||
                      cr_help_contains(cmd->arg[i].words, word) ||
                      cr_help_contains(cr_str_get(&text), word);
+        s->lost = s->lost || text.failed;
         cr_str_fini(&text);
         if (found) {
             return true;
@@ -256,7 +260,7 @@ enum cr_err cr_cmd_apropos(struct cr_call *call, struct cr_error *err) {
     const struct cr_command *table = call->s->command;
     const char *word = cr_cmd_text(call, "WORD", "");
     for (int i = 0; i < call->s->commands; i++) {
-        if (mentions(&table[i], word)) {
+        if (mentions(call->s, &table[i], word)) {
             cr_say(call->s, "%-9s %s", table[i].name, table[i].help);
             found++;
         }

@@ -288,6 +288,7 @@ static void say_input(struct cr_session *s, const struct cr_participant *p) {
             add_input(&line, ", yaw inertia", p->yaw_inertia, CR_DIM_INERTIA, "kgm2");
         }
         if (i == FIRST - 1 || i == N - 1) {
+            s->lost = s->lost || line.failed;
             cr_say(s, "  %s", cr_str_get(&line));
             cr_str_clear(&line);
         }

@@ -148,7 +148,7 @@ static enum cr_err write_file(struct cr_call *call, const struct cr_mc *mc, stru
     bool json = dot != NULL && strcmp(dot, ".json") == 0;
     enum cr_err code = json ? cr_mc_json(mc, &text, err) : cr_mc_csv(mc, &text, err);
     if (code == CR_ERR_OK) {
-        code = cr_file_write(path, cr_str_get(&text), text.len, err);
+        code = cr_file_write_str(path, &text, err);
     }
     cr_str_fini(&text);
     if (code == CR_ERR_OK) {

@@ -45,7 +45,7 @@ enum cr_err cr_session_make(const struct cr_session_opts *opts, struct cr_sessio
     }
     s->opts = *opts;
     snprintf(s->data_dir, sizeof s->data_dir, "%s", opts->data_dir != NULL ? opts->data_dir : "");
-    if (opts->state_dir != NULL) {
+    if (opts->state_dir != NULL && opts->state_dir[0] != '\0') {
         snprintf(s->autosave, sizeof s->autosave, "%s/autosave-%ld.json", opts->state_dir,
                  (long)getpid());
     }

@@ -166,6 +166,31 @@ static void explain_forces(struct cr_session *s, const struct cr_slice *c) {
     cr_say(s, "         speed before it along the normal");
 }
 
+/* An elastic phase as it was, or as far as it came where the solve was interrupted in it. */
+static void explain_elastic(struct cr_session *s, const struct cr_slice *c) {
+    const struct cr_solution *sol = s->result->solution;
+    const struct cr_contact *pair = &sol->contact[c->contact];
+    bool first = c->phase == CR_PHASE_COMPRESSION;
+    bool open = sol->interrupted && isnan(pair->t_end) && pair->phase == c->phase;
+    double from = first ? pair->t_plastic_end : pair->t_elastic_end;
+    double to = first ? pair->t_elastic_end : pair->t_end;
+    double impulse = pair->elastic_impulse;
+    if (open) {
+        impulse = 0;
+        for (int i = 0; i < sol->slices; i++) {
+            const struct cr_slice *of = &sol->slice[i];
+            impulse += of->contact == c->contact && of->phase == c->phase ? of->impulse : 0;
+        }
+    }
+    if (open || !isfinite(to)) { /* bodies that still touch when all has come to rest */
+        to = sol->t[sol->samples - 1];
+    }
+    cr_say(
+        s,
+        "Eq. (1)  E = 0 J: no voxel yields, the elastic impulse of %.0f N s works over %.1f ms%s",
+        impulse, 1e3 * (to - from), open ? " until ^C" : "");
+}
+
 static void explain_contact(struct cr_session *s, const struct cr_slice *c) {
     const struct cr_result *r = s->result;
     const struct cr_contact *pair = &r->solution->contact[c->contact];
@@ -179,13 +204,7 @@ static void explain_contact(struct cr_session *s, const struct cr_slice *c) {
             cr_say(s, "         of it induced beside the contact: %.1f J", c->induced);
         }
     } else {
-        bool first = c->phase == CR_PHASE_COMPRESSION;
-        double from = first ? pair->t_plastic_end : pair->t_elastic_end;
-        double to = first ? pair->t_elastic_end : pair->t_end;
-        cr_say(s,
-               "Eq. (1)  E = 0 J: no voxel yields, the elastic impulse of %.0f N s works over "
-               "%.1f ms",
-               pair->elastic_impulse, 1e3 * (to - from));
+        explain_elastic(s, c);
     }
     cr_say(s, "Eq. (3)  COE = sum(E_voxel p_voxel) / sum(E_voxel) = (%.3f, %.3f) m",
            tidy(c->coe.x, 1e-3), tidy(c->coe.y, 1e-3));

@@ -28,7 +28,7 @@ struct job {
     struct cr_session *session; /* for the thread of the session alone */
     int next;
     atomic_int finished;
-    atomic_bool stop;
+    atomic_bool stop, no_memory;
     atomic_int *phase;          /* [runs] enum phase */
     struct cr_sweep_run *shown; /* [runs] copies of what is ready, for who watches */
 };
@@ -86,6 +86,10 @@ static void solve_run(struct job *job, struct cr_sweep_run *run) {
     }
     run->done = code != CR_ERR_INTERRUPTED;
     run->failed = code != CR_ERR_OK;
+    if (code == CR_ERR_MEMORY) { /* that is no result of a crash, and none is left out for it */
+        atomic_store(&job->no_memory, true);
+        atomic_store(&job->stop, true);
+    }
     snprintf(run->message, sizeof run->message, "%.159s", err.text);
     cr_result_free(result);
     cr_state_free(state);
@@ -168,6 +172,9 @@ static enum cr_err run_all(struct job *job, int jobs, struct cr_error *err) {
     job->session->solving = true;
     cr_work_begin(job->session);
     code = cr_pool_run(&work, jobs < job->sweep->n ? jobs : job->sweep->n, err);
+    if (code == CR_ERR_OK && atomic_load(&job->no_memory)) {
+        code = cr_err_set(err, CR_ERR_MEMORY, "no memory for a run of the sweep");
+    }
     cr_work_end(job->session);
     job->session->solving = false;
 out:
@@ -279,7 +286,7 @@ static enum cr_err write_csv(struct cr_call *call, struct cr_error *err) {
     }
     enum cr_err code = cr_sweep_csv(call->s, &text, err);
     if (code == CR_ERR_OK) {
-        code = cr_file_write(path, cr_str_get(&text), text.len, err);
+        code = cr_file_write_str(path, &text, err);
     }
     cr_str_fini(&text);
     if (code == CR_ERR_OK) {

@@ -150,6 +150,9 @@ static enum cr_err compare(struct work *w, const char *name, struct cr_error *er
                     cr_words(w->source.lang, "The result file was computed again and differs: %s"),
                     cr_str_get(&text));
     }
+    if (code == CR_ERR_OK && (text.failed || w->verdict.failed)) {
+        code = cr_err_set(err, CR_ERR_MEMORY, "no memory to compare the result");
+    }
     cr_str_fini(&text);
     w->source.from_result = cr_str_get(&w->verdict);
     return code;
@@ -239,12 +242,18 @@ static enum cr_err gather(struct work *w, const char *path, const char *name,
         w->source.mc = w->mc;
     }
     if (code == CR_ERR_OK) {
-        w->source.expects =
-            cr_expected_of(&w->scene, path, &w->shared.ctx, w->expected, &w->unexpected);
+        code = cr_expected_of(&w->scene, path, &w->shared.ctx, w->expected, &w->source.expects,
+                              &w->unexpected);
+        if (code != CR_ERR_OK) {
+            *err = w->unexpected;
+        }
         w->source.expected = w->expected;
         w->source.unexpected = w->unexpected.code != CR_ERR_OK ? w->unexpected.text : NULL;
-        w->source.variants = cr_variants_of(&w->scene, &w->shared.ctx, w->variant, VARIANTS);
         w->source.variant = w->variant;
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_variants_of(&w->scene, &w->shared.ctx, w->variant, VARIANTS, &w->source.variants,
+                              err);
     }
     if (code == CR_ERR_OK && !w->opt->no_tests) {
         code = cr_validity_of(w->result, &w->shared.ctx, &w->validity, err);
@@ -392,6 +401,12 @@ static void say_order(const struct cr_report_order *o, struct cr_str *out) {
     add_command(n, word, out);
 }
 
+/* The report says how it was made. */
+static enum cr_err check_command(const struct cr_str *command, struct cr_error *err) {
+    return command->failed ? cr_err_set(err, CR_ERR_MEMORY, "no memory for the command line")
+                           : CR_ERR_OK;
+}
+
 enum cr_err cr_expert_order(const struct cr_report_order *o, struct cr_error *err) {
     const struct options opt = {.lang = o->german,
                                 .units = o->us ? CR_UNITS_US : CR_UNITS_SI,
@@ -404,7 +419,8 @@ enum cr_err cr_expert_order(const struct cr_report_order *o, struct cr_error *er
     struct work w;
     struct cr_str command = {0};
     say_order(o, &command);
-    enum cr_err code = check_out(&opt, err);
+    enum cr_err code = check_command(&command, err);
+    code = code == CR_ERR_OK ? check_out(&opt, err) : code;
     if (code == CR_ERR_OK) {
         begin(&w, &opt, cr_str_get(&command));
         w.order = o;
@@ -450,7 +466,8 @@ static int run(struct options *opt, int argc, char **argv) {
     add_command(argc, (const char *const *)argv, &command);
     int status = cr_cli_options(&usage, argc, argv, &operands);
     if (status < 0) {
-        enum cr_err code = check_out(opt, &err);
+        enum cr_err code = check_command(&command, &err);
+        code = code == CR_ERR_OK ? check_out(opt, &err) : code;
         code = code == CR_ERR_OK ? report(argv[1], opt, cr_str_get(&command), &err) : code;
         status = code == CR_ERR_OK ? 0 : cr_cli_fail(&err);
     }

@@ -151,7 +151,7 @@ enum cr_err cr_validity_of(const struct cr_result *r, const struct cr_context *c
     enum cr_test_class class = class_of(r, impact, side);
     enum cr_err code = load(class, &tests, err);
     for (int i = 0; i < tests.n && code == CR_ERR_OK; i++) {
-        cr_test_solve(&tests.item[i], run, ctx);
+        code = cr_test_solve(&tests.item[i], run, ctx, err);
         if (ctx->cancel != NULL && ctx->cancel(ctx->user)) {
             code = cr_err_set(err, CR_ERR_INTERRUPTED, "interrupted");
         }
@@ -199,14 +199,15 @@ static int add_expected(const struct cr_test *t, const struct cr_test_outcome *o
     return n;
 }
 
-int cr_expected_of(const struct cr_scene *scene, const char *path, const struct cr_context *ctx,
-                   struct cr_expected *out, struct cr_error *why) {
+enum cr_err cr_expected_of(const struct cr_scene *scene, const char *path,
+                           const struct cr_context *ctx, struct cr_expected *out, int *n,
+                           struct cr_error *why) {
     struct cr_test_list tests = {0};
     struct cr_str text = {0};
-    int n = 0;
+    *n = 0;
     *why = (struct cr_error){.code = CR_ERR_OK};
     if (scene->extra == NULL || strstr(scene->extra, "\"x_expect\"") == NULL) {
-        return 0;
+        return CR_ERR_OK;
     }
     enum cr_err code = CR_ERR_OK;
     if (!cr_json_add(cr_scene_to_json(scene, false), true, &text)) {
@@ -221,28 +222,30 @@ int cr_expected_of(const struct cr_scene *scene, const char *path, const struct 
         struct cr_study_limit limit;
         const struct cr_context one = cr_study_limited(ctx, &limit);
         code = cr_test_measure(t, how, &one, &t->of[0], why);
-        n = code == CR_ERR_OK ? add_expected(t, &t->of[0], out, n) : n;
+        *n = code == CR_ERR_OK ? add_expected(t, &t->of[0], out, *n) : *n;
     }
     cr_test_list_fini(&tests);
     cr_str_fini(&text);
-    return n;
+    return code == CR_ERR_MEMORY ? code : CR_ERR_OK;
 }
 
 /* ---- variants ---- */
 
-int cr_variants_of(const struct cr_scene *scene, const struct cr_context *ctx,
-                   struct cr_variant *out, int most) {
+enum cr_err cr_variants_of(const struct cr_scene *scene, const struct cr_context *ctx,
+                           struct cr_variant *out, int most, int *n, struct cr_error *err) {
     static const struct { double dt, voxel; } factors[] = {{0.5, 1}, {2, 1}, {1, 0.5}, {1, 2}};
-    int n = 0;
-    for (size_t i = 0; i < sizeof factors / sizeof factors[0] && n < most; i++) {
+    enum cr_err code = CR_ERR_OK;
+    *n = 0;
+    for (size_t i = 0; i < sizeof factors / sizeof factors[0] && *n < most; i++) {
         struct cr_scene other;
         struct cr_result *result = NULL;
-        if (cr_scene_copy(scene, &other, NULL) != CR_ERR_OK) {
+        code = cr_scene_copy(scene, &other, err);
+        if (code != CR_ERR_OK) {
             break;
         }
         other.set.dt = cr_clamp(other.set.dt * factors[i].dt, 5e-5, 2e-3);
         other.set.voxel = cr_clamp(other.set.voxel * factors[i].voxel, 0.005, 0.1);
-        struct cr_variant *v = &out[n++];
+        struct cr_variant *v = &out[(*n)++];
         *v = (struct cr_variant){.solved = false};
         if (factors[i].voxel == 1) {
             snprintf(v->what, sizeof v->what, "dt_ms %.4g", 1e3 * other.set.dt);
@@ -251,7 +254,8 @@ int cr_variants_of(const struct cr_scene *scene, const struct cr_context *ctx,
         }
         struct cr_study_limit limit;
         const struct cr_context one = cr_study_limited(ctx, &limit);
-        if (cr_result_run(&other, &one, &result, NULL) == CR_ERR_OK) {
+        code = cr_result_run(&other, &one, &result, err);
+        if (code == CR_ERR_OK) {
             v->solved = true;
             for (int b = 0; b < result->resolved.n; b++) {
                 v->of[b] = result->of[b];
@@ -261,6 +265,9 @@ int cr_variants_of(const struct cr_scene *scene, const struct cr_context *ctx,
         }
         cr_result_free(result);
         cr_scene_fini(&other);
+        if (code == CR_ERR_MEMORY) {
+            break;
+        }
     }
-    return n;
+    return code == CR_ERR_MEMORY ? code : CR_ERR_OK;
 }

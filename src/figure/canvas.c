@@ -169,6 +169,10 @@ static int sequence(const char *s) {
     return n;
 }
 
+void cr_canvas_fail(struct cr_canvas *c) {
+    c->failed = true;
+}
+
 void cr_canvas_text(struct cr_canvas *c, double x, double y, const struct cr_type_face *face,
                     const char *utf8) {
     struct cr_item *item = utf8[0] != '\0' ? add_item(c, CR_ACT_TEXT) : NULL;

@@ -19,6 +19,8 @@ struct cr_canvas;
 /* Makes an empty canvas of that size, points; NULL without memory. */
 struct cr_canvas *cr_canvas_new(double w, double h);
 void cr_canvas_free(struct cr_canvas *canvas);
+/* Memory was out for something that belongs on the canvas: it will not be written. */
+void cr_canvas_fail(struct cr_canvas *canvas);
 double cr_canvas_w(const struct cr_canvas *canvas);
 double cr_canvas_h(const struct cr_canvas *canvas);
 

@@ -117,6 +117,7 @@ enum cr_err cr_form_mme(const struct cr_result *r, const char *name,
         }
     }
     if (code == CR_ERR_OK) {
+        text.failed = text.failed || list.failed;
         cr_str_addf(&text, "%-28s:NOVALUE\n%-28s:%d\n%s", "Instrumentation standard",
                     "Number of channels", n, cr_str_get(&list));
         snprintf(path, sizeof path, "Channel/%.200s.chn", name);

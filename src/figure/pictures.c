@@ -432,7 +432,7 @@ enum cr_err cr_picture_write(struct cr_canvas *canvas, const char *path, const c
                                &text, err);
     }
     if (code == CR_ERR_OK) {
-        code = cr_file_write(path, cr_str_get(&text), text.len, err);
+        code = cr_file_write_str(path, &text, err);
     }
     cr_canvas_free(canvas);
     cr_str_fini(&text);

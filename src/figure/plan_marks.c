@@ -148,7 +148,9 @@ static void labels(const struct cr_sheet *s) {
     for (int i = 0; i < s->pic.n; i++) {
         char text[160];
         struct cr_type_face face = {.size = 8.5, .ink = CR_INK_TEXT, .bold = true, .halo = true};
-        cr_pic_label(&s->pic, &s->pic.body[i], true, false, text, sizeof text);
+        if (!cr_pic_label(&s->pic, &s->pic.body[i], true, false, text, sizeof text)) {
+            cr_canvas_fail(s->canvas);
+        }
         double w = cr_text_width(&face, text);
         if (w > s->map.w - 30) {
             face.size *= (s->map.w - 30) / w;

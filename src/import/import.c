@@ -110,8 +110,9 @@ static enum cr_err read_head(const char *path, const char *shown, struct cr_impo
     }
     head->len = fread(text, 1, CR_IMPORT_HEAD, file);
     text[head->len] = '\0';
+    code = ferror(file) ? io_fault(shown, "read", err) : CR_ERR_OK;
     fclose(file);
-    return CR_ERR_OK;
+    return code;
 }
 
 static const struct format *recognised(const struct cr_import_head *head) {
@@ -131,35 +132,34 @@ static int stands_alone(const struct dirent *entry) {
                                               dot[1 + strspn(dot + 1, "0123456789")] != '\0'));
 }
 
-/* Looks in a folder that is of no format by itself for the files that are, and gives their number;
- * if there is one alone, it takes the place of the folder. */
-static int look_inside(struct cr_import *im, struct cr_import_head *head,
-                       char text[CR_IMPORT_HEAD + 1], const struct format **format) {
-    struct dirent **entry;
-    int files = 0, n = scandir(im->path, &entry, stands_alone, cr_file_by_bytes);
-    for (int i = 0; i < n; i++) {
+/* Looks in a folder that is of no format by itself for the files that are, and counts them; one
+ * alone takes the place of the folder. */
+static enum cr_err look_inside(struct cr_import *im, struct cr_import_head *head,
+                               char text[CR_IMPORT_HEAD + 1], const struct format **format,
+                               int *files, struct cr_error *err) {
+    struct cr_folder folder;
+    *files = 0;
+    enum cr_err code = cr_folder_list(im->path, stands_alone, false, &folder, err);
+    for (int i = 0; i < folder.n && code == CR_ERR_OK; i++) {
         struct cr_import_head inner;
         char one[CR_INSIDE_MAX];
         const struct format *f = NULL;
-        snprintf(one, sizeof one, "%.1023s/%.255s", im->path, entry[i]->d_name);
-        if (read_head(one, one, &inner, text, NULL) == CR_ERR_OK && !inner.folder) {
-            f = recognised(&inner);
-        }
-        if (f != NULL && ++files == 1) {
+        snprintf(one, sizeof one, "%.1023s/%.255s", im->path, folder.entry[i]->d_name);
+        bool file = cr_file_check_regular(one, NULL) == CR_ERR_OK;
+        code = file ? read_head(one, one, &inner, text, err) : CR_ERR_OK;
+        f = file && code == CR_ERR_OK ? recognised(&inner) : NULL;
+        if (f != NULL && ++*files == 1) {
             *format = f;
             memcpy(im->inside, one, sizeof one);
         }
-        free(entry[i]);
     }
-    if (n >= 0) {
-        free(entry);
-    }
-    if (files == 1) {
+    cr_folder_fini(&folder);
+    if (code == CR_ERR_OK && *files == 1) {
         head->folder = false;
         im->path = im->inside;
         im->shown = im->unpacked != NULL ? im->shown : im->inside;
     }
-    return files;
+    return code;
 }
 
 static void unknown(const struct cr_import_head *head, const char *text, struct cr_error *err) {
@@ -181,7 +181,10 @@ static enum cr_err choose_format(struct cr_import *im, struct cr_import_head *he
     int files = 0;
     *out = im->opts->format > 0 ? &formats[im->opts->format - 1] : recognised(head);
     if (*out == NULL && head->folder) {
-        files = look_inside(im, head, text, out);
+        enum cr_err code = look_inside(im, head, text, out, &files, err);
+        if (code != CR_ERR_OK) {
+            return code;
+        }
     }
     if (files > 1) {
         cr_err_set(err, CR_ERR_NAME, "a folder with several files that import knows");

@@ -52,39 +52,36 @@ static int is_mme(const struct dirent *entry) {
     return ends(entry->d_name, ".mme");
 }
 
-static void forget(struct dirent **entry, int n) {
-    for (int i = 0; i < n; i++) {
-        free(entry[i]);
-    }
-    if (n >= 0) {
-        free(entry);
-    }
-}
-
 bool cr_import_mme_is(const struct cr_import_head *head) {
-    struct dirent **entry;
+    struct cr_folder folder;
     if (!head->folder) {
         return ends(head->name, ".mme") && strchr(head->text, ':') != NULL;
     }
-    int n = scandir(head->path, &entry, is_mme, cr_file_by_bytes);
-    forget(entry, n);
-    return n > 0;
+    /* what cannot be listed is of no format, which is told */
+    bool any =
+        cr_folder_list(head->path, is_mme, false, &folder, NULL) == CR_ERR_OK && folder.n > 0;
+    cr_folder_fini(&folder);
+    return any;
 }
 
 /* Finds the .mme of a folder, or takes the .mme that is given itself. */
 static enum cr_err find_file(struct test *t, struct cr_error *err) {
-    struct dirent **entry;
+    struct cr_folder folder;
     if (ends(t->im->path, ".mme") && cr_file_check_regular(t->im->path, NULL) == CR_ERR_OK) {
         cr_file_dir(t->im->path, t->dir, sizeof t->dir);
         snprintf(t->file, sizeof t->file, "%.1000s", t->im->path);
         return CR_ERR_OK;
     }
-    int n = scandir(t->im->path, &entry, is_mme, cr_file_by_bytes);
+    enum cr_err code = cr_folder_list(t->im->path, is_mme, false, &folder, err);
+    if (code != CR_ERR_OK) {
+        return code;
+    }
+    int n = folder.n;
     if (n == 1) {
         snprintf(t->dir, sizeof t->dir, "%.511s", t->im->path);
-        snprintf(t->file, sizeof t->file, "%.511s/%.255s", t->im->path, entry[0]->d_name);
+        snprintf(t->file, sizeof t->file, "%.511s/%.255s", t->im->path, folder.entry[0]->d_name);
     }
-    forget(entry, n);
+    cr_folder_fini(&folder);
     if (n != 1) {
         cr_err_set(err, CR_ERR_MISSING,
                    n > 1 ? "more than one .mme file in the folder" : "no .mme file in the folder");

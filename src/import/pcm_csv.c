@@ -127,7 +127,8 @@ enum cr_err cr_pcm_csv(struct cr_import *im, sqlite3 **out, struct cr_error *err
     for (size_t i = 0; i < sizeof tables / sizeof *tables && code == CR_ERR_OK; i++) {
         char name[64], path[4096];
         snprintf(name, sizeof name, "%s.csv", tables[i]);
-        if (cr_import_file_in(im->path, name, path, sizeof path)) {
+        code = cr_import_file_in(im->path, name, path, sizeof path, err);
+        if (code == CR_ERR_OK && path[0] != '\0') {
             code = read_table(im, *out, tables[i], path, err);
         }
     }

@@ -94,9 +94,10 @@ void cr_import_format(struct cr_import *im, const char *fmt, ...) CR_PRINTF(2, 3
 CR_MUST_CHECK enum cr_err cr_import_also(struct cr_import *im, const char *path,
                                          struct cr_error *err);
 
-/* Finds the file of that name, in capital or small letters, in a folder and writes its path; false
- * if there is none, or the path is longer than size allows. */
-bool cr_import_file_in(const char *folder, const char *name, char *path, size_t size);
+/* Finds the file of that name, in capital or small letters, in a folder and writes its path, "" if
+ * there is none. Errors: IO, MEMORY, RANGE for a path longer than size allows. */
+CR_MUST_CHECK enum cr_err cr_import_file_in(const char *folder, const char *name, char *path,
+                                            size_t size, struct cr_error *err);
 /* Tells whether there is one. */
 bool cr_import_lies_in(const char *folder, const char *name);
 /* Tells whether im->path is a folder. */

@@ -184,7 +184,7 @@ static enum cr_err write_scene(struct cr_import *im, struct cr_scene *scene, str
         put_part(chosen[i], &scene->part[i]);
     }
     cJSON *json = cr_scene_to_json(scene, false);
-    if (json == NULL || !cr_import_lay_over(json, c->extra)) {
+    if (json == NULL || c->note.failed || !cr_import_lay_over(json, c->extra)) {
         cJSON_Delete(json);
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for a scene");
     }

@@ -27,7 +27,7 @@ static enum cr_err load_file(struct cr_xosc *x, const char *dir, const char *nam
     *c = (struct cr_xosc_catalogue){.root = NULL};
     int n = snprintf(c->path, sizeof c->path, "%s/%s", dir, name);
     if (n < 0 || (size_t)n >= sizeof c->path) {
-        return CR_ERR_OK;
+        return cr_err_set(err, CR_ERR_RANGE, "the path of a catalogue is too long: %.40s", name);
     }
     enum cr_err code = cr_file_check_regular(c->path, err);
     x->catalogues++;
@@ -35,19 +35,20 @@ static enum cr_err load_file(struct cr_xosc *x, const char *dir, const char *nam
 }
 
 static enum cr_err load_folder(struct cr_xosc *x, const char *dir, struct cr_error *err) {
-    struct dirent **entry;
-    enum cr_err code = CR_ERR_OK;
-    int n = scandir(dir, &entry, is_scenario, cr_file_by_bytes);
-    for (int i = 0; i < n; i++) {
-        if (code == CR_ERR_OK && x->catalogues < FILES_MAX) {
-            code = load_file(x, dir, entry[i]->d_name, err);
-        }
-        free(entry[i]);
+    struct cr_folder folder;
+    /* A folder that is not there is told when something of it is needed. */
+    enum cr_err code = cr_folder_list(dir, is_scenario, true, &folder, err);
+    if (code == CR_ERR_OK && folder.n > FILES_MAX) {
+        code = cr_err_set(err, CR_ERR_RANGE, "more than %d files in a folder of catalogues",
+                          FILES_MAX);
+        cr_err_hint(err, "put those that the scenario needs into a folder of their own");
+        cr_err_place(err, dir, 0, 0);
     }
-    if (n >= 0) {
-        free(entry);
+    for (int i = 0; i < folder.n && code == CR_ERR_OK; i++) {
+        code = load_file(x, dir, folder.entry[i]->d_name, err);
     }
-    return code; /* A folder that is not there is told when something of it is needed. */
+    cr_folder_fini(&folder);
+    return code;
 }
 
 static bool refers(const struct cr_xml_node *node) {

@@ -4,6 +4,7 @@
 #include "import/import_priv.h"
 
 #ifdef HAVE_LIBZIP
+#include "base/file.h"
 #include "base/grow.h"
 #include "base/show.h"
 
@@ -139,28 +140,25 @@ static enum cr_err unpack_one(struct unpacking *u, zip_uint64_t i, struct cr_err
     return code;
 }
 
+static int is_content(const struct dirent *entry) {
+    return entry->d_name[0] != '.' && strcmp(entry->d_name, "__MACOSX") != 0;
+}
+
 /* Goes on to what lies in a folder while it is one thing alone, a folder or a file. */
-static void descend(char root[1024]) {
-    for (int level = 0; level < 4; level++) {
-        char only[300] = "";
-        int n = 0;
-        DIR *dir = opendir(root);
-        const struct dirent *entry;
-        while (dir != NULL && (entry = readdir(dir)) != NULL && n < 2) {
-            if (entry->d_name[0] != '.' && strcmp(entry->d_name, "__MACOSX") != 0) {
-                snprintf(only, sizeof only, "/%.255s", entry->d_name);
-                n++;
-            }
+static enum cr_err descend(char root[1024], struct cr_error *err) {
+    enum cr_err code = CR_ERR_OK;
+    bool on = true;
+    for (int level = 0; level < 4 && on && code == CR_ERR_OK; level++) {
+        struct cr_folder folder; /* nothing where it is a file */
+        code = cr_folder_list(root, is_content, true, &folder, err);
+        size_t used = strlen(root);
+        on = folder.n == 1 && used + 1 + strlen(folder.entry[0]->d_name) < 1024;
+        if (on) {
+            snprintf(root + used, 1024 - used, "/%s", folder.entry[0]->d_name);
         }
-        if (dir == NULL) {
-            return; /* It is a file. */
-        }
-        closedir(dir);
-        if (n != 1 || strlen(root) + strlen(only) >= 1024) {
-            return;
-        }
-        strncat(root, only, 1023 - strlen(root));
+        cr_folder_fini(&folder);
     }
+    return code;
 }
 
 static long long limit_of(const char *path) {
@@ -198,8 +196,7 @@ enum cr_err cr_import_unpack(struct cr_import *im, struct cr_unpacked *to, struc
     }
     zip_discard(u.zip);
     snprintf(to->root, sizeof to->root, "%s", to->dir);
-    descend(to->root);
-    return code;
+    return code == CR_ERR_OK ? descend(to->root, err) : code;
 }
 
 void cr_import_unpacked_fini(struct cr_unpacked *u) {

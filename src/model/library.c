@@ -129,22 +129,22 @@ enum cr_err cr_model_catalogue(const struct cr_model_lib *lib, const struct cr_c
 
 /* Refuses the name of a barrier and hints at those that there are. */
 static enum cr_err no_barrier(const char *dir, const char *name, struct cr_error *err) {
-    struct dirent **entry = NULL;
-    int n = scandir(dir, &entry, NULL, cr_file_by_bytes);
+    struct cr_folder folder;
     struct cr_str list = {0};
-    for (int i = 0; i < n; i++) {
-        char *dot = strrchr(entry[i]->d_name, '.');
-        if (dot != NULL && dot != entry[i]->d_name && strcmp(dot, ".json") == 0) {
-            cr_str_addf(&list, "%s%.*s", list.len > 0 ? ", " : "", (int)(dot - entry[i]->d_name),
-                        entry[i]->d_name);
+    enum cr_err code = cr_folder_list(dir, NULL, true, &folder, err);
+    for (int i = 0; i < folder.n; i++) {
+        const char *its = folder.entry[i]->d_name, *dot = strrchr(its, '.');
+        if (dot != NULL && dot != its && strcmp(dot, ".json") == 0) {
+            cr_str_addf(&list, "%s%.*s", list.len > 0 ? ", " : "", (int)(dot - its), its);
         }
-        free(entry[i]);
     }
-    if (n >= 0) {
-        free(entry);
+    cr_folder_fini(&folder);
+    if (code != CR_ERR_OK) {
+        cr_str_fini(&list);
+        return code;
     }
-    enum cr_err code = name[0] == '\0' ? cr_err_set(err, CR_ERR_NAME, "which barrier is not said")
-                                       : cr_err_set(err, CR_ERR_NAME, "no barrier \"%.40s\"", name);
+    code = name[0] == '\0' ? cr_err_set(err, CR_ERR_NAME, "which barrier is not said")
+                           : cr_err_set(err, CR_ERR_NAME, "no barrier \"%.40s\"", name);
     if (list.len > 0) {
         cr_err_hint(err, "one of: %s", cr_str_get(&list));
     }

@@ -14,14 +14,19 @@
 int cr_screen_main(int argc, char **argv) {
     char data[4096], cars[4096], state[1024];
     const char *data_dir = cr_data_dir(data, sizeof data), *own = cr_own_cars(cars, sizeof cars);
-    const char *why = cr_tui_refusal();
+    const char *why = cr_tui_refusal(), *stateless;
     struct cr_repl_start start = {.color = "auto"};
     bool wanted = argc <= 1 || cr_repl_wants_screen(argc, argv, data_dir, &start);
     int status;
-    if (wanted && why == NULL) {
+    if (start.lines.failed) {
+        fprintf(stderr, "crumple: error: no memory for the command line\n");
+        status = cr_err_status(CR_ERR_MEMORY);
+    } else if (wanted && why == NULL) {
+        cr_repl_state_dir(state, sizeof state, &stateless);
         const struct cr_tui_start screen = {.data_dir = data_dir,
                                             .cars_dir = own,
-                                            .state_dir = cr_repl_state_dir(state, sizeof state),
+                                            .state_dir = state,
+                                            .stateless = stateless,
                                             .ascii = start.ascii,
                                             .color = start.color,
                                             .max_seconds = start.max_seconds,

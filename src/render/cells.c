@@ -190,6 +190,7 @@ static void add_row(const struct cr_cell *row, int w, const struct cr_look *look
 }
 
 void cr_cells_text(const struct cr_cells *cells, const struct cr_look *look, struct cr_str *out) {
+    out->failed = out->failed || cells->failed;
     for (int y = 0; y < cells->h; y++) {
         add_row(&cells->cell[y * cells->w], cells->w, look, out);
     }

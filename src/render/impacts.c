@@ -66,6 +66,7 @@ struct pen {
 static void write_words(struct pen *p, int indent, enum cr_role role, const char *text) {
     struct cr_str shown = {0};
     cr_units_text(p->units, text, &shown);
+    p->cells->failed = p->cells->failed || shown.failed;
     cr_cells_print(p->cells, p->at.x + indent, p->y++, p->at.w - indent, role, cr_str_get(&shown));
     cr_str_fini(&shown);
 }

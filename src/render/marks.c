@@ -220,18 +220,18 @@ static void metric_label(const struct cr_pic *pic, const struct cr_pic_body *b, 
     }
 }
 
-void cr_pic_label(const struct cr_pic *pic, const struct cr_pic_body *b, bool wide, bool ascii,
+bool cr_pic_label(const struct cr_pic *pic, const struct cr_pic_body *b, bool wide, bool ascii,
                   char *buf, int size) {
     struct cr_str text = {0};
     metric_label(pic, b, wide, ascii, buf, size);
     if (pic->units == CR_UNITS_SI) {
-        return;
+        return true;
     }
     cr_units_text(pic->units, buf, &text);
-    if (!text.failed) { /* else the label has its metric units */
-        snprintf(buf, (size_t)size, "%s", cr_str_get(&text));
-    }
+    bool whole = !text.failed;
+    snprintf(buf, (size_t)size, "%s", cr_str_get(&text));
     cr_str_fini(&text);
+    return whole;
 }
 
 static bool row_free(const struct ink *ink, int x, int y, int w) {
@@ -249,7 +249,10 @@ static bool row_free(const struct ink *ink, int x, int y, int w) {
 static void draw_label(const struct ink *ink, int k) {
     const struct cr_pic_body *b = &ink->pic->body[k];
     char text[160];
-    cr_pic_label(ink->pic, b, ink->pic->at.w >= 100, ink->look->ascii, text, sizeof text);
+    bool wide = ink->pic->at.w >= 100;
+    if (!cr_pic_label(ink->pic, b, wide, ink->look->ascii, text, sizeof text)) {
+        ink->cells->failed = true;
+    }
     int w = cr_glyph_width(text);
     struct cr_rect box = cr_pic_cells_of(ink->pic, b);
     const struct cr_rect *at = &ink->pic->at;

@@ -75,9 +75,10 @@ double cr_pic_left(const struct cr_pic *pic, const struct cr_pic_body *body, int
  * is near them. */
 void cr_pic_box(const struct cr_pic *pic, const struct cr_result *result, struct cr_vec2 box[2]);
 /* Writes the label of a body: its name, and on a wide picture or before the crash its type and
- * mass; speed before and now, change of heading, yaw rate. */
-void cr_pic_label(const struct cr_pic *pic, const struct cr_pic_body *body, bool wide, bool ascii,
-                  char *buf, int size);
+ * mass; speed before and now, change of heading, yaw rate. False where there is no memory for it in
+ * the units of the picture. */
+CR_MUST_CHECK bool cr_pic_label(const struct cr_pic *pic, const struct cr_pic_body *body, bool wide,
+                                bool ascii, char *buf, int size);
 
 /* Whether a body is at a point of the world, with what it has there. */
 bool cr_pic_look(const struct cr_pic *pic, const struct cr_pic_body *body, struct cr_vec2 world,

@@ -48,6 +48,7 @@ enum { CR_CELL_BOLD = 1, CR_CELL_REVERSE = 2, CR_CELL_DIM = 4 };
 struct cr_cells {
     int w, h;
     struct cr_cell *cell; /* [h * w], owned */
+    bool failed;          /* memory was out for some of what belongs here; its text fails, too */
 };
 
 /* Makes a blank grid; cr_cells_fini gives back. Errors: RANGE for sides outside of 1..4096,

@@ -79,6 +79,7 @@ static enum cr_err draw_table(const struct stage *st, struct cr_rect in) {
         memcpy(&st->cells->cell[(in.y + y) * st->cells->w + in.x + 1], &whole.cell[from * whole.w],
                (size_t)whole.w * sizeof *whole.cell);
     }
+    st->cells->failed = st->cells->failed || whole.failed;
     cr_cells_fini(&whole);
     return code;
 }

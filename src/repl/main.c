@@ -11,9 +11,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-const char *cr_repl_state_dir(char *buf, int size) {
+const char *cr_repl_state_dir(char *buf, int size, const char **why) {
     const char *state = getenv("XDG_STATE_HOME"), *home = getenv("HOME");
+    int fault = 0; /* the first, which makes the others */
     buf[0] = '\0';
+    *why = NULL;
     if (state != NULL && state[0] == '/') {
         snprintf(buf, (size_t)size, "%s/crumple", state);
     } else if (home != NULL && home[0] == '/') {
@@ -24,12 +26,12 @@ const char *cr_repl_state_dir(char *buf, int size) {
     for (char *p = buf + 1; *p != '\0'; p++) { /* XDG asks for 0700 of each folder on the way. */
         if (*p == '/') {
             *p = '\0';
-            mkdir(buf, 0700);
+            fault = mkdir(buf, 0700) != 0 && errno != EEXIST && fault == 0 ? errno : fault;
             *p = '/';
         }
     }
     if (mkdir(buf, 0700) != 0 && errno != EEXIST) {
-        buf[0] = '\0';
+        *why = strerror(fault != 0 ? fault : errno);
     }
     return buf;
 }
@@ -41,6 +43,18 @@ static enum cr_err say_error(const struct cr_error *err) {
     fflush(stdout);
     fprintf(stderr, "crumple: %s\n", cr_err_format(err, line, sizeof line));
     return err->code;
+}
+
+/* Runs lines that were put together, unless there was no memory for some of them. */
+static enum cr_err run_text(struct cr_session *s, const struct cr_str *lines, const char *name,
+                            int first) {
+    struct cr_error err;
+    if (lines->failed) {
+        cr_err_set(&err, CR_ERR_MEMORY, "no memory for a line");
+        cr_err_place(&err, name, first, 0);
+        return say_error(&err);
+    }
+    return cr_session_script(s, cr_str_get(lines), name, first);
 }
 
 /* Runs lines as they arrive, so that another program can talk to this one through pipes. */
@@ -71,14 +85,14 @@ static enum cr_err run_stream(struct cr_session *s) {
         }
         cr_str_add(&whole, line);
         if (!cr_line_open(line)) {
-            code = cr_session_script(s, cr_str_get(&whole), "stdin", first);
+            code = run_text(s, &whole, "stdin", first);
             cr_str_clear(&whole);
             first = number + 1;
             fflush(stdout);
         }
     }
-    if (code == CR_ERR_OK && whole.len > 0) {
-        code = cr_session_script(s, cr_str_get(&whole), "stdin", first);
+    if (code == CR_ERR_OK && (whole.len > 0 || whole.failed)) {
+        code = run_text(s, &whole, "stdin", first);
     }
     free(line);
     cr_str_fini(&whole);
@@ -105,7 +119,7 @@ static enum cr_err run_file(struct cr_session *s, const char *name, const char *
     } else if (text[strspn(text, " \t\r\n")] == '{') {
         struct cr_str line = {0};
         cr_repl_add_line(&line, name);
-        code = cr_session_script(s, cr_str_get(&line), name, 1);
+        code = run_text(s, &line, name, 1);
         cr_str_fini(&line);
     } else {
         code = cr_session_script(s, text, name, 1);
@@ -132,6 +146,7 @@ int cr_repl_main(int argc, char **argv, const char *data_dir, const char *cars_d
                                     const char *state_dir)) {
     struct cr_repl_options o;
     struct cr_error err;
+    const char *stateless = NULL;
     char state_dir[1024] = "";
     struct cr_session *s = NULL;
     int status = cr_repl_read_options(argc, argv, &o);
@@ -141,12 +156,11 @@ int cr_repl_main(int argc, char **argv, const char *data_dir, const char *cars_d
     bool prompt = ask != NULL && (o.prompt || o.sources == 0);
     struct cr_terminal t = {.progress = isatty(STDERR_FILENO) != 0};
     int max_seconds = o.max_seconds > 0 || prompt ? o.max_seconds : CR_MAX_SECONDS;
-    if (prompt) {
-        cr_repl_state_dir(state_dir, sizeof state_dir);
-    }
+    const char *kept = prompt ? cr_repl_state_dir(state_dir, sizeof state_dir, &stateless) : NULL;
     struct cr_session_opts opts = {.data_dir = data_dir,
                                    .cars_dir = cars_dir,
-                                   .state_dir = state_dir[0] != '\0' ? state_dir : NULL,
+                                   .state_dir = kept,
+                                   .stateless = stateless,
                                    .ask = prompt,
                                    .max_seconds = max_seconds,
                                    .max_megabytes = o.max_megabytes,

@@ -43,7 +43,7 @@ bool cr_repl_one_scene(int argc, char **argv);
 bool cr_repl_takes(const char *arg);
 
 /* The folder of history and autosave, $XDG_STATE_HOME/crumple, made if it is not there. Returns
- * buf: "" if there is no home or the folder cannot be made. */
-const char *cr_repl_state_dir(char *buf, int size);
+ * buf: "" if there is no home; *why tells why the folder cannot be made, NULL: it is there. */
+const char *cr_repl_state_dir(char *buf, int size, const char **why);
 
 #endif

@@ -210,26 +210,20 @@ static int is_json(const struct dirent *e) {
 }
 
 enum cr_err cr_irf_load(const char *dir, struct cr_irf_set **out, struct cr_error *err) {
-    struct dirent **entry = NULL;
+    struct cr_folder folder;
     *out = NULL;
-    int n = scandir(dir, &entry, is_json, cr_file_by_bytes);
-    if (n < 0) {
-        cr_err_set(err, CR_ERR_IO, "cannot list folder '%s': %s", dir, strerror(errno));
-        return CR_ERR_IO;
-    }
-    enum cr_err code = CR_ERR_OK;
+    enum cr_err code = cr_folder_list(dir, is_json, false, &folder, err);
     struct cr_irf_set *set = calloc(1, sizeof *set);
-    if (!set) {
+    if (code == CR_ERR_OK && set == NULL) {
         code = cr_err_set(err, CR_ERR_MEMORY, "no memory for risk functions");
     }
-    for (int i = 0; i < n; i++) {
+    for (int i = 0; i < folder.n && code == CR_ERR_OK; i++) {
         struct cr_str path = {0};
-        cr_str_addf(&path, "%s/%s", dir, entry[i]->d_name);
-        code = code ? code : add_file(set, cr_str_get(&path), err);
+        cr_str_addf(&path, "%s/%s", dir, folder.entry[i]->d_name);
+        code = add_file(set, cr_str_get(&path), err);
         cr_str_fini(&path);
-        free(entry[i]);
     }
-    free(entry);
+    cr_folder_fini(&folder);
     if (code) {
         cr_irf_free(set);
         return code;

@@ -271,18 +271,20 @@ static int is_ev5(const struct dirent *entry) {
     return ends(entry->d_name, ".ev5");
 }
 
-/* Finds the one EV5 file in a folder; false if there is none, or more than one. */
-static bool ev5_in(const char *dir, char *buf, size_t size) {
-    struct dirent **entry;
-    int n = scandir(dir, &entry, is_ev5, cr_file_by_bytes);
-    bool one = n == 1 && snprintf(buf, size, "%s/%s", dir, entry[0]->d_name) < (int)size;
-    for (int i = 0; i < n; i++) {
-        free(entry[i]);
+/* Loads the one EV5 file of a folder, or the channels of ISO-MME where there is none, or more than
+ * one. */
+static enum cr_err load_folder(const char *dir, const struct cr_signal_pick *pick,
+                               struct cr_signal *out, struct cr_error *err) {
+    char path[4096];
+    struct cr_folder folder;
+    enum cr_err code = cr_folder_list(dir, is_ev5, false, &folder, err);
+    bool one = folder.n == 1 && snprintf(path, sizeof path, "%s/%s", dir, folder.entry[0]->d_name) <
+                                    (int)sizeof path;
+    cr_folder_fini(&folder);
+    if (code != CR_ERR_OK) {
+        return code;
     }
-    if (n >= 0) {
-        free(entry);
-    }
-    return one;
+    return one ? load_ev5(path, 0, pick, out, err) : load_mme(dir, dir, pick, out, err);
 }
 
 /* Loads TEST.001, which both formats may be called; ISO-MME begins with descriptors. */
@@ -308,8 +310,7 @@ enum cr_err cr_signal_load_any(const char *path, const struct cr_signal_pick *pi
     char buf[4096];
     memset(out, 0, sizeof *out);
     if (is_folder(path)) {
-        return ev5_in(path, buf, sizeof buf) ? load_ev5(buf, 0, pick, out, err)
-                                             : load_mme(path, path, pick, out, err);
+        return load_folder(path, pick, out, err);
     }
     if (ends(path, ".zip")) {
         return fault(path, err, CR_ERR_TYPE, "an archive", "unzip it and name its folder");

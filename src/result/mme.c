@@ -206,35 +206,25 @@ static int is_channel_folder(const struct dirent *entry) {
     return strcasecmp(entry->d_name, "Channel") == 0;
 }
 
-static void forget(struct dirent **entry, int n) {
-    for (int i = 0; i < n; i++) {
-        free(entry[i]);
-    }
-    if (n >= 0) {
-        free(entry);
-    }
-}
-
 enum cr_err cr_mme_channels(const char *dir, cr_mme_take *take, void *user, struct cr_error *err) {
-    struct dirent **entry;
+    struct cr_folder above, in = {.n = 0};
     struct cr_str folder = {0}, path = {0};
-    enum cr_err code = CR_ERR_OK;
-    int n = scandir(dir, &entry, is_channel_folder, cr_file_by_bytes);
-    if (n > 0) {
-        cr_str_addf(&folder, "%s/%s", dir, entry[0]->d_name);
+    enum cr_err code = cr_folder_list(dir, is_channel_folder, true, &above, err);
+    if (code == CR_ERR_OK && above.n > 0) {
+        cr_str_addf(&folder, "%s/%s", dir, above.entry[0]->d_name);
+        code = cr_folder_list(cr_str_get(&folder), is_channel, false, &in, err);
     }
-    forget(entry, n);
-    n = folder.len > 0 ? scandir(cr_str_get(&folder), &entry, is_channel, cr_file_by_bytes) : -1;
-    if (n > FILES_MAX) {
+    if (code == CR_ERR_OK && in.n > FILES_MAX) {
         code = cr_err_set(err, CR_ERR_RANGE, "more than %d channels", FILES_MAX);
         cr_err_place(err, dir, 0, 0);
     }
-    for (int i = 0; i < n && code == CR_ERR_OK; i++) {
+    for (int i = 0; i < in.n && code == CR_ERR_OK; i++) {
         cr_str_clear(&path);
-        cr_str_addf(&path, "%s/%s", cr_str_get(&folder), entry[i]->d_name);
-        code = take(user, cr_str_get(&path), entry[i]->d_name, err);
+        cr_str_addf(&path, "%s/%s", cr_str_get(&folder), in.entry[i]->d_name);
+        code = take(user, cr_str_get(&path), in.entry[i]->d_name, err);
     }
-    forget(entry, n);
+    cr_folder_fini(&above);
+    cr_folder_fini(&in);
     cr_str_fini(&folder);
     cr_str_fini(&path);
     return code;

@@ -132,12 +132,15 @@ static enum cr_err take(struct cr_participant *p, const char *key, double value,
 }
 
 /* where the values of a row are from, for the result */
-static void name_row(const struct cr_car *car, char from[CR_FROM_MAX]) {
+static enum cr_err name_row(const struct cr_car *car, char from[CR_FROM_MAX],
+                            struct cr_error *err) {
     struct cr_str name = {0};
     cr_car_name(car, &name);
     snprintf(from, CR_FROM_MAX, "%.60s (%.24s:%d, %.80s)", cr_str_get(&name), car->file, car->line,
              car->source);
+    bool whole = !name.failed;
     cr_str_fini(&name);
+    return whole ? CR_ERR_OK : cr_err_set(err, CR_ERR_MEMORY, "no memory for the name of a car");
 }
 
 enum cr_err cr_scene_from_car(struct cr_participant *p, const struct cr_model_lib *lib,
@@ -168,7 +171,7 @@ enum cr_err cr_scene_from_car(struct cr_participant *p, const struct cr_model_li
         {"cg.height_m", car->cg_height},
     };
     bool massless = isnan(p->mass) && isnan(p->kerb_mass);
-    name_row(car, a->from);
+    code = name_row(car, a->from, err);
     for (size_t i = 0; i < sizeof value / sizeof value[0] && code == CR_ERR_OK; i++) {
         code = take(p, value[i].key, value[i].value, a, err);
     }

@@ -154,7 +154,8 @@ static void solve(void *user, void *given) {
     if (item->draw < mc->both) {
         solve_on(w, item, mc->voxel, mc->on_coarse);
     }
-    if (item->draw >= mc->both || item->code != CR_ERR_INTERRUPTED) {
+    if (item->draw >= mc->both ||
+        (item->code != CR_ERR_INTERRUPTED && item->code != CR_ERR_MEMORY)) {
         solve_on(w, item, item->draw < mc->both ? mc->own_voxel : mc->voxel, mc->result);
     }
 }

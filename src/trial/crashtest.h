@@ -146,7 +146,9 @@ CR_MUST_CHECK enum cr_err cr_test_measure(const struct cr_test *test, struct cr_
                                           const struct cr_context *ctx, struct cr_test_outcome *out,
                                           struct cr_error *err);
 
-/* Solve a test with the method of a run; what goes wrong stands in the outcome. */
-void cr_test_solve(struct cr_test *test, int run, const struct cr_context *ctx);
+/* Solve a test with the method of a run; what goes wrong with the test stands in its outcome. What
+ * is not its own doing is returned, so that none is left out for it. Errors: MEMORY, IO. */
+CR_MUST_CHECK enum cr_err cr_test_solve(struct cr_test *test, int run, const struct cr_context *ctx,
+                                        struct cr_error *err);
 
 #endif

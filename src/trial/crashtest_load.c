@@ -165,24 +165,15 @@ static int is_json(const struct dirent *e) {
 
 static enum cr_err load_folder(const char *dir, enum cr_test_class class, struct cr_test_list *list,
                                struct cr_error *err) {
-    struct dirent **entry = NULL;
-    int n = scandir(dir, &entry, is_json, cr_file_by_bytes);
-    if (n < 0) {
-        cr_err_set(err, CR_ERR_IO, "cannot list the folder: %s", strerror(errno));
-        cr_err_place(err, dir, 0, 0);
-        return CR_ERR_IO;
-    }
-    enum cr_err code = CR_ERR_OK;
-    for (int i = 0; i < n; i++) {
+    struct cr_folder folder;
+    enum cr_err code = cr_folder_list(dir, is_json, false, &folder, err);
+    for (int i = 0; i < folder.n && code == CR_ERR_OK; i++) {
         struct cr_str path = {0};
-        cr_str_addf(&path, "%s/%s", dir, entry[i]->d_name);
-        if (code == CR_ERR_OK) {
-            code = load_scene(cr_str_get(&path), class, list, err);
-        }
+        cr_str_addf(&path, "%s/%s", dir, folder.entry[i]->d_name);
+        code = load_scene(cr_str_get(&path), class, list, err);
         cr_str_fini(&path);
-        free(entry[i]);
     }
-    free(entry);
+    cr_folder_fini(&folder);
     return code;
 }
 

@@ -104,13 +104,22 @@ enum cr_err cr_test_measure(const struct cr_test *test, struct cr_test_how how,
     return code;
 }
 
-void cr_test_solve(struct cr_test *test, int run, const struct cr_context *ctx) {
+enum cr_err cr_test_solve(struct cr_test *test, int run, const struct cr_context *ctx,
+                          struct cr_error *err) {
     struct cr_test_outcome *out = &test->of[run];
-    struct cr_error err = {0};
+    struct cr_error why = {0};
     const struct cr_test_how how = {.method = run == CR_METHOD_PAPER ? CR_METHOD_PAPER
                                                                      : CR_METHOD_EXTENDED,
                                     .type = test->type};
-    if (cr_test_measure(test, how, ctx, out, &err) != CR_ERR_OK) {
-        snprintf(out->error, sizeof out->error, "%s", err.text);
+    enum cr_err code = cr_test_measure(test, how, ctx, out, &why);
+    if (code == CR_ERR_MEMORY || code == CR_ERR_IO) {
+        if (err != NULL) {
+            *err = why;
+        }
+        return code;
     }
+    if (code != CR_ERR_OK) {
+        snprintf(out->error, sizeof out->error, "%s", why.text);
+    }
+    return CR_ERR_OK;
 }

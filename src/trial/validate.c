@@ -108,7 +108,9 @@ static void work_test(void *user, void *item) {
     if (j->run == CR_TEST_CROSS) {
         ctx.models = b->folds.lib[cr_fold_of(j->test->number)];
     }
-    cr_test_solve(j->test, j->run, &ctx);
+    if (cr_test_solve(j->test, j->run, &ctx, &j->err) == CR_ERR_OK) {
+        j->err.code = CR_ERR_OK;
+    }
 }
 
 static bool give(void *user, void *item) {
@@ -187,6 +189,12 @@ static enum cr_err work_all(struct batch *b, const struct cr_pool_work *work, in
     if (code == CR_ERR_OK && cr_cli_cancelled(NULL)) {
         code = cr_err_set(err, CR_ERR_INTERRUPTED, "interrupted");
     }
+    for (int i = 0; i < b->next && code == CR_ERR_OK; i++) {
+        if (b->job[i].err.code != CR_ERR_OK) {
+            *err = b->job[i].err;
+            code = err->code;
+        }
+    }
     return code;
 }
 
@@ -211,12 +219,6 @@ static enum cr_err prepare_folds(struct batch *b, const char *models, int jobs,
     }
     if (code == CR_ERR_OK) {
         code = work_all(b, &pool, jobs, err);
-    }
-    for (int k = 0; k < CR_FOLDS && code == CR_ERR_OK; k++) {
-        if (b->job[k].err.code) {
-            *err = b->job[k].err;
-            code = err->code;
-        }
     }
     return code;
 }

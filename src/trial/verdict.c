@@ -129,15 +129,15 @@ static bool is_in(const struct cr_test *t, enum cr_test_class class, const char 
 /* Mean, spread and mean amount of differences, for measures where percentages make no sense. */
 static struct cr_stats_error differences(const double *got, const double *ref, int n) {
     struct cr_stats_error e = cr_stats_errors(got, ref, n);
-    double *d = calloc((size_t)n + 1, sizeof *d);
-    e.mape = 0;
-    for (int i = 0; d && i < n; i++) {
-        d[i] = got[i] - ref[i];
-        e.mape += fabs(d[i]) / n;
-    }
+    double squares = 0;
     e.mpe = e.bias;
-    e.sd = d ? cr_stats_sd(d, n) : none;
-    free(d);
+    e.mape = 0;
+    for (int i = 0; i < n; i++) {
+        double d = got[i] - ref[i];
+        e.mape += fabs(d) / n;
+        squares += (d - e.mpe) * (d - e.mpe);
+    }
+    e.sd = n > 1 ? sqrt(squares / (n - 1)) : none;
     return e;
 }
 

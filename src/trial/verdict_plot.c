@@ -140,12 +140,14 @@ void cr_verdict_pulse(const struct cr_test *test, unsigned runs, const struct cr
     int n = test->of[0].pulse.curves.n;
     n = n > 0 ? n : test->of[1].pulse.curves.n;
     double *memory = calloc(4 * (size_t)n + 1, sizeof *memory);
-    struct cr_cells cells;
-    if (n > 0 && memory && cr_cells_new(78, 18, &cells, NULL) == CR_ERR_OK) {
-        if (draw_pulse(test, runs, look, memory, &cells) == CR_ERR_OK) {
-            cr_cells_text(&cells, look, out);
-        }
-        cr_cells_fini(&cells);
+    struct cr_cells cells = {0};
+    enum cr_err code = memory != NULL && n > 0 ? cr_cells_new(78, 18, &cells, NULL) : CR_ERR_MEMORY;
+    code = code == CR_ERR_OK ? draw_pulse(test, runs, look, memory, &cells) : code;
+    if (code == CR_ERR_OK) {
+        cr_cells_text(&cells, look, out);
+    } else if (n > 0) {
+        out->failed = true; /* as with a text that there is no memory for */
     }
+    cr_cells_fini(&cells);
     free(memory);
 }

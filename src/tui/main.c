@@ -259,10 +259,10 @@ enum cr_err cr_tui_new(const struct cr_tui_start *start, struct cr_tui **out,
     t->focus = CR_AREAS;
     t->sheet_from = t->lesson_from = t->taken = t->dragged = -1;
     t->tabbed_at = -1;
-    const char *state_dir = start->state_dir;
     struct cr_session_opts opts = {.data_dir = start->data_dir,
                                    .cars_dir = start->cars_dir,
-                                   .state_dir = state_dir[0] != '\0' ? state_dir : NULL,
+                                   .state_dir = start->state_dir,
+                                   .stateless = start->stateless,
                                    .ask = true,
                                    .max_seconds = start->max_seconds,
                                    .max_megabytes = start->max_megabytes,

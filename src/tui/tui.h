@@ -16,6 +16,7 @@ struct cr_tui_start {
     const char *data_dir;  /* folder of models/ and share/, "" if there is none */
     const char *cars_dir;  /* folder of the user's own tables of cars, "" if there is none */
     const char *state_dir; /* folder of history and autosave, "" if there is none */
+    const char *stateless; /* why it cannot be made, NULL: it is there */
     bool ascii;
     const char *color;              /* "never": none; else what the terminal has */
     int max_seconds, max_megabytes; /* of one solve, 0: any (struct cr_session_opts) */

@@ -3,7 +3,9 @@
 # program says so and fails, or what it writes is what it always writes. And kill -9 at each step of
 # saving: a file is the old one or the new one, and nothing else is left beside it.
 #
-# FAULTS_STEP=1 tries every single call; as it comes every 23rd allocation is tried.
+# FAULTS_STEP=1 tries every single call; as it comes every 23rd allocation is tried. FAULTS_ONLY is
+# a pattern of the shell for what is tried, as "stack: memory", "import*" or "*: sync"; then the
+# rest of this script is left out.
 . "$SRC/tests/cli/cli.sh"
 fault=$BUILD/fault.so
 [ -e "$fault" ] || {
@@ -41,23 +43,53 @@ undo
 export! result out.json
 save! out2.json
 END
+cat >sweep.crumple <<'END'
+load pole.json
+sweep A.speed 30:34:2km/h jobs=1 out=sweep.csv
+END
+sed 's/"type": "sedan"/"car": "volkswagen golf 2016 hatchback"/' pole.json >car.json
+sed 's/"participants"/"x_expect": {"A": {"ees_kmh": 20}}, "participants"/' pole.json >own.json
 step=${FAULTS_STEP:-23}
+input=/dev/null # of the program
+
+# all_at_once OUT ARG ...: each allocation, in one run (FAULT_EACH of fault.c); sets f_bad, f_n
+all_at_once() {
+    a_out=$1
+    shift
+    [ "$a_out" != - ] && export FAULT_OUT="$a_out"
+    LD_PRELOAD=$fault FAULT_KIND=memory FAULT_EACH=$tmp FAULT_COUNT=9 "$crumple" "$@" 9>tell.out \
+        >all.out 2>errs2.out <$input
+    unset FAULT_OUT
+    [ "$a_out" = - ] || cp "$a_out" all.out
+    cmp -s all.out want.out || echo " the program itself has written something else" >>tell.out
+    f_n=$f_calls f_bad=$(tr -d '\n' <tell.out | sed "s/$f_calls\$//")
+}
 
 # faults NAME KIND STEP OUT ARG ...: OUT is a file it writes, - for standard output
 faults() {
     f_name=$1 f_kind=$2 f_step=$3 f_out=$4
     shift 4
+    # shellcheck disable=SC2254 # it is a pattern
+    case "$f_name: $f_kind" in ${FAULTS_ONLY:-*}) ;; *) return ;; esac
     rm -f "$f_out" f.part
-    "$crumple" "$@" >want.out 2>/dev/null || f_name="$f_name (fails by itself)"
+    "$crumple" "$@" >want.out 2>/dev/null <$input || f_name="$f_name (fails by itself)"
     [ "$f_out" = - ] || cp "$f_out" want.out
     f_calls=$(LD_PRELOAD=$fault FAULT_KIND=$f_kind FAULT_COUNT=9 "$crumple" "$@" 9>&1 >/dev/null \
-        2>&1)
+        2>&1 <$input)
     f_bad='' f_n=0 f_at=$((f_calls % f_step))
     [ "$f_step" -eq 1 ] && f_at=0
+    case "$f_step-$f_kind-$1" in
+    # these have threads
+    1-memory-stack | 1-memory-mc | 1-memory-validate | 1-memory-sweep.crumple) ;;
+    1-memory-*)
+        all_at_once "$f_out" "$@"
+        f_at=$f_calls
+        ;;
+    esac
     while [ "$f_at" -lt "$f_calls" ]; do
         [ "$f_out" = - ] || rm -f "$f_out"
         LD_PRELOAD=$fault FAULT_KIND=$f_kind FAULT_AT=$f_at timeout -s KILL 120 "$crumple" "$@" \
-            >got.out 2>errs.out
+            >got.out 2>errs.out <$input
         f_status=$?
         [ "$f_out" = - ] || cp "$f_out" got.out 2>/dev/null
         if [ $f_status -ge 128 ] && [ $f_status -ne 130 ]; then
@@ -97,6 +129,15 @@ some_memory 3 "run as text" - run pole.json --format text
 some_memory 3 "run as CSV" - run pole.json --format csv
 some_memory 5 stack - stack -j1 two.jsonl
 some_memory 7 commands - all.crumple
+input=all.crumple
+some_memory 13 "commands by a pipe" out.json -
+input=/dev/null
+some_memory 31 sweep sweep.csv sweep.crumple
+some_memory 31 validate - validate --fast own.json
+some_memory 31 "a car by its name" - run car.json
+some_memory 31 "text in US units" - run --units us -f text pole.json
+some_memory 31 "picture in US units" us.svg run --units us pole.json --picture us.svg
+some_memory 61 report r.html report --no-tests --draws 0 -q -o r.html own.json
 some_memory 31 "models by text" - models
 some_memory 3 picture pole.svg run pole.json --picture pole.svg
 some_memory 11 mc - mc pole.json -n 10 -j1 -q --set A.speed_kmh=32+-3
@@ -121,6 +162,11 @@ done
 for kind in open write sync rename; do
     faults "stack -o" $kind 1 o.jsonl stack -j1 two.jsonl -o o.jsonl
 done
+
+[ -z "$FAULTS_ONLY" ] || {
+    finish
+    exit
+}
 
 # ---- kill -9 at each step of saving ----
 cat >save.crumple <<'END'

@@ -87,6 +87,11 @@ sed 's/entryName="car"/entryName="bus"/' "$data/paths.xosc" >"$tmp/bus.xosc"
 cp -r "$data/catalogs" "$tmp"
 refused "no such entry of a catalogue" 1 'bus.xosc:.*no "bus" in a catalogue "VehicleCatalog"' \
     "$tmp/bus.xosc"
+cp "$data/paths.xosc" "$tmp/many.xosc"
+(cd "$tmp/catalogs" && seq 1000 1500 | sed 's/.*/z&.xosc/' | xargs touch)
+refused "more catalogues than are looked at" 1 'catalogs: error: more than 500 files in a folder' \
+    "$tmp/many.xosc"
+rm "$tmp"/catalogs/z1*
 sed 's/SimulationTimeCondition/StoryboardElementStateCondition/' "$data/paths.xosc" \
     >"$tmp/when.xosc"
 refused "a condition of a simulator" 1 'when.xosc:.*this condition needs a simulator' \

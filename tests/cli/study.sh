@@ -103,6 +103,11 @@ sed 's/"ees_kmh":[0-9]/"ees_kmh":9/' "$tmp/part2" >"$tmp/other"
 run merge "$tmp/part2" "$tmp/other"
 has "two results of one scene are not" "$status:$errs" \
     '^3:.*other: error: scene [0-9]+ is in .*part2'
+echo before >"$tmp/o.part"
+run merge "$tmp/part2" "$tmp/other" -o "$tmp/o"
+same "nothing is left of what was begun" "$status:$(cd "$tmp" && ls | grep -c '^o$\|^o\.')" 3:1
+same "and what lay there is as it was" "$(cat "$tmp/o.part")" before
+rm "$tmp/o.part"
 head -c 3000 "$tmp/part2" >"$tmp/short"
 refused "a part that was cut" 3 'short:[0-9]+:1: error: the last line is cut' merge "$tmp/short"
 for index in 1e300 -1; do

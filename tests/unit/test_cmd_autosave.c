@@ -58,10 +58,62 @@ static void the_newest_within_a_second(void **state) {
     assert_int_equal(rmdir(dir), 0);
 }
 
+/* ---- where none can be written ---- */
+
+static void hear(void *user, enum cr_tone tone, const char *line) {
+    struct cr_str *said = user;
+    (void)tone;
+    cr_str_addf(said, "%s\n", line);
+}
+
+static struct cr_session *session(struct cr_str *said, const char *state_dir, const char *why) {
+    struct cr_session *s;
+    const struct cr_session_opts opts = {.data_dir = getenv("SRC"),
+                                         .state_dir = state_dir,
+                                         .stateless = why,
+                                         .out = {.user = said, .text = hear}};
+    cr_str_clear(said);
+    assert_int_equal(cr_session_new(&opts, &s, NULL), CR_ERR_OK);
+    assert_int_equal(cr_session_run(s, "vehicle A type=suv mass=2000kg"), CR_ERR_OK);
+    return s;
+}
+
+/* Told once, with the way out, and tried again: a full disk may have room later. */
+static void test_no_autosave_is_told_once(void **state) {
+    (void)state;
+    struct cr_str said = {0};
+    char dir[] = "cr_state_XXXXXX";
+    struct cr_session *s = session(&said, "/dev/null/crumple", NULL);
+    const char *told = strstr(cr_str_get(&said), "no autosave: cannot write: Not a directory");
+    assert_non_null(told);
+    assert_non_null(strstr(told, "save FILE; XDG_STATE_HOME names another folder"));
+    cr_str_clear(&said);
+    assert_int_equal(cr_session_run(s, "vehicle A speed=47km/h; undo"), CR_ERR_OK);
+    assert_null(strstr(cr_str_get(&said), "no autosave"));
+    cr_session_free(s);
+    s = session(&said, "", NULL); /* no home at all */
+    assert_non_null(strstr(cr_str_get(&said), "neither XDG_STATE_HOME nor HOME names a folder"));
+    cr_session_free(s);
+    s = session(&said, "/nowhere", "Read-only file system");
+    assert_non_null(strstr(cr_str_get(&said), "cannot make /nowhere: Read-only file system"));
+    cr_session_free(s);
+    assert_non_null(mkdtemp(dir));
+    assert_int_equal(rmdir(dir), 0);
+    s = session(&said, dir, NULL);
+    assert_non_null(strstr(cr_str_get(&said), "no autosave"));
+    assert_int_equal(mkdir(dir, 0700), 0);
+    assert_int_equal(cr_session_run(s, "vehicle A speed=47km/h"), CR_ERR_OK);
+    assert_int_equal(rmdir(dir), -1); /* there is one now */
+    cr_session_free(s);
+    assert_int_equal(rmdir(dir), 0);
+    cr_str_fini(&said);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_number_that_another_program_has),
         cmocka_unit_test(the_newest_within_a_second),
+        cmocka_unit_test(test_no_autosave_is_told_once),
     };
     return cmocka_run_group_tests_name("autosave", tests, NULL, NULL);
 }

@@ -1,7 +1,7 @@
 /* ^C while solving: what was solved until then is kept to be looked at, and taken for no more. */
 #include "test.h"
 
-#include "cmd/cmd.h"
+#include "cmd/cmd_priv.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -155,11 +155,71 @@ static void a_whole_result_stays(void **state) {
     end(s, &w);
 }
 
+/* ---- in an elastic phase ---- */
+
+/* who cancels a solve in the third slice of a phase, which no clock could hit */
+struct phase_watcher {
+    enum cr_phase phase;
+    int slices;
+};
+
+static void on_solver(void *user, struct cr_solver *solver, const struct cr_compiled *compiled) {
+    struct phase_watcher *w = user;
+    const struct cr_solution *sol = cr_solver_solution(solver);
+    (void)compiled;
+    w->slices = 0;
+    for (int i = 0; i < sol->slices; i++) {
+        w->slices += sol->slice[i].phase == w->phase;
+    }
+}
+
+static int after_three(void *user) {
+    const struct phase_watcher *w = user;
+    return w->slices >= 3 ? CR_CANCEL_USER : CR_CANCEL_NO;
+}
+
+static void an_elastic_phase_is_told_as_far_as_it_came(void **state) {
+    (void)state;
+    static const enum cr_phase phases[] = {CR_PHASE_COMPRESSION, CR_PHASE_RESTITUTION};
+    for (int k = 0; k < 2; k++) {
+        struct watcher w = {.stop_at = 0};
+        struct phase_watcher p = {.phase = phases[k]};
+        struct cr_session *s = session(&w);
+        struct cr_result *part = NULL;
+        char want[80];
+        run(s, &w, wall);
+        run(s, &w, "set elastic=20ms restitution=0.1");
+        assert_int_equal(cr_session_need_models(s, NULL), CR_ERR_OK);
+        const struct cr_context ctx = {.models = s->models,
+                                       .watch = on_solver,
+                                       .cancel = after_three,
+                                       .user = &p,
+                                       .keep = true};
+        assert_int_equal(cr_result_run(cr_session_scene(s), &ctx, &part, NULL), CR_ERR_INTERRUPTED);
+        assert_non_null(part);
+        const struct cr_solution *sol = part->solution;
+        double impulse = 0; /* of the three slices of 1 ms, each told with its own */
+        for (int i = 0; i < sol->slices; i++) {
+            impulse += sol->slice[i].phase == p.phase ? sol->slice[i].impulse : 0;
+        }
+        cr_session_take_result(s, part);
+        run(s, &w, "explain last");
+        snprintf(want, sizeof want, "elastic impulse of %.0f N s works over 3.0 ms until ^C",
+                 impulse);
+        assert_true(impulse > 1);
+        if (strstr(w.said.s, want) == NULL) {
+            fail_msg("no '%s' in %s", want, w.said.s);
+        }
+        end(s, &w);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_part_is_kept_and_is_no_result),
         cmocka_unit_test(nothing_worked_leaves_nothing),
         cmocka_unit_test(a_whole_result_stays),
+        cmocka_unit_test(an_elastic_phase_is_told_as_far_as_it_came),
     };
     return cmocka_run_group_tests_name("interrupt", tests, NULL, NULL);
 }
