@@ -3,8 +3,8 @@
  * 0; FAULT_KILL makes it a kill -9, FAULT_SIGNAL=N a signal just before the call, which goes on;
  * FAULT_COUNT names a descriptor that gets the number of calls.
  *
- * FAULT_EACH=FOLDER tries every call in one run: at each a child is forked, which is refused it and
- * goes on to its own end, while the program waits and then goes on as if nothing had been. What a
+ * FAULT_EACH=FOLDER tries every call, or every FAULT_STEP-th from 0 on, in one run: at each a child
+ * is forked, which is refused it and goes on to its own end, while the program waits and then goes on as if nothing had been. What a
  * child writes goes to FOLDER/got.out and FOLDER/errs.out; it has to be FOLDER/want.out (FAULT_OUT
  * names a file that it writes instead of standard output), or the child has to fail and say so. The
  * descriptor of FAULT_COUNT gets "N:lost", "N:died(STATUS)" or "N:silent(STATUS)" of each that does
@@ -36,6 +36,7 @@ static atomic_long calls;
 static long at = -2;
 static const char *kind = "", *each, *out;
 static int told = -1, is_child;
+static long step = 1;
 
 __attribute__((constructor)) static void begin(void) {
     const char *wanted = getenv("FAULT_AT"), *fd = getenv("FAULT_COUNT");
@@ -43,6 +44,7 @@ __attribute__((constructor)) static void begin(void) {
     told = fd != NULL ? (int)atol(fd) : -1;
     each = getenv("FAULT_EACH");
     out = getenv("FAULT_OUT");
+    step = getenv("FAULT_STEP") != NULL ? atol(getenv("FAULT_STEP")) : 1;
     at = wanted != NULL ? atol(wanted) : -1;
 }
 
@@ -185,7 +187,7 @@ static int hit(const char *what, int code) {
         return 0;
     }
     long number = atomic_fetch_add(&calls, 1);
-    if (each != NULL) {
+    if (each != NULL && number % step == 0) {
         int before = errno;
         within = 1;
         int refused = try_in_child(number);

@@ -89,7 +89,7 @@ refused "no such entry of a catalogue" 1 'bus.xosc:.*no "bus" in a catalogue "Ve
     "$tmp/bus.xosc"
 cp "$data/paths.xosc" "$tmp/many.xosc"
 (cd "$tmp/catalogs" && seq 1000 1500 | sed 's/.*/z&.xosc/' | xargs touch)
-refused "more catalogues than are looked at" 1 'catalogs: error: more than 500 files in a folder' \
+refused "more catalogues than are looked at" 3 'catalogs: error: more than 500 files in a folder' \
     "$tmp/many.xosc"
 rm "$tmp"/catalogs/z1*
 sed 's/SimulationTimeCondition/StoryboardElementStateCondition/' "$data/paths.xosc" \
