@@ -79,8 +79,9 @@ faults() {
         2>&1 <$input)
     f_bad='' f_n=0 f_at=$((f_calls % f_step))
     [ "$f_step" -eq 1 ] && f_at=0
-    case "$f_kind-$1" in
-    memory-stack | memory-mc | memory-validate | memory-sweep.crumple) ;; # threads
+    case "$f_kind-$*" in
+    # these have threads, or files that children take with them
+    memory-stack* | memory-mc* | memory-validate* | memory-sweep.crumple | memory-import*.zip) ;;
     memory-*)
         all_at_once "$f_step" "$f_out" "$@"
         f_at=$f_calls
