@@ -8,8 +8,8 @@
  * child writes goes to FOLDER/got.out and FOLDER/errs.out; it has to be FOLDER/want.out (FAULT_OUT
  * names a file that it writes instead of standard output), or the child has to fail and say so. The
  * descriptor of FAULT_COUNT gets "N:lost", "N:died(STATUS)" or "N:silent(STATUS)" of each that does
- * not. For programs without threads only: a child has but the one that forked, and locks that were
- * held then count as its own. */
+ * not. A child has but the thread that forked: there are no others, they run to their end where they
+ * are started, and no lock is waited for (a pool needs room for all of its items). */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -35,7 +35,7 @@ extern void *__libc_realloc(void *old, size_t n);
 static atomic_long calls;
 static long at = -2;
 static const char *kind = "", *each, *out;
-static int told = -1, is_child;
+static int told = -1, alone;
 static long step = 1;
 
 __attribute__((constructor)) static void begin(void) {
@@ -43,6 +43,7 @@ __attribute__((constructor)) static void begin(void) {
     kind = getenv("FAULT_KIND") != NULL ? getenv("FAULT_KIND") : "";
     told = fd != NULL ? (int)atol(fd) : -1;
     each = getenv("FAULT_EACH");
+    alone = each != NULL;
     out = getenv("FAULT_OUT");
     step = getenv("FAULT_STEP") != NULL ? atol(getenv("FAULT_STEP")) : 1;
     at = wanted != NULL ? atol(wanted) : -1;
@@ -130,7 +131,6 @@ static void become_child(void) {
         timer_settime(timer, 0, &patience, NULL) != 0) {
         abort();
     }
-    is_child = 1;
     each = NULL;
     told = -1;
 }
@@ -141,11 +141,11 @@ static void judge(long number, int status) {
     const char *made = out != NULL ? out : in_folder("got.out", got);
     int code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
     if (code >= 128 && code != 130) {
-        dprintf(told, " %ld:died(%d)", number, code);
+        dprintf(told, "%ld:died(%d) ", number, code);
     } else if (code == 0 && !same(made, want)) {
-        dprintf(told, " %ld:lost", number);
+        dprintf(told, "%ld:lost ", number);
     } else if (code != 0 && !has_told()) {
-        dprintf(told, " %ld:silent(%d)", number, code);
+        dprintf(told, "%ld:silent(%d) ", number, code);
     }
 }
 
@@ -223,11 +223,23 @@ void *realloc(void *old, size_t n) {
 
 #define NEXT(name, type) ((type)dlsym(RTLD_NEXT, name))
 
-/* What the one thread of a child finds locked it has locked itself, under the number of the thread
- * that forked. */
+int pthread_create(pthread_t *thread, const pthread_attr_t *attr, void *(*run)(void *), void *arg) {
+    if (alone) {
+        *thread = pthread_self();
+        run(arg);
+        return 0;
+    }
+    return NEXT("pthread_create", int (*)(pthread_t *, const pthread_attr_t *, void *(*)(void *),
+                                          void *))(thread, attr, run, arg);
+}
+
+int pthread_join(pthread_t thread, void **result) {
+    return alone ? 0 : NEXT("pthread_join", int (*)(pthread_t, void **))(thread, result);
+}
+
 int pthread_mutex_lock(pthread_mutex_t *m) {
     static int (*next)(pthread_mutex_t *);
-    if (is_child) {
+    if (alone) {
         pthread_mutex_trylock(m);
         return 0;
     }
@@ -239,7 +251,7 @@ int pthread_mutex_unlock(pthread_mutex_t *m) {
     static int (*next)(pthread_mutex_t *);
     next = next != NULL ? next : NEXT("pthread_mutex_unlock", int (*)(pthread_mutex_t *));
     int code = next(m);
-    return is_child ? 0 : code;
+    return alone ? 0 : code;
 }
 
 int open(const char *path, int flags, ...) {

@@ -2,11 +2,11 @@
  * standard deviation up and down, and what the numbers move by adds up as variances. */
 #include "damage/crush.h"
 
+#include "base/stats.h"
+
 #include <math.h>
 #include <string.h>
 
-/* Standard deviations in a tolerance, which holds 95 % of a normal distribution. */
-static const double z_95 = 1.959963984540054;
 /* Tolerance (95 %) of a restitution that follows from the closing speed [RESTITUTION-SPEED]. */
 static const double usual_bounce = 0.1;
 
@@ -77,7 +77,7 @@ static bool move_common(struct moved *to, enum cause cause, double by, double re
         /* The scatter was found on real crashes, which do not tell the two partners apart: both
          * together have more or less energy than their models. */
         double log_sd = to->rules.log_sd[cr_crush_end(to->what.car[i].m.face)];
-        to->part[i].model.energy_factor *= exp(by * z_95 * log_sd);
+        to->part[i].model.energy_factor *= exp(by * CR_Z_95 * log_sd);
     }
     return true;
 }
@@ -95,7 +95,7 @@ static bool move_guess(struct moved *to, int car, int sign) {
 static bool move(struct moved *to, int car, enum cause cause, int sign, double restitution) {
     struct cr_measured *m = &to->what.car[car].m;
     struct cr_participant *p = &to->part[car];
-    double by = sign / z_95;
+    double by = sign / CR_Z_95;
     if (cause == SCATTER || cause == BOUNCE) {
         return car == 0 && move_common(to, cause, by, restitution);
     }
@@ -186,7 +186,7 @@ static void widen(struct cr_crush_impact *out, const struct cr_crush_case *what,
     for (int k = 0; k < NUMBERS; k++) {
         struct cr_crush_value *v = number(out, k);
         const struct spread how = spread_of(k);
-        double half = z_95 * sqrt(total[k]);
+        double half = CR_Z_95 * sqrt(total[k]);
         v->lo = how.factor ? v->best * exp(-half) : fmax(how.least, v->best - half);
         v->hi = how.factor ? v->best * exp(half) : fmin(how.most, v->best + half);
     }

@@ -313,7 +313,7 @@ static void participant_schema(struct build *b, cJSON *defs, unsigned mask) {
 static void top_schema(struct build *b) {
     cJSON *root = b->root;
     text(b, root, "$schema", "https://json-schema.org/draft/2020-12/schema");
-    text(b, root, "$id", "https://example.org/crumple/scene.schema.json");
+    text(b, root, "$id", "urn:crumple:schema:scene");
     text(b, root, "title", "Crumple scene, version 1");
     cJSON *properties = closed(b, root);
     number(b, object(b, properties, "crumple"), "const", 1);

@@ -155,7 +155,7 @@ for file in "$folder"/*.test; do
     blocks=$(split "$file")
     i=1
     while [ "$i" -le "$blocks" ]; do
-        rm -f mine.* empty.json sub/*
+        rm -rf mine.* empty.json sub/*
         "$CRUMPLE" <"$i.in" >"$i.got" 2>&1
         status=$?
         verdict=$(matches "$i.got" "$i.want")
