@@ -4,12 +4,13 @@
  * FAULT_COUNT names a descriptor that gets the number of calls.
  *
  * FAULT_EACH=FOLDER tries every call, or every FAULT_STEP-th from 0 on, in one run: at each a child
- * is forked, which is refused it and goes on to its own end, while the program waits and then goes on as if nothing had been. What a
- * child writes goes to FOLDER/got.out and FOLDER/errs.out; it has to be FOLDER/want.out (FAULT_OUT
- * names a file that it writes instead of standard output), or the child has to fail and say so. The
- * descriptor of FAULT_COUNT gets "N:lost", "N:died(STATUS)" or "N:silent(STATUS)" of each that does
- * not. A child has but the thread that forked: there are no others, they run to their end where they
- * are started, and no lock is waited for (a pool needs room for all of its items). */
+ * is forked, which is refused it and goes on to its own end, while the program waits and then goes
+ * on as if nothing had been. What a child writes goes to FOLDER/got.out and FOLDER/errs.out; it has
+ * to be FOLDER/want.out (FAULT_OUT names a file that it writes instead of standard output), or the
+ * child has to fail and say so. The descriptor of FAULT_COUNT gets "N:lost", "N:died(STATUS)" or
+ * "N:silent(STATUS)" of each that does not. A child has but the thread that forked: so there are no
+ * others, they run to their end where they are started, and no lock is waited for (a pool needs
+ * room for all of its items). */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>

@@ -143,6 +143,10 @@ void cr_figure_plot(struct cr_canvas *canvas, struct cr_box at, const struct cr_
                     const struct cr_figure_words *words) {
     struct cr_arena arena = {0};
     const struct cr_plot *shown = cr_plot_shown(plot, &arena);
-    draw(canvas, at, shown != NULL ? shown : plot, words);
+    if (shown != NULL) {
+        draw(canvas, at, shown, words);
+    } else {
+        cr_canvas_fail(canvas);
+    }
     cr_arena_free(&arena);
 }

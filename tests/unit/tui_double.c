@@ -33,7 +33,7 @@ static void solve(struct tui_double *d, bool interrupted) {
 void tui_double_init(struct tui_double *d, int w, int h, bool solved, bool interrupted) {
     struct cr_error err;
     const struct cr_look look = {0};
-    const struct cr_tui_start start = {.data_dir = getenv("SRC"), .state_dir = ""};
+    const struct cr_tui_start start = {.data_dir = getenv("SRC"), .state_dir = NULL};
     memset(d, 0, sizeof *d);
     setenv("INPUTRC", "/dev/null", 1);
     assert_int_equal(cr_tui_new(&start, &d->t, &err), CR_ERR_OK);
