@@ -50,7 +50,7 @@ for name in $out; do
     run schema "$name"
     same "schema $name is that file" "$(cksum <"$tmp/out")" \
         "$(cksum <"$SRC/share/schema/$name.schema.json")"
-    has "which has an id" "$out" '"\$id":[[:space:]]*"https://'
+    has "which has an id" "$out" '"\$id":[[:space:]]*"urn:crumple:schema:'"$name\""
 done
 refused "no such schema" 2 "no schema 'sceen' .one of scene" schema sceen
 refused "unknown word" 2 'unknown .*rnu.*did you mean run' rnu
