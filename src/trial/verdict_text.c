@@ -158,6 +158,7 @@ static void put_worst(const struct cr_test_list *tests, enum cr_test_class class
                       const struct cr_verdict_form *form, struct cr_str *out) {
     int run = best_run(tests, class, form->runs), n = 0;
     struct ranked *list = calloc((size_t)tests->n + 1, sizeof *list);
+    out->failed = out->failed || list == NULL; /* a list that is not there would not be missed */
     for (int i = 0; list && i < tests->n; i++) {
         const struct cr_test *t = &tests->item[i];
         double amount = fabs(cr_verdict_error(t, main_measure(t), run));

@@ -57,13 +57,18 @@ input=/dev/null # of the program
 all_at_once() {
     a_step=$1 a_out=$2
     shift 2
-    [ "$a_out" != - ] && export FAULT_OUT="$a_out"
+    [ "$a_out" = - ] || {
+        rm -f "$a_out" # what is there now nobody would miss
+        export FAULT_OUT="$a_out"
+    }
     LD_PRELOAD=$fault FAULT_KIND=memory FAULT_EACH=$tmp FAULT_STEP=$a_step FAULT_COUNT=9 \
         "$crumple" "$@" 9>tell.out >all.out 2>errs2.out <$input
+    a_status=$?
     unset FAULT_OUT
     [ "$a_out" = - ] || cp "$a_out" all.out
     f_bad=$(sed 's/[0-9]*$//' tell.out) f_calls=$(sed 's/.* //' tell.out)
-    cmp -s all.out want.out || f_bad="$f_bad: and the program itself has written something else"
+    [ $a_status -eq "$f_wanted" ] && cmp -s all.out want.out ||
+        f_bad="$f_bad: and the program itself ended in another way"
     f_n=$(((${f_calls:-0} + a_step - 1) / a_step))
 }
 
@@ -74,7 +79,9 @@ faults() {
     # shellcheck disable=SC2254 # it is a pattern
     case "$f_name: $f_kind" in ${FAULTS_ONLY:-*}) ;; *) return ;; esac
     rm -f "$f_out" f.part
-    "$crumple" "$@" >want.out 2>/dev/null <$input || f_name="$f_name (fails by itself)"
+    "$crumple" "$@" >want.out 2>/dev/null <$input
+    f_wanted=$?
+    [ $f_wanted -eq 0 ] || f_name="$f_name (fails by itself)"
     [ "$f_out" = - ] || cp "$f_out" want.out
     f_calls=$(LD_PRELOAD=$fault FAULT_KIND=$f_kind FAULT_COUNT=9 "$crumple" "$@" 9>&1 >/dev/null \
         2>&1 <$input)
