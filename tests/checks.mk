@@ -6,7 +6,7 @@ tree_checks = tests/check_bootstrap.sh tests/check_circles.sh tests/check_exampl
 cli_checks = tests/cli/bad_scene.sh tests/cli/budget.sh tests/cli/completion.sh \
 	tests/cli/diff.sh \
 	tests/cli/faults.sh tests/cli/files.sh \
-	tests/cli/hostile.sh tests/cli/install.sh tests/cli/interrupt.sh tests/cli/random.sh \
+	tests/cli/hostile.sh tests/cli/install.sh tests/cli/interrupt.sh tests/cli/mirror.sh tests/cli/random.sh \
 	tests/cli/run.sh \
 	tests/cli/same_bits.sh \
 	tests/cli/usage.sh

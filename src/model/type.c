@@ -64,8 +64,10 @@ enum cr_err cr_model_name_read(const char *text, struct cr_model_name *out, stru
 }
 
 int cr_pdof_clock(double pdof) {
-    double turn = pdof / (2 * CR_PI);
-    int sector = (int)floor((turn - floor(turn)) * 12 + 0.5) % 12;
+    /* half an hour, to rounding, belongs to the hour further from 12 on both sides */
+    double turn = remainder(pdof, 2 * CR_PI);
+    int hours = (int)floor(fabs(turn) * (6 / CR_PI) + 0.5 + 1e-9);
+    int sector = turn < 0 ? 12 - hours : hours;
     return sector == 0 ? 12 : sector;
 }
 

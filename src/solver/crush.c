@@ -4,6 +4,17 @@
 #include "base/grow.h"
 #include "solver/tuning.h"
 
+/* Share of what is left of a voxel that it keeps as its surface rises from one distance to another
+ * with the normal n: as far as the surface moves, a normal that turns takes nothing away. What
+ * another normal left where this one leaves nothing goes by the time that it would with any. */
+static double kept_share(double from, double to, struct cr_vec2 n, double h) {
+    double before = cr_surface_left(from, n, h, 1), gone = sqrt(0.5) * h;
+    if (before > 0) {
+        return cr_surface_left(to, n, h, 1) / before;
+    }
+    return to < gone ? (gone - to) / (gone - from) : 0;
+}
+
 bool cr_crush_lose(struct cr_side *k, int voxel, int at, double phi, struct cr_vec2 n,
                    struct cr_vec2 push) {
     struct cr_surface *f = &k->m->surface;
@@ -12,10 +23,8 @@ bool cr_crush_lose(struct cr_side *k, int voxel, int at, double phi, struct cr_v
         unit = cr_unit_energy(k, voxel, push);
     }
     if (unit > 0) { /* layers that do not meet the opponent stay */
-        /* as far as the surface moves: a normal that turns takes nothing away */
-        double after = cr_surface_left(phi, n, h, 1);
         amount = f->left[voxel];
-        amount -= after > 0 ? amount * after / cr_surface_left(f->phi[at], n, h, 1) : 0;
+        amount -= amount * kept_share(f->phi[at], phi, n, h);
     }
     if (!cr_grow(&k->loss, &k->losses_size, k->losses, sizeof *k->loss)) {
         return false;
@@ -70,7 +79,7 @@ static bool recede(struct cr_side *k) {
         if (!c->core || c->approach <= 0) {
             continue;
         }
-        double phi = c->phi + k->share * c->overlap;
+        double phi = c->phi + k->share * cr_overlap_at(c, k->share);
         double press = c->met * c->strength * cr_surface_weight(phi, h);
         if (!cr_crush_voxel(k, c->voxel, c->at, phi, c->normal, k->push)) {
             return false;

@@ -33,6 +33,12 @@ static double slope_at(const struct face *f, int i, double depth) {
     return block > 0 ? k * (1 - cr_clamp((depth - block) / cr_block_rise, 0, 1)) : k;
 }
 
+/* Slope of the limit between the lines i and i + 1 beside what is held: how the contact recedes
+ * that way, and the structure. */
+static double limit_slope(const struct face *f, bool up, int i, struct cr_hold held) {
+    return f->lean[up] + slope_at(f, i, held.depth) / held.in;
+}
+
 /* How deep a place lies below the undeformed outline of the body, m. */
 static double rest_depth(const struct cr_surface *s, struct cr_vec2 place) {
     const struct cr_grid *g = s->grid;
@@ -51,6 +57,37 @@ static void deepen(struct cr_hold *l, double depth, double in) {
     }
 }
 
+/* How far the lines about a place are open, in voxels: the nearest two, and those beside them as
+ * far as they are near. A line that the opponent covers in part is never emptied, but one beside it
+ * is. */
+static double open_about(const struct face *f, double at) {
+    const int *first = f->k->m->surface.first[f->face];
+    int last = f->lines.n - 1, i = (int)cr_clamp(at, 0, last - 1);
+    double u = cr_clamp(at - i, 0, 1), open = first[i] > first[i + 1] ? first[i] : first[i + 1];
+    double before = i > 0 ? first[i - 1] - open : 0;
+    double after = i + 2 <= last ? first[i + 2] - open : 0;
+    return open + cr_max(cr_max((1 - u) * before, u * after), 0);
+}
+
+/* What a place holds of the two lines that follow it up or down the face. The further the first
+ * lies, the more the second is held as the first would tow it: a place between two lines is on
+ * neither, and one upon a line holds both of its neighbours. */
+static void hold_side(struct face *f, bool up, double at, struct cr_hold held) {
+    const double *o = f->k->m->surface.outline[f->face];
+    double h = f->k->m->surface.grid->h, far = 0;
+    int i = (int)cr_clamp(floor(at) + up, 0, f->lines.n - 1);
+    double off = up ? i - at : at - i;
+    for (int n = 0; n < 2 && off >= 0 && i >= 0 && i < f->lines.n; n++) {
+        double slope = limit_slope(f, up, up ? i - 1 : i, held);
+        held.depth -= slope * (n == 0 ? off : 1) * h + far;
+        /* the contact itself is not on a line beside it */
+        deepen(n > 0 || off > 0.499 ? &f->line[i].tow[up] : &f->line[i].own, held.depth, held.in);
+        int next = up ? i + 1 : i - 1;
+        far = next >= 0 && next < f->lines.n ? cr_min(off, 1) * cr_max(o[i] - o[next], 0) : 0;
+        i = next;
+    }
+}
+
 /* What holds the lines of a face about a place of the contact's surface, `rest` below the
  * undeformed outline. A place of the surface belongs to the face that it looks at, unless it is
  * much closer to another: the side of a dent in an end is no dent of the flank. One behind
@@ -64,20 +101,9 @@ static void hold(struct face *f, struct cr_vec2 place, double rest) {
         return;
     }
     double at = cr_vec2_dot(r, f->lines.along) / h - 0.5;
-    int near = (int)cr_clamp(at + 0.5, 0, f->lines.n - 1);
-    int from = near > 0 ? near - 1 : 0, to = near + 1 < f->lines.n ? near + 1 : near;
-    /* a line that the opponent covers in part is never emptied, but one beside it is */
-    int open = 0;
-    for (int i = from; i <= to; i++) {
-        open = s->first[f->face][i] > open ? s->first[f->face][i] : open;
-    }
-    double hidden = cr_max(deep - (open + 2.5) * h, 0);
-    for (int i = from; i <= to; i++) {
-        bool up = i > at;
-        double slope = f->lean[up] + slope_at(f, up ? i - 1 : i, deep) / faces;
-        bool beside = fabs(i - at) > 0.499; /* the contact itself is not on that line */
-        struct cr_hold *held = beside ? &f->line[i].tow[up] : &f->line[i].own;
-        deepen(held, deep - 2 * hidden - slope * fabs(i - at) * h, faces);
+    double hidden = cr_max(deep - (open_about(f, at) + 2.5) * h, 0);
+    for (int up = 0; up < 2; up++) {
+        hold_side(f, up, at, (struct cr_hold){deep - 2 * hidden, faces});
     }
     f->held = true;
 }
@@ -151,7 +177,7 @@ static void limit_slopes(const struct face *f, bool up) {
         int i = up ? n : f->lines.n - 1 - n, next = up ? i + 1 : i - 1;
         struct cr_hold from = line[i].own;
         deepen(&from, line[i].tow[up].depth, line[i].tow[up].in);
-        double slope = f->lean[up] + slope_at(f, up ? i : next, from.depth) / from.in;
+        double slope = limit_slope(f, up, up ? i : next, from);
         deepen(&line[next].tow[up], from.depth - cr_max(o[i] - o[next], 0) - slope * h, from.in);
     }
 }
@@ -240,9 +266,12 @@ static void find_tow(struct cr_side *k, struct face face[CR_FACES], struct cr_li
     }
 }
 
+/* A line that is towed deeper than the contact itself holds it comes along with the contact, and
+ * hardly faster. */
 static bool tow_face(struct cr_duo *d, int side, struct face *f) {
     struct cr_side *k = f->k;
     const struct cr_surface *s = &k->m->surface;
+    double way = cr_pass_most * k->advance / f->in;
     for (int i = 0; i < f->lines.n; i++) {
         const struct cr_line *l = &f->line[i];
         bool up = l->tow[1].depth >= l->tow[0].depth; /* from which side it is towed most */
@@ -250,9 +279,8 @@ static bool tow_face(struct cr_duo *d, int side, struct face *f) {
         if (!(tow > s->outline[f->face][i])) {
             continue;
         }
-        if (tow > l->own.depth) { /* it comes along with the contact, and hardly faster */
-            double stands = cr_max(*limit, s->first[f->face][i] * s->grid->h);
-            tow = cr_min(tow, stands + cr_pass_most * k->advance / f->in);
+        if (tow > l->own.depth + cr_one_depth) {
+            tow = cr_min(tow, cr_max(*limit, s->first[f->face][i] * s->grid->h) + way);
             *limit = cr_max(*limit, tow);
             if (!crush_line(f, i, tow, slope_at(f, up ? i - 1 : i, tow))) {
                 return false;

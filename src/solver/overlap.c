@@ -138,7 +138,8 @@ static inline double walk_soft(const struct walk *w, int ix, bool near) {
 static void meet(struct cr_side *k, struct cr_cell *c, struct cr_vec2 v) {
     const struct cr_surface *f = &k->m->surface;
     double way = c->approach * k->opponent.dt, whole = cr_passed_by * cr_vec2_len(v);
-    c->overlap = cr_min(-(c->phi + c->other), cr_pass_most * way);
+    c->most = cr_pass_most * way;
+    c->overlap = cr_overlap_at(c, 0.5);
     c->met = cr_min(c->overlap / way, 1) * cr_min(c->approach / whole, 1);
     if (c->met > 0 && c->voxel >= 0) {
         c->strength = cr_unit_energy(k, c->voxel, k->push) * f->dense[c->voxel] / f->grid->h;
@@ -175,20 +176,23 @@ static struct cr_cell cell_at(const struct cr_side *k, const struct walk *walk, 
     };
 }
 
-/* The opponent's distance at p, voxel ix of the row, at the end of a slice in which its surface
- * moves with the velocity v. A body's surface ends where the opponent's stood when the body had
- * given its own share of the way. A rigid opponent gives none, so that is its end. Two that crush
- * share: the distance lies on a line through that at the begin and that in the middle. Where a
- * corner comes by, what is nearest at the end is another of its faces, which p has not met, and
- * read there, each slice would take as much off the corner as it advances. */
-static double distance_at_end(const struct walk *walk, const struct cr_opponent *o, int ix,
-                              struct cr_vec2 p, struct cr_vec2 v, bool near) {
+/* The opponent's distance at a voxel at the end of the slice, in which its surface moves with the
+ * velocity v. A body's surface ends where the opponent's stood when the body had given its own
+ * share of the way, so the distance lies on a line through that at the begin and that by then;
+ * what the share is, follows from the voxels. A rigid opponent gives nothing, so that is the end.
+ * Where a corner comes by, what is nearest at the end is another of its faces, which the voxel has
+ * not met, and read there, each slice would take as much off the corner as it advances. */
+static void read_distance(const struct walk *walk, const struct cr_opponent *o, int ix,
+                          struct cr_vec2 v, bool near, struct cr_cell *c) {
     if (walk->f == NULL) {
-        return distance_to(o, p);
+        c->other = distance_to(o, c->place);
+        return;
     }
-    struct walk begin = walk_shifted(walk, o, cr_vec2_scale(v, o->dt));
+    struct walk first = walk_shifted(walk, o, cr_vec2_scale(v, o->dt));
     struct walk middle = walk_shifted(walk, o, cr_vec2_scale(v, 0.5 * o->dt));
-    return 2 * walk_soft(&middle, ix, near) - walk_soft(&begin, ix, near);
+    double begin = walk_soft(&first, ix, near), half = walk_soft(&middle, ix, near);
+    c->other = 2 * half - begin;
+    c->bend = 2 * (begin - 2 * half + walk_soft(walk, ix, near));
 }
 
 /* A voxel of the core into the list, which has room for it, if the surfaces have come to overlap
@@ -199,7 +203,7 @@ static void note_core(struct cr_side *k, const struct walk *walk, int ix, double
     struct cr_vec2 v = cr_vec2_axpy(o->still, o->turn, cr_vec2_perp(c.place));
     struct cr_vec2 half = cr_vec2_scale(v, 0.5 * o->dt);
     struct walk middle = walk_shifted(walk, o, half);
-    c.other = distance_at_end(walk, o, ix, c.place, v, near);
+    read_distance(walk, o, ix, v, near, &c);
     c.normal = walk_normal(&middle, o, ix, cr_vec2_add(c.place, half));
     c.core = true;
     if (phi + c.other < 0 && note(k, &c, v) && c.approach > 0) {

@@ -43,16 +43,6 @@ static bool new_units(struct cr_solver *s, struct cr_moving *m) {
     return true;
 }
 
-static void place_wheels(struct cr_moving *m) {
-    const struct cr_grid *g = &m->body->grid;
-    for (int i = 0; i < m->body->wheels; i++) {
-        struct cr_vec2 at = m->body->wheel[i].at;
-        double ix = floor((at.x - g->x0) / g->h), iy = floor((at.y - g->y0) / g->h);
-        bool on_grid = ix >= 0 && iy >= 0 && ix < g->nx && iy < g->ny;
-        m->wheel_voxel[i] = on_grid ? (int)iy * g->nx + (int)ix : -1;
-    }
-}
-
 static bool new_grid(struct cr_solver *s, struct cr_moving *m) {
     const struct cr_grid *g = &m->body->grid;
     m->soft = true;
@@ -77,7 +67,6 @@ static bool new_body(struct cr_solver *s, int i) {
         s->t = cr_min(s->t, b->waypoint[0].t);
     }
     cr_shape_box(&b->shape, &m->lo, &m->hi);
-    place_wheels(m);
     if (b->grid.nx > 0 && !new_grid(s, m)) {
         return false;
     }

@@ -71,6 +71,10 @@ static bool crush_pair(struct cr_duo *d, bool *deformed) {
         return false;
     }
     bool begun = d->touch->record >= 0;
+    if (!(d->s->side[0].energy + d->s->side[1].energy > 0)) {
+        cr_crush_settle(d, 1); /* as with a trace of energy, which may be rounding */
+        return true;
+    }
     if (!cr_force_find(d, &f) || (!begun && !(cr_force_approach(d, &f) > cr_begin_speed))) {
         cr_crush_settle(d, 0);
         return true;
@@ -110,11 +114,27 @@ static bool work_pair(struct cr_duo *d) {
     return true;
 }
 
-/* a wheel whose place was crushed to more than half slides */
+/* Whether more than half of what stood at a place of a soft body was crushed: in a square as large
+ * as a voxel about it, because a wheel that stands on a line of the grid is on both sides of it. */
+static bool is_crushed(const struct cr_moving *m, struct cr_vec2 at) {
+    const struct cr_grid *g = &m->body->grid;
+    double x = cr_clamp((at.x - g->x0) / g->h - 0.5, -1, g->nx);
+    double y = cr_clamp((at.y - g->y0) / g->h - 0.5, -1, g->ny), left = 0, fill = 0;
+    for (int k = 0; k < 4; k++) {
+        int ix = (int)floor(x) + k % 2, iy = (int)floor(y) + k / 2;
+        if (ix >= 0 && iy >= 0 && ix < g->nx && iy < g->ny) {
+            double part = (1 - fabs(x - ix)) * (1 - fabs(y - iy));
+            left += part * m->surface.left[iy * g->nx + ix];
+            fill += part * g->fill[iy * g->nx + ix];
+        }
+    }
+    return left < 0.5 * fill;
+}
+
+/* a wheel whose place was crushed slides */
 static void drag_wheels(struct cr_moving *m) {
-    for (int i = 0; i < m->body->wheels; i++) {
-        int k = m->wheel_voxel[i];
-        m->drag[i] = m->drag[i] || (k >= 0 && m->surface.left[k] < 0.5 * m->body->grid.fill[k]);
+    for (int i = 0; i < m->body->wheels && m->soft; i++) {
+        m->drag[i] = m->drag[i] || is_crushed(m, m->body->wheel[i].at);
     }
 }
 

@@ -26,8 +26,7 @@ struct cr_moving {
     struct cr_surface surface; /* of a soft body */
     /* energy per unit of material against each partner by the way it is pushed, J */
     const double *unit[CR_BODY_MAX][CR_PUSHES];
-    int wheel_voxel[CR_WHEELS];   /* at the wheel's place, -1: beside the grid */
-    bool drag[CR_WHEELS];         /* that voxel was crushed: the wheel slides */
+    bool drag[CR_WHEELS];         /* the wheel's place was crushed: it slides */
     double energy, induced;       /* plastic so far, J */
     double crushed;               /* plan area so far, m2 */
     struct cr_vec2 slice_impulse; /* contact impulse in this slice, N s */
@@ -57,8 +56,10 @@ struct cr_cell {
     int voxel, at;        /* index into the grid, and into surface.phi */
     struct cr_vec2 place; /* its middle, body frame, m */
     double phi;           /* of the body's own surface, m */
-    double other;         /* of the opponent's, m */
-    double overlap;       /* by which the two have come to overlap there in the slice, m */
+    double other;         /* of the opponent's, if both give half of the way, m */
+    double bend;          /* by which that is less, per share of the way more, m */
+    double overlap, most; /* by which the two have come to overlap there in the slice, at half of
+                             the way each, and by which they can at most, m */
     struct cr_vec2
         normal;      /* outward of the face that the opponent strikes with, body frame, unit */
     double next;     /* scratch: phi to come, m */
@@ -191,6 +192,11 @@ static inline double cr_unit_energy(const struct cr_side *k, int voxel, struct c
     }
     double sum = x2 * across + y2 * along;
     return x2 < 1e-9 ? across : sum > 0 ? along * across / sum : 0;
+}
+
+/* by how much the two have come to overlap at a voxel whose body gives a share of the way, m */
+static inline double cr_overlap_at(const struct cr_cell *c, double share) {
+    return cr_clamp(c->bend * (0.5 - share) - (c->phi + c->other), 0, c->most);
 }
 
 /* A pair of bodies a < b and its contact, made once a pair and slice. */

@@ -31,6 +31,9 @@ static const double cr_ripple_voxels = 2, cr_whole_force = 0.7;
 /* fitted: the beam of an end and what stands on it hangs together between its rails, up to this
  * share of the half width; beyond, wing and wheel house are dragged along less, by this slope. */
 static const double cr_rails_share = 0.43, cr_beyond_rails = 3;
+/* guard: depths of a line that differ by less are one, m: behind an engine a flat face holds and
+ * tows its lines at one depth, and rounding would decide which of the two a line does. */
+static const double cr_one_depth = 1e-9;
 /* guard: depth over which an engine is met whose front is not even, m. */
 static const double cr_block_rise = 0.1;
 /* fitted: sheet metal and bars that crush each other interlock (0.55 in SMAC, up to 0.8 in staged

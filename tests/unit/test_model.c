@@ -26,6 +26,11 @@ static void test_types(void **state) {
     assert_int_equal(cr_pdof_clock(cr_rad(15.1)), 1);
     assert_int_equal(cr_pdof_clock(cr_rad(-345.1)), 12);
     assert_int_equal(cr_pdof_clock(cr_rad(719)), 12);
+    for (int deg = 0; deg <= 180; deg += 15) { /* half hours too: left is as right */
+        int right = cr_pdof_clock(cr_rad(deg)), left = cr_pdof_clock(cr_rad(-deg));
+        assert_int_equal(left % 12, (12 - right) % 12);
+        assert_int_equal(cr_pdof_clock(cr_rad(360 - deg)), left);
+    }
 }
 
 /* 1/2 m EES(d)^2 from the knots of the recipe, between them linear in EES (front, rear) */
