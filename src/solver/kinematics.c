@@ -88,15 +88,23 @@ static void drive(struct cr_solver *s, struct cr_moving *m) {
     s->p_ground = cr_vec2_add(s->p_ground, cr_vec2_sub(p0, cr_vec2_scale(m->vel, mass)));
 }
 
-/* the last COE rides along with both bodies, by their velocities at the begin of the slice */
+/* Velocity of the place where two bodies press on each other: it rides along with both. A wall is
+ * alike everywhere, so there it is the dent of the other. */
+static struct cr_vec2 coe_velocity(const struct cr_duo *d) {
+    struct cr_vec2 a = cr_velocity_at(d->ma, d->touch->coe);
+    struct cr_vec2 b = cr_velocity_at(d->mb, d->touch->coe);
+    return isinf(d->ma->reach)   ? b
+           : isinf(d->mb->reach) ? a
+                                 : cr_vec2_scale(cr_vec2_add(a, b), 0.5);
+}
+
+/* by the velocities at the begin of the slice */
 static void carry_coe(struct cr_solver *s) {
-    for (int p = 0, a = 0; a < s->cs->n; a++) {
-        for (int b = a + 1; b < s->cs->n; b++, p++) {
-            struct cr_touch *t = &s->touch[p];
-            if (t->record >= 0) {
-                struct cr_vec2 v =
-                    cr_vec2_add(cr_velocity_at(&s->m[a], t->coe), cr_velocity_at(&s->m[b], t->coe));
-                t->coe = cr_vec2_axpy(t->coe, 0.5 * s->dt, v);
+    for (int a = 0; a < s->cs->n; a++) {
+        for (int b = a + 1; b < s->cs->n; b++) {
+            struct cr_duo d = cr_duo(s, a, b);
+            if (d.touch->record >= 0) {
+                d.touch->coe = cr_vec2_axpy(d.touch->coe, s->dt, coe_velocity(&d));
             }
         }
     }
