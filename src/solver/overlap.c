@@ -176,23 +176,15 @@ static struct cr_cell cell_at(const struct cr_side *k, const struct walk *walk, 
     };
 }
 
-/* The opponent's distance at a voxel at the end of the slice, in which its surface moves with the
- * velocity v. A body's surface ends where the opponent's stood when the body had given its own
- * share of the way, so the distance lies on a line through that at the begin and that by then;
- * what the share is, follows from the voxels. A rigid opponent gives nothing, so that is the end.
- * Where a corner comes by, what is nearest at the end is another of its faces, which the voxel has
+/* The opponent's distance at a voxel, from the row as it lay at the begin, in the middle and at the
+ * end of the slice. A body's surface ends where the opponent's stood when the body had given its
+ * own share of the way, so the distance lies on a line through that at the begin and that by then;
+ * what the share is, follows from the voxels. Where a corner comes by, what is nearest at the end is another of its faces, which the voxel has
  * not met, and read there, each slice would take as much off the corner as it advances. */
-static void read_distance(const struct walk *walk, const struct cr_opponent *o, int ix,
-                          struct cr_vec2 v, bool near, struct cr_cell *c) {
-    if (walk->f == NULL) {
-        c->other = distance_to(o, c->place);
-        return;
-    }
-    struct walk first = walk_shifted(walk, o, cr_vec2_scale(v, o->dt));
-    struct walk middle = walk_shifted(walk, o, cr_vec2_scale(v, 0.5 * o->dt));
-    double begin = walk_soft(&first, ix, near), half = walk_soft(&middle, ix, near);
-    c->other = 2 * half - begin;
-    c->bend = 2 * (begin - 2 * half + walk_soft(walk, ix, near));
+static void read_distance(const struct walk *row[3], int ix, bool near, struct cr_cell *c) {
+    double begin = walk_soft(row[0], ix, near), middle = walk_soft(row[1], ix, near);
+    c->other = 2 * middle - begin;
+    c->bend = 2 * (begin - 2 * middle + walk_soft(row[2], ix, near));
 }
 
 /* A voxel of the core into the list, which has room for it, if the surfaces have come to overlap
@@ -203,7 +195,12 @@ static void note_core(struct cr_side *k, const struct walk *walk, int ix, double
     struct cr_vec2 v = cr_vec2_axpy(o->still, o->turn, cr_vec2_perp(c.place));
     struct cr_vec2 half = cr_vec2_scale(v, 0.5 * o->dt);
     struct walk middle = walk_shifted(walk, o, half);
-    read_distance(walk, o, ix, v, near, &c);
+    if (walk->f != NULL) {
+        struct walk begin = walk_shifted(&middle, o, half);
+        read_distance((const struct walk *[]){&begin, &middle, walk}, ix, near, &c);
+    } else { /* a rigid opponent gives nothing of the way */
+        c.other = distance_to(o, c.place);
+    }
     c.normal = walk_normal(&middle, o, ix, cr_vec2_add(c.place, half));
     c.core = true;
     if (phi + c.other < 0 && note(k, &c, v) && c.approach > 0) {
