@@ -96,12 +96,12 @@ static void hold(struct face *f, struct cr_vec2 place, double rest) {
     const struct cr_surface *s = &f->k->m->surface;
     struct cr_vec2 r = cr_vec2_sub(place, f->lines.corner);
     double h = s->grid->h, deep = cr_vec2_dot(r, f->lines.in);
-    double faces = f->faces * cr_clamp(2 - deep / (4 * cr_max(rest, h)), 0, 1);
+    double faces = f->faces * cr_clamp(2 - deep / (cr_other_face * cr_max(rest, h)), 0, 1);
     if (!(faces > 0)) {
         return;
     }
     double at = cr_vec2_dot(r, f->lines.along) / h - 0.5;
-    double hidden = cr_max(deep - (open_about(f, at) + 2.5) * h, 0);
+    double hidden = cr_max(deep - (open_about(f, at) + cr_hidden_voxels) * h, 0);
     for (int up = 0; up < 2; up++) {
         hold_side(f, up, at, (struct cr_hold){deep - 2 * hidden, faces});
     }
@@ -233,7 +233,8 @@ static struct face face_of(struct cr_side *k, enum cr_face face, struct cr_line 
     double aside = cr_vec2_dot(n, f.lines.along);
     f.in = cr_vec2_dot(n, f.lines.in);
     bool drags = s->grid->drag_slope[face] > 0 && f.lines.n > 1;
-    f.faces = drags ? cr_clamp((f.in - 0.5) / 0.25, 0, 1) : 0;
+    double looks = (f.in - cr_drags_none) / (cr_drags_whole - cr_drags_none);
+    f.faces = drags ? cr_clamp(looks, 0, 1) : 0;
     if (f.faces > 0) {
         f.lean[0] = cr_max(-aside, 0) / f.in;
         f.lean[1] = cr_max(aside, 0) / f.in;

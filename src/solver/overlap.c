@@ -179,8 +179,9 @@ static struct cr_cell cell_at(const struct cr_side *k, const struct walk *walk, 
 /* The opponent's distance at a voxel, from the row as it lay at the begin, in the middle and at the
  * end of the slice. A body's surface ends where the opponent's stood when the body had given its
  * own share of the way, so the distance lies on a line through that at the begin and that by then;
- * what the share is, follows from the voxels. Where a corner comes by, what is nearest at the end is another of its faces, which the voxel has
- * not met, and read there, each slice would take as much off the corner as it advances. */
+ * what the share is, follows from the voxels. Where a corner comes by, what is nearest at the end
+ * is another of its faces, which the voxel has not met, and read there, each slice would take as
+ * much off the corner as it advances. */
 static void read_distance(const struct walk *row[3], int ix, bool near, struct cr_cell *c) {
     double begin = walk_soft(row[0], ix, near), middle = walk_soft(row[1], ix, near);
     c->other = 2 * middle - begin;
