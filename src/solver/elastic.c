@@ -119,6 +119,16 @@ static struct push push_of(const struct cr_duo *d, struct cr_vec2 f) {
     return p;
 }
 
+/* A third body has turned the slip round: of the force along the surface as much is left as gives
+ * back no more than it took. */
+static struct push less_rubbed(const struct cr_duo *d, const struct push *p) {
+    const struct cr_touch *t = d->touch;
+    struct cr_vec2 normal;
+    tangential(t, &normal);
+    return push_of(
+        d, cr_vec2_axpy(normal, cr_max(t->rubbed, 0) / -p->rubbed, cr_vec2_sub(p->f, normal)));
+}
+
 /* Ends the running elastic phase: compression goes over into restitution, restitution ends the
  * contact. */
 static void end_phase(struct cr_solver *s, struct cr_touch *t, struct cr_contact *c, double along) {
@@ -142,10 +152,8 @@ bool cr_elastic_slice(struct cr_duo *d) {
     struct cr_vec2 rel = cr_relative_velocity(d, t->coe);
     bool last = t->elastic_left - s->dt <= 1e-12;
     struct push p = push_of(d, sliding_direction(d, rel, push_of(d, t->direction).j));
-    if (t->sliding && t->rubbed + p.rubbed < 0) { /* a third body has turned the slip round */
-        struct cr_vec2 normal;
-        tangential(t, &normal);
-        p = push_of(d, normal);
+    for (int k = 0; k < 3 && t->sliding && p.rubbed < -cr_max(t->rubbed, 0); k++) {
+        p = less_rubbed(d, &p);
     }
     t->rubbed += p.rubbed;
     struct cr_vec2 f = p.f;

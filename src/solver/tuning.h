@@ -22,6 +22,9 @@ static const double cr_passed_by = 0.05;
  * for both: at 0.03 the ripple of a force over the voxels decides, and the split of the demo hangs
  * on the slice; the crash tests do not tell the two apart. */
 static const double cr_rate_exponent = 0.08;
+/* guard: a structure that would give way by less than 2e-9 of the overlap, the logarithm of whose
+ * odds this is, gives nothing: what rounding took of it opened contacts. */
+static const double cr_odds_most = 20;
 /* guard: overlap that is left over from before is taken away at most this much faster than the
  * surfaces approach there, so that the force is that of the structure: strength times width. */
 static const double cr_pass_most = 1.1;

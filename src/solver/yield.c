@@ -31,9 +31,12 @@ static double imbalance(const struct cr_duo *d, double t) {
     return fa * exp(rate) - fb * exp(-rate);
 }
 
-/* root of imbalance by bisection of the odds: it rises with t */
+/* root of imbalance by bisection of the odds: it rises with t; infinite where one gives nothing */
 static double balanced_odds(const struct cr_duo *d) {
-    double lo = -40, hi = 40;
+    double lo = -cr_odds_most, hi = cr_odds_most;
+    if (imbalance(d, lo) > 0 || imbalance(d, hi) < 0) {
+        return imbalance(d, lo) > 0 ? -(double)INFINITY : (double)INFINITY;
+    }
     for (int i = 0; i < 56 && lo < hi; i++) {
         double middle = 0.5 * (lo + hi), more = imbalance(d, middle);
         lo = more <= 0 ? middle : lo;
