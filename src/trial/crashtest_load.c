@@ -112,7 +112,9 @@ enum cr_err cr_test_read(const char *text, const char *path, enum cr_test_class 
     }
     cJSON *json = cJSON_Parse(text);
     const cJSON *expect = cJSON_GetObjectItemCaseSensitive(json, "x_expect"), *one;
-    if (!cJSON_IsObject(expect) || expect->child == NULL) {
+    if (json == NULL) {
+        code = cr_err_set(err, CR_ERR_MEMORY, "no memory for what was measured");
+    } else if (!cJSON_IsObject(expect) || expect->child == NULL) {
         code = bad_expectation(path, "the scene has none to be compared with", err);
     }
     for (one = expect != NULL ? expect->child : NULL; one != NULL && code == CR_ERR_OK;
