@@ -133,12 +133,14 @@ static inline double walk_soft(const struct walk *w, int ix, bool near) {
 /* How a voxel of the core meets the opponent's surface, which moves with the velocity v there and
  * has come closer by a way. It gives way by hardly more than that: overlap that is left from before
  * waits, so that the force is that of the structure, and surfaces that slide along each other are
- * not worn down by what their distances are rounded by. It presses as far as that way was one of
+ * not worn down by what their distances are rounded by. Where a bend of the opponent comes by, it
+ * has come closer by more than its normal says, and what were left there would go on as a step in
+ * the groove behind, which grinds. It presses as far as that way was one of
  * overlap, and as the opponent does not pass it by. */
 static void meet(struct cr_side *k, struct cr_cell *c, struct cr_vec2 v) {
     const struct cr_surface *f = &k->m->surface;
     double way = c->approach * k->opponent.dt, whole = cr_passed_by * cr_vec2_len(v);
-    c->most = cr_pass_most * way;
+    c->most = cr_pass_most * cr_max(way, c->closed);
     c->overlap = cr_overlap_at(c, 0.5);
     c->met = cr_min(c->overlap / way, 1) * cr_min(c->approach / whole, 1);
     if (c->met > 0 && c->voxel >= 0) {
@@ -184,8 +186,10 @@ static struct cr_cell cell_at(const struct cr_side *k, const struct walk *walk, 
  * much off the corner as it advances. */
 static void read_distance(const struct walk *row[3], int ix, bool near, struct cr_cell *c) {
     double begin = walk_soft(row[0], ix, near), middle = walk_soft(row[1], ix, near);
+    double end = walk_soft(row[2], ix, near);
     c->other = 2 * middle - begin;
-    c->bend = 2 * (begin - 2 * middle + walk_soft(row[2], ix, near));
+    c->bend = 2 * (begin - 2 * middle + end);
+    c->closed = begin - end;
 }
 
 /* A voxel of the core into the list, which has room for it, if the surfaces have come to overlap

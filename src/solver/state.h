@@ -58,6 +58,7 @@ struct cr_cell {
     double phi;           /* of the body's own surface, m */
     double other;         /* of the opponent's, if both give half of the way, m */
     double bend;          /* by which that is less, per share of the way more, m */
+    double closed;        /* by which the opponent's has become less in the slice, m */
     double overlap, most; /* by which the two have come to overlap there in the slice, at half of
                              the way each, and by which they can at most, m */
     struct cr_vec2
