@@ -3,8 +3,8 @@
 
 usage: continuity.py CRUMPLE [--n N] [--seed S] [--only continuity|convergence|monotony] [--jobs N] [--worst]
 
-Continuity: N random everyday crashes (48), each solved again with one kilogram, one millimetre to the side and
-0.1 km/h more. Convergence: six crashes, a sideswipe and three cars among them, against 12.5 mm voxels and slices
+Continuity: N random everyday crashes (200), each solved again with one kilogram, one millimetre to the side and
+0.1 km/h more. Convergence: five crashes, three cars among them, and nine sideswipes against 12.5 mm voxels and slices
 of 0.25 ms. Monotony: the demonstration over speed and overlap, a wall turned in steps of half a degree, a pole moved
 by 2 cm. A line a quantity: what was found, what is wanted, and "met", or "known miss" where more than wanted but
 no more than today's figure in the table below is found (told in share/doc/validation.md). Status 1 where it is more
@@ -29,11 +29,11 @@ QUANTITIES = {"EES": ("ees_kmh", 5), "delta-v": ("delta_v_kmh", 5),
               "depth": ("deformation_max_m", 0.1), "yaw": ("yaw_rate_change_deg_s", 60),
               "peak": ("acceleration_max_g", 5)}
 # per cent: wanted and accepted today, each at the 90th percentile and at worst
-CONTINUITY = {"EES": (0.3, 3, 1, 12), "delta-v": (0.3, 3, 1, 20), "depth": (0.3, 3, 3, 80),
-              "yaw": (0.5, 5, 5, 80), "peak": (2, 10, 3.5, 20)}
+CONTINUITY = {"EES": (0.3, 3, 1, 8), "delta-v": (0.3, 3, 1, 16), "depth": (0.3, 3, 3, 60),
+              "yaw": (0.5, 5, 5, 60), "peak": (2, 10, 3.5, 16)}
 # the same at the median and at the 90th percentile
 CONVERGENCE = {"EES": (1, 3, 1, 3), "delta-v": (1, 3, 1, 3), "peak": (3, 10, 8, 15)}
-SIDESWIPE_TODAY = 15
+SIDESWIPE_TODAY = 12
 # name: wanted and accepted today
 SHARES = {"of cars over 60 g below 110 km/h closing, %": (0, 2),
           "of cars with over 80 % of the energy induced, %": (0, 2),
@@ -123,13 +123,15 @@ def demo(speed=56, share=0.4):
 
 CASES = [
     demo(),
-    scene("sideswipe", sedan("A", (0, 0), 0, 80), sedan("B", (5.5, 1.78), 180, 80)),
     scene("three cars", sedan("A", (-6, 0), 0, 60), sedan("B", (0, 0.3), 0, 0),
           sedan("C", (5.6, -0.2), 0, 0)),
     scene("crossing", sedan("A", (-8, 0), 0, 50), sedan("B", (0.5, -6.4), 90, 40)),
     scene("side pole", {**sedan("A", (0, 0), 0, 32), "course_deg": 75}, pole(0.5, 1.2, 0.127)),
     scene("wall", sedan("A", (0, 0), 0, 56), wall(4, 150)),
 ]
+# which lines of voxels meet is chance where so few do: the mean of nine says by how much they are off
+SIDESWIPES = [scene("sideswipe", sedan("A", (0, 0), 0, 80),
+                    sedan("B", (5.5, 1.77 + 0.0025 * k), 180, 80)) for k in range(9)]
 
 
 class Bench:
@@ -173,6 +175,12 @@ def changes(before, after, quantity):
             if x is not None and y is not None:
                 found.append((100 * abs(y - x) / max(abs(x), floor), i))
     return sorted(found)
+
+
+def mean(results, quantity):
+    key = QUANTITIES[quantity][0]
+    found = [p[key] for r in results for p in cars(r).values()]
+    return sum(found) / len(found)
 
 
 def percentile(found, share):
@@ -224,19 +232,23 @@ def convergence(bench, opt):
     def with_grid(made, voxel, dt):
         return {**made, "settings": {"voxel_mm": voxel, "dt_ms": dt}}
 
-    limit = bench.solve([with_grid(m, 12.5, 0.25) for m in CASES])
-    base = bench.solve(CASES)
-    print("convergence: six crashes against 12.5 mm and 0.25 ms; difference in % at the median / "
-          "90th percentile")
+    made = CASES + SIDESWIPES
+    limit = bench.solve([with_grid(m, 12.5, 0.25) for m in made])
+    base = bench.solve(made)
+    print("convergence: five crashes and nine sideswipes against 12.5 mm and 0.25 ms; difference in % "
+          "at the median / 90th percentile")
     for quantity, (p50, p90, today50, today90) in CONVERGENCE.items():
-        found = changes(base, limit, quantity)
-        slid = [f for f in found if CASES[f[1]]["name"] == "sideswipe"]
-        rest = [f for f in found if f not in slid]
-        bench.line(f"defaults: {quantity}", [percentile(rest, 0.5), percentile(rest, 0.9)],
+        n = len(CASES)
+        found = changes(base[:n], limit[:n], quantity)
+        bench.line(f"defaults: {quantity}", [percentile(found, 0.5), percentile(found, 0.9)],
                    [p50, p90], [today50, today90])
-        bench.line(f"defaults, sideswipe: {quantity}", [slid[-1][0]], [p90], [SIDESWIPE_TODAY])
+        one, other = mean(base[n:], quantity), mean(limit[n:], quantity)
+        off = 100 * abs(other - one) / max(one, QUANTITIES[quantity][1])
+        bench.line(f"defaults, mean of nine sideswipes: {quantity}", [off], [p90], [SIDESWIPE_TODAY])
         if opt.worst:
             print("             " + ", ".join(f"{CASES[i]['name']} {d:.2f}" for d, i in found[-5:]))
+            one_by_one = changes(base[n:], limit[n:], quantity)
+            print("             sideswipes " + ", ".join(f"{d:.2f}" for d, i in one_by_one[::2]))
 
 
 def step_back(results, key="delta_v_kmh"):
@@ -272,7 +284,7 @@ def main():
     parts = {"continuity": continuity, "convergence": convergence, "monotony": monotony}
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("crumple")
-    parser.add_argument("--n", type=int, default=48)
+    parser.add_argument("--n", type=int, default=200)
     parser.add_argument("--seed", type=int, default=7)
     parser.add_argument("--jobs", type=int, default=0)
     parser.add_argument("--only", choices=sorted(parts))
