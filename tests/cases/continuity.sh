@@ -12,7 +12,7 @@ grep -E 'WORSE|known' "$tmp/report" | explain
 [ "$(grep -cE '^ (met|known miss|WORSE) ' "$tmp/report")" -eq 29 ]
 report $? "all figures are there"
 # a limit that is not met is seen
-sed 's/"peak": (2, 10, 3.5, 20)/"peak": (0, 0, 0, 0)/' "$SRC/tests/bench/continuity.py" \
+sed 's/"peak": ([0-9., ]*)/"peak": (0, 0, 0, 0)/' "$SRC/tests/bench/continuity.py" \
     >"$tmp/strict.py"
 python3 "$tmp/strict.py" "$crumple" --only continuity --n 8 >"$tmp/report"
 [ $? -eq 1 ] && grep -q 'WORSE.*peak' "$tmp/report"
