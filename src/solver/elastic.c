@@ -152,6 +152,7 @@ bool cr_elastic_slice(struct cr_duo *d) {
     struct cr_vec2 rel = cr_relative_velocity(d, t->coe);
     bool last = t->elastic_left - s->dt <= 1e-12;
     struct push p = push_of(d, sliding_direction(d, rel, push_of(d, t->direction).j));
+    /* the work is not quite linear in the force */
     for (int k = 0; k < 3 && t->sliding && p.rubbed < -cr_max(t->rubbed, 0); k++) {
         p = less_rubbed(d, &p);
     }
