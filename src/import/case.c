@@ -5,6 +5,7 @@
 #include "base/grow.h"
 #include "base/number.h"
 #include "base/show.h"
+#include "base/tree.h"
 #include "scene/keys.h"
 
 #include <cjson/cJSON.h>
@@ -296,7 +297,10 @@ void cr_import_road_friction(struct cr_import *im, double mu) {
     im->at->road_friction = mu;
 }
 
-void cr_import_extra(struct cr_import *im, cJSON *object) {
+enum cr_err cr_import_extra(struct cr_import *im, cJSON *object, struct cr_error *err) {
     cJSON_Delete(im->at->extra);
     im->at->extra = object;
+    return object != NULL && cr_tree_whole(object)
+               ? CR_ERR_OK
+               : cr_err_set(err, CR_ERR_MEMORY, "no memory for what was measured");
 }

@@ -294,9 +294,12 @@ static enum cr_err read_case(struct test *t, struct cr_error *err) {
     if (code == CR_ERR_OK) {
         cr_tree_text(extra, "x_title", cr_ev5_text(t->test, 2));
         code = measured(t, extra, err);
-        cr_import_extra(t->im, extra);
     }
-    return code;
+    if (code != CR_ERR_OK) {
+        cJSON_Delete(extra);
+        return code;
+    }
+    return cr_import_extra(t->im, extra, err);
 }
 
 /* Takes the name of the test, "v10146", from that of its file. */

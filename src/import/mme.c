@@ -378,9 +378,12 @@ static enum cr_err read_case(struct test *t, struct cr_error *err) {
     cJSON *extra = code == CR_ERR_OK ? cJSON_CreateObject() : NULL;
     if (code == CR_ERR_OK) {
         code = measured(t, extra, err);
-        cr_import_extra(t->im, extra);
     }
-    return code;
+    if (code != CR_ERR_OK) {
+        cJSON_Delete(extra);
+        return code;
+    }
+    return cr_import_extra(t->im, extra, err);
 }
 
 enum cr_err cr_import_mme_read(struct cr_import *im, struct cr_error *err) {

@@ -1,11 +1,14 @@
 /* The parts of import that need no file: expressions, records of CarMaker, channels, what XML a
- * file begins with, options by their words. */
+ * file begins with, options by their words; and a test of NHTSA for which memory is out. */
 #include "result/channel.h"
 #include "import/erg_priv.h"
 #include "import/formula.h"
+#include "import/import.h"
 #include "import/xml.h"
+#include "model_lib.h"
 #include "test.h"
 
+#include <cjson/cJSON.h>
 #include <string.h>
 
 static enum cr_err value(void *user, const char *name, double *out, struct cr_error *err) {
@@ -194,6 +197,51 @@ static void options_by_words(void **state) {
     cr_import_fini(&o);
 }
 
+/* the call of malloc that cJSON is refused, from 0 on */
+static int left;
+
+static void *refuse_one(size_t n) {
+    return left-- == 0 ? NULL : malloc(n);
+}
+
+/* Whether the whole scene has come out. */
+static enum cr_err take_whole(void *user, const struct cr_str *line, struct cr_error *err) {
+    bool *whole = user;
+    (void)err;
+    *whole = strstr(cr_str_get(line), "\"x_expect\":{\"V1\":{") != NULL &&
+             strstr(cr_str_get(line), "\"x_channels\":[{") != NULL;
+    return CR_ERR_OK;
+}
+
+/* Each object of the JSON refused in turn: what was measured is not left out. */
+static void what_was_measured_needs_memory(void **state) {
+    (void)state;
+    char path[512];
+    snprintf(path, sizeof path, "%s/tests/data/import/wall.mme",
+             getenv("SRC") != NULL ? getenv("SRC") : "..");
+    const char *const paths[] = {path};
+    cJSON_Hooks hooks = {refuse_one, free};
+    cJSON_InitHooks(&hooks);
+    enum cr_err code = CR_ERR_MEMORY;
+    int n = 0;
+    for (; code == CR_ERR_MEMORY; n++) {
+        struct cr_import_opts o;
+        struct cr_import_count count = {0};
+        bool whole = false;
+        cr_import_init(&o);
+        o.models = lib;
+        o.take = take_whole;
+        o.user = &whole;
+        left = n;
+        code = cr_import_files(&o, paths, 1, &count, NULL);
+        assert_true(code == CR_ERR_OK ? whole : code == CR_ERR_MEMORY);
+        cr_import_fini(&o);
+    }
+    assert_int_equal(code, CR_ERR_OK);
+    assert_true(n > 50);
+    cJSON_InitHooks(NULL);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(formula_values),
@@ -203,6 +251,7 @@ int main(void) {
         cmocka_unit_test(xml_begins),
         cmocka_unit_test(options_by_words),
         cmocka_unit_test(long_headers_of_recorders),
+        cmocka_unit_test(what_was_measured_needs_memory),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests(tests, open_lib, close_lib);
 }
