@@ -297,7 +297,12 @@ void cr_import_road_friction(struct cr_import *im, double mu) {
     im->at->road_friction = mu;
 }
 
-enum cr_err cr_import_extra(struct cr_import *im, cJSON *object, struct cr_error *err) {
+enum cr_err cr_import_extra(struct cr_import *im, enum cr_err code, cJSON *object,
+                            struct cr_error *err) {
+    if (code != CR_ERR_OK) {
+        cJSON_Delete(object);
+        return code;
+    }
     cJSON_Delete(im->at->extra);
     im->at->extra = object;
     return object != NULL && cr_tree_whole(object)

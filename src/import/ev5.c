@@ -295,11 +295,7 @@ static enum cr_err read_case(struct test *t, struct cr_error *err) {
         cr_tree_text(extra, "x_title", cr_ev5_text(t->test, 2));
         code = measured(t, extra, err);
     }
-    if (code != CR_ERR_OK) {
-        cJSON_Delete(extra);
-        return code;
-    }
-    return cr_import_extra(t->im, extra, err);
+    return cr_import_extra(t->im, code, extra, err);
 }
 
 /* Takes the name of the test, "v10146", from that of its file. */

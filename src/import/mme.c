@@ -379,11 +379,7 @@ static enum cr_err read_case(struct test *t, struct cr_error *err) {
     if (code == CR_ERR_OK) {
         code = measured(t, extra, err);
     }
-    if (code != CR_ERR_OK) {
-        cJSON_Delete(extra);
-        return code;
-    }
-    return cr_import_extra(t->im, extra, err);
+    return cr_import_extra(t->im, code, extra, err);
 }
 
 enum cr_err cr_import_mme_read(struct cr_import *im, struct cr_error *err) {

@@ -140,10 +140,11 @@ void cr_import_point(struct cr_import *im, enum cr_point point);
 void cr_import_note(struct cr_import *im, const char *fmt, ...) CR_PRINTF(2, 3);
 /* Sets the friction of the road, if the file knows it. */
 void cr_import_road_friction(struct cr_import *im, double mu);
-/* Sets the x_ keys of the scene (x_expect ...); the object becomes the case's. Those of a
- * participant go as JSON text into its `extra`. Error: MEMORY, where any of it is missing. */
-CR_MUST_CHECK enum cr_err cr_import_extra(struct cr_import *im, struct cJSON *object,
-                                          struct cr_error *err);
+/* Sets the x_ keys of the scene (x_expect ...), unless reading them ended with the code of an
+ * error, which is returned. The object is taken over either way. The x_ keys of a participant go as
+ * JSON text into its `extra`. Error: MEMORY, where any of the object is missing. */
+CR_MUST_CHECK enum cr_err cr_import_extra(struct cr_import *im, enum cr_err code,
+                                          struct cJSON *object, struct cr_error *err);
 
 #define X(name)                                                                                    \
     bool cr_import_##name##_is(const struct cr_import_head *head);                                 \

@@ -81,7 +81,8 @@ static void hold_side(struct face *f, bool up, double at, struct cr_hold held) {
         double slope = limit_slope(f, up, up ? i - 1 : i, held);
         held.depth -= slope * (n == 0 ? off : 1) * h + far;
         /* the contact itself is not on a line beside it */
-        deepen(n > 0 || off > 0.499 ? &f->line[i].tow[up] : &f->line[i].own, held.depth, held.in);
+        deepen(n > 0 || off > cr_beside ? &f->line[i].tow[up] : &f->line[i].own, held.depth,
+               held.in);
         int next = up ? i + 1 : i - 1;
         far = next >= 0 && next < f->lines.n ? cr_min(off, 1) * cr_max(o[i] - o[next], 0) : 0;
         i = next;

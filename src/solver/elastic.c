@@ -153,7 +153,7 @@ bool cr_elastic_slice(struct cr_duo *d) {
     bool last = t->elastic_left - s->dt <= 1e-12;
     struct push p = push_of(d, sliding_direction(d, rel, push_of(d, t->direction).j));
     /* the work is not quite linear in the force */
-    for (int k = 0; k < 3 && t->sliding && p.rubbed < -cr_max(t->rubbed, 0); k++) {
+    for (int k = 0; k < cr_rub_tries && t->sliding && p.rubbed < -cr_max(t->rubbed, 0); k++) {
         p = less_rubbed(d, &p);
     }
     t->rubbed += p.rubbed;

@@ -131,12 +131,12 @@ static inline double walk_soft(const struct walk *w, int ix, bool near) {
 }
 
 /* How a voxel of the core meets the opponent's surface, which moves with the velocity v there and
- * has come closer by a way. It gives way by hardly more than that: overlap that is left from before
- * waits, so that the force is that of the structure, and surfaces that slide along each other are
- * not worn down by what their distances are rounded by. Where a bend of the opponent comes by, it
- * has come closer by more than its normal says, and what were left there would go on as a step in
- * the groove behind, which grinds. It presses as far as that way was one of
- * overlap, and as the opponent does not pass it by. */
+ * has come closer by a way. It gives way by hardly more than that: overlap that is left from
+ * before waits, so that the force is that of the structure, and surfaces that slide along each
+ * other are not worn down by what their distances are rounded by. Where a bend of the opponent
+ * comes by, it has come closer by more than its normal says, and what were left there would go on
+ * as a step in the groove behind, which grinds. It presses as far as that way was one of overlap,
+ * and as the opponent does not pass it by. */
 static void meet(struct cr_side *k, struct cr_cell *c, struct cr_vec2 v) {
     const struct cr_surface *f = &k->m->surface;
     double way = c->approach * k->opponent.dt, whole = cr_passed_by * cr_vec2_len(v);

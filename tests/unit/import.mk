@@ -5,7 +5,7 @@ EXTRA_DIST += tests/cli/import.sh tests/cli/import_csv.sh tests/cli/import_edr.s
 	tests/data
 check_PROGRAMS += test_import_text
 TESTS += test_import_text
-test_import_text_SOURCES = tests/unit/test_import_text.c
+test_import_text_SOURCES = tests/unit/test_import_text.c tests/unit/refused.h
 test_import_text_CFLAGS = $(CR_CFLAGS) $(CMOCKA_CFLAGS)
 test_import_text_LDADD = libimport.a libresult.a libscene.a libsolver.a libmodel.a libbase.a $(CMOCKA_LIBS) $(CJSON_LIBS) \
 	$(NETTLE_LIBS) $(CR_IMPORT_LIBS)
