@@ -114,6 +114,6 @@ EXTRA_DIST += $(golden_checks) \
 # a library that refuses calls of the system, for tests/cli/faults.sh
 check_DATA = fault.so
 fault.so: $(srcdir)/tests/fault.c
-	$(AM_V_CC)$(CC) -O1 -fPIC -shared -o $@ '$(srcdir)/tests/fault.c' -ldl || : >/dev/null
+	$(AM_V_CC)$(CC) $(CR_CPPFLAGS) -O1 -fPIC -shared -o $@ '$(srcdir)/tests/fault.c' -ldl || : >/dev/null
 EXTRA_DIST += tests/fault.c
 CLEANFILES += fault.so

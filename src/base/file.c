@@ -12,6 +12,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+_Static_assert(sizeof(off_t) == 8, "files beyond 2 GB and inodes beyond 32 bits: CR_CPPFLAGS");
+
 static enum cr_err io_error(struct cr_error *err, const char *path, const char *what) {
     int code = errno;
     if (code == EINTR) { /* handlers of ^C and SIGTERM are set so that nothing waits on */

@@ -237,7 +237,7 @@ static void test_grown_array_keeps_its_items(void **state) {
     assert_true(size < 2 * n + 64); /* no more than twice what is needed */
     /* what cannot be had leaves the array as it was */
     int full = size;
-    assert_false(cr_grow(&item, &full, size, (size_t)1 << 62));
+    assert_false(cr_grow(&item, &full, size, SIZE_MAX / 4));
     assert_int_equal(full, size);
     assert_int_equal(item[999], 7L * 999);
     free(item);
