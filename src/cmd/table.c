@@ -42,6 +42,7 @@ static const struct cr_arg vehicle_args[] = {
     POSITION("NAME", CR_VALUE_NEW, .help = "its name, new or known"),
     KEY_OF("car", "car", V),
     KEY_OF("type", "type", V),
+    KEY_OF("built", "built", V),
     KEY_OF("mass", "mass_kg", V),
     KEY_OF("kerb", "kerb_mass_kg", V),
     KEY_OF("load", "load_kg", V),

@@ -20,6 +20,7 @@ const struct cr_sweep_key cr_sweep_keys[] = {
     {"car", "car", CR_FOR_VEHICLE, false, CR_DIMS, "",
      "cars of the catalogue: \"golf 2015,jetta 2015\""},
     {"model", "model", CR_FOR_VEHICLE, false, CR_DIMS, "", "suv/12,suv/3 or files of voxels"},
+    {"built", "built", CR_FOR_VEHICLE, false, CR_DIM_NUMBER, "", "model year"},
     {"mass", "mass_kg", 0, false, CR_DIM_MASS, "kg", "mass"},
     {"kerb", "kerb_mass_kg", CR_FOR_VEHICLE, false, CR_DIM_MASS, "kg", "kerb mass"},
     {"load", "load_kg", CR_FOR_VEHICLE, false, CR_DIM_MASS, "kg", "load"},

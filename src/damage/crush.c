@@ -138,6 +138,7 @@ enum cr_err cr_crush_open(const struct cr_model_lib *lib, const struct cr_partic
     /* The model is the one square to the face: an oblique force still crushes that face. */
     struct cr_model_query q = cr_scene_query(&scene, p, cr_crush_square(out->m.face));
     q.curve = CR_CURVE_DYNAMIC;
+    q.built = 0; /* the levels are those of the field's cars, whose recorders tell no years apart */
     q.z_lo = fmax(0, measured->z_lo);
     q.z_hi = measured->z_hi;
     return p->model.kind == CR_MODEL_STIFFNESS

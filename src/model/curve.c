@@ -65,3 +65,7 @@ double cr_model_face_energy(const struct cr_model_face *f, enum cr_curve curve, 
     double rest = f->spread > depth ? hidden * (1 - depth / f->spread) : 0;
     return dynamic_energy(f, depth + f->springback) - rest;
 }
+
+double cr_model_built_strength(const struct cr_model_face *face, double year) {
+    return year > 0 && face->built.n > 0 ? cr_model_knots_at(&face->built, year) : 1;
+}

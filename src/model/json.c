@@ -178,7 +178,7 @@ void cr_model_json_knots(struct cr_model_json *j, const cJSON *o, const char *ke
             break;
         }
         int i = out->n++;
-        out->x[i] = number(j, item->child, NULL, -1000, 1000);
+        out->x[i] = number(j, item->child, NULL, -1000, 3000);
         out->y[i] = number(j, item->child->next, NULL, -1000, 1000);
         if (i > 0 && !(out->x[i] > out->x[i - 1])) {
             cr_model_json_fail(j, CR_ERR_RANGE, NULL, "first numbers of the pairs must increase");

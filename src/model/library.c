@@ -326,11 +326,24 @@ static double height_of(const struct cr_model_stretch *stretch, double top, doub
     return z >= top ? (double)INFINITY : cr_model_map_ref(&stretch->z, z > 0 ? z : 0);
 }
 
+/* The faces of a recipe as they are in a car of the query's year. */
+static void faces_of(const struct cr_model_recipe *r, const struct cr_model_query *q,
+                     struct cr_model_face out[CR_MODEL_ENDS]) {
+    for (int i = 0; i < CR_MODEL_ENDS; i++) {
+        out[i] = r->face[i];
+        double root = sqrt(cr_model_built_strength(&r->face[i], q->built));
+        for (int k = 0; k < out[i].ees.n; k++) {
+            out[i].ees.y[k] *= root;
+        }
+    }
+}
+
 static enum cr_err substitute(const struct cr_model_lib *lib, const struct cr_model_query *q,
                               const struct cr_model_face face[CR_MODEL_ENDS],
                               struct cr_arena *arena, struct cr_grid *out, struct cr_error *err) {
     struct cr_model_stretch stretch;
     struct cr_model_plan plan;
+    struct cr_model_face own[CR_MODEL_ENDS];
     struct cr_arena scratch = {0};
     enum cr_err code = cr_model_query_check(q, err);
     if (!code) {
@@ -349,9 +362,10 @@ static enum cr_err substitute(const struct cr_model_lib *lib, const struct cr_mo
     code = plan_of(r, &lib->cache->kept[q->type], z, &scratch, &plan, err);
     pthread_mutex_unlock(&lib->cache->lock);
     if (!code) {
+        faces_of(r, q, own);
         code = cr_model_resample(
-            &(struct cr_model_parts){r, face != NULL ? face : r->face, &plan, &stretch}, q, arena,
-            out, err);
+            &(struct cr_model_parts){r, face != NULL ? face : own, &plan, &stretch}, q, arena, out,
+            err);
     }
     cr_arena_free(&scratch);
     return code;
@@ -368,7 +382,7 @@ static struct key key_of(const struct cr_model_query *q) {
     double lo = q->z_lo > 0 ? q->z_lo : 0, hi = q->z_hi < d->height ? q->z_hi : d->height;
     return (struct key){{q->type, pdof, between, d->length, d->width, d->height, d->wheelbase,
                          d->track, d->front_overhang, d->cg_behind_front_axle, q->mass_kg, q->voxel,
-                         q->curve, lo, hi}};
+                         q->curve, q->built, lo, hi}};
 }
 
 enum cr_err cr_model_substitute(const struct cr_model_lib *lib, const struct cr_model_query *q,
@@ -429,9 +443,11 @@ enum cr_err cr_model_from_stiffness(const struct cr_model_lib *lib, const struct
     struct cr_model_face own[CR_MODEL_ENDS];
     enum cr_err code = cr_model_query_check(q, err);
     code = code ? code : cr_model_need(lib, q->type, err);
+    if (!code) {
+        faces_of(recipe_of(lib, q->type), q, own);
+    }
     for (int i = 0; i < CR_MODEL_ENDS && !code; i++) {
         const struct cr_stiffness *s = &face[i];
-        own[i] = recipe_of(lib, q->type)->face[i];
         if (!(s->a >= 0 && s->a <= 1e7 && s->b >= 0 && s->b <= 1e8)) {
             code = cr_err_set(err, CR_ERR_RANGE, "%s stiffness A %g N/m, B %g N/m2 cannot be",
                               name[i], s->a, s->b);

@@ -68,6 +68,8 @@ struct cr_model_face {
     double spread;             /* residual depth over which the energy that springs back fades, m */
     double drag_slope;         /* m of depth lost per m beside a contact, at most; 0: no drag */
     double block;              /* depth of the engine, which moves as one piece, m; 0: none */
+    struct cr_model_knots built; /* model year -> strength against that of the tests that the face
+                                    is calibrated on; n = 0: the same for all years */
 };
 
 struct cr_model_lib;
@@ -123,6 +125,10 @@ enum cr_curve {
 /* Plastic energy per kg of vehicle mass (J/kg = EES^2/2) of the face crushed to a depth, m. */
 double cr_model_face_energy(const struct cr_model_face *face, enum cr_curve curve, double depth);
 
+/* Strength of a face of a car built in a year against that of the tests' mean; 1 where the year is
+ * not known (0), or says nothing of that face. */
+double cr_model_built_strength(const struct cr_model_face *face, double year);
+
 /* A face of a type's recipe, and for the calibration another one in its place (not while other
  * threads use the library). */
 const struct cr_model_face *cr_model_face(const struct cr_model_lib *lib, enum cr_type type,
@@ -139,6 +145,7 @@ struct cr_model_query {
     double mass_kg;
     double voxel; /* edge of the solver's voxels, m, 0.005..0.1 */
     enum cr_curve curve;
+    double built;      /* model year; 0: not known, and the mean of the tests */
     double z_lo, z_hi; /* only layers in this height range, m; 0 and INFINITY for all */
 };
 

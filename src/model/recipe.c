@@ -103,6 +103,16 @@ static void read_face(struct cr_model_json *j, const cJSON *faces, const char *k
     if (cJSON_HasObjectItem(o, "block_m")) {
         f->block = cr_model_json_number(j, o, "block_m", 0, 10);
     }
+    f->built.n = 0;
+    if (cJSON_HasObjectItem(o, "built_strength")) {
+        cr_model_json_knots(j, o, "built_strength", &f->built);
+        for (int i = 0; i < f->built.n && !j->failed; i++) {
+            if (!(f->built.y[i] >= 0.1 && f->built.y[i] <= 10)) {
+                cr_model_json_fail(j, CR_ERR_RANGE, "built_strength",
+                                   "a strength against the mean of the tests is 0.1 to 10");
+            }
+        }
+    }
     cr_model_json_leave(j);
 }
 

@@ -11,6 +11,7 @@ static const struct {
     size_t at;
     int decimals;
 } value_rows[] = {
+    {"built", "built", "", AT(built), 0},
     {"mass_kg", "mass", "kg", AT(mass), 0},
     {"kerb_mass_kg", "kerb mass", "kg", AT(kerb_mass), 0},
     {"load_kg", "load", "kg", AT(load), 0},
@@ -33,8 +34,9 @@ static void add_value(const struct cr_participant *part, const char *key, struct
             double x;
             memcpy(&x, (const char *)part + value_rows[i].at, sizeof x);
             /* No-break spaces keep number and unit together. */
-            cr_str_addf(out, "%s\u00a0%.*f\u00a0%s", value_rows[i].word, value_rows[i].decimals, x,
-                        value_rows[i].unit);
+            const char *unit = value_rows[i].unit;
+            cr_str_addf(out, "%s\u00a0%.*f%s%s", value_rows[i].word, value_rows[i].decimals, x,
+                        unit[0] != '\0' ? "\u00a0" : "", unit);
             return;
         }
     }

@@ -42,6 +42,7 @@ struct cr_model_query cr_scene_query(const struct cr_scene *scene, const struct 
         .mass_kg = p->kerb_mass + CR_TEST_LOAD,
         .voxel = scene->set.voxel,
         .curve = scene->set.residual_curve == 1 ? CR_CURVE_RESIDUAL : CR_CURVE_DYNAMIC,
+        .built = isnan(p->built) ? 0 : p->built,
         .z_hi = INFINITY,
     };
 }
@@ -421,7 +422,7 @@ static enum cr_err make_partial(struct making *m, int i, struct range meet,
  * another vehicle, which comes in at the height of a bumper: with it the fronts and flanks of cars
  * that struck each other, and flanks struck by a barrier on wheels, are crushed as deeply as they
  * were (validation.md). A whole flank would be right only if what it drags along cost nothing. */
-static const double flank_share = 0.56;
+static const double flank_share = 0.59;
 
 static const double *weaker(struct making *m, const struct cr_grid *g, const double *energy) {
     size_t n = (size_t)g->nx * (size_t)g->ny;

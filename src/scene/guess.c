@@ -162,6 +162,8 @@ enum cr_err cr_scene_from_car(struct cr_participant *p, const struct cr_model_li
                          : light ? p->mass
                                  : cr_scene_drawn_kerb_mass(p, car->curb + CR_CAR_DRIVER)},
         {"load_kg", isnan(p->mass) ? CR_CAR_DRIVER : (double)NAN},
+        /* its structure is that of the year in which its generation began */
+        {"built", car->from > 0 ? car->from : (double)NAN},
         {"length_m", car->length},
         {"width_m", car->width},
         {"height_m", car->height},

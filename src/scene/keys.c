@@ -140,6 +140,8 @@ static const struct cr_key participant_keys[] = {
     {ROW("type", CR_KEY_WORD, V, 0, IN(cr_participant, type),
          "which of the EES models, or auto: by the catalogue, by length and height, by mass"),
      .words = type_words, .aux = COUNT(type_words)},
+    NUMBER("built", V, 0, "", NUMBER, 1950, 2100, NAN, built,
+           "model year: flanks of 2017 and later are stronger than those of up to 2013"),
     NUMBER("mass_kg", V, 0, "kg", MASS, 100, 60000, NAN, mass,
            "mass as crashed, with load: momentum and inertia; else kerb mass and load"),
     NUMBER("kerb_mass_kg", V, 0, "kg", MASS, 100, 60000, NAN, kerb_mass,

@@ -165,6 +165,7 @@ struct cr_participant {
     double mass;                  /* kg, as crashed; NaN: absent (an object is then fixed) */
     double kerb_mass, load;       /* of a vehicle, kg: its structure goes by the kerb mass, its
                                      motion by the mass, which is kerb mass and load */
+    double built;                 /* model year of a vehicle; NaN: not known */
     double length, width, height; /* m */
     double friction;              /* of its surface, NaN: the setting */
     struct cr_vec2 pos;           /* CG of a vehicle or of a moving barrier, middle of the face of a

@@ -44,6 +44,10 @@ static void add_face(const struct cr_model_face *f, const char *name, struct cr_
     if (f->block > 0) {
         cr_str_addf(out, ",\n      \"block_m\": %.3g", f->block);
     }
+    for (int i = 0; i < f->built.n; i++) {
+        cr_str_addf(out, "%s[%.5g, %.4g]%s", i == 0 ? ",\n      \"built_strength\": [" : ", ",
+                    f->built.x[i], f->built.y[i], i + 1 == f->built.n ? "]" : "");
+    }
     cr_str_add(out, "\n    }");
 }
 

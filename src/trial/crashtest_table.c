@@ -88,6 +88,9 @@ static void begin_scene(struct cr_str *s, const struct cr_test *c, double mass, 
     if (isfinite(width)) {
         cr_str_addf(s, " \"width_m\": %.10g,", width);
     }
+    if (c->year > 0) {
+        cr_str_addf(s, " \"built\": %d,", c->year);
+    }
 }
 
 /* No channel of these tests is at hand, so EES and delta-v of the reference are those of the speed

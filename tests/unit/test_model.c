@@ -123,6 +123,44 @@ static void test_energy_per_kg_kept(void **state) {
     }
 }
 
+/* The energy of a face pressed by `clock` o'clock of a sedan of a year. */
+static double energy_built(double year, int clock, enum cr_face face) {
+    struct cr_model_query q = query_of(CR_TYPE_SEDAN, clock, 0.025);
+    struct cr_arena arena = {0};
+    struct cr_grid g;
+    q.built = year;
+    assert_int_equal(cr_model_substitute(lib, &q, &arena, &g, NULL), CR_ERR_OK);
+    double e = face_energy(&g, face, 100000);
+    cr_arena_free(&arena);
+    return e;
+}
+
+/* The pole tests know old flanks and new ones; fronts are the same in all years, and a year that is
+ * not known is the mean of the tests. The library keeps the substitutes of years apart. */
+static void test_flanks_by_year(void **state) {
+    (void)state;
+    for (int t = 0; t < CR_TYPES; t++) {
+        const struct cr_model_face *side = cr_model_face(lib, (enum cr_type)t, CR_MODEL_SIDE);
+        double old = cr_model_built_strength(side, 2013), new = cr_model_built_strength(side, 2017);
+        assert_true(old < 0.9 && new > 1);
+        check_near(new / old, 2, 0.05); /* one ratio for all types */
+        check_near(cr_model_built_strength(side, 1998), old, 0);
+        check_near(cr_model_built_strength(side, 2024), new, 0);
+        check_near(cr_model_built_strength(side, 2015), (old + new) / 2, 1e-12);
+        check_near(cr_model_built_strength(side, 0), 1, 0);
+        check_near(
+            cr_model_built_strength(cr_model_face(lib, (enum cr_type)t, CR_MODEL_FRONT), 2013), 1,
+            0);
+    }
+    const struct cr_model_face *side = cr_model_face(lib, CR_TYPE_SEDAN, CR_MODEL_SIDE);
+    double mean = energy_built(0, 3, CR_FACE_LEFT);
+    for (int year = 2012; year <= 2018; year += 3) {
+        check_near(energy_built(year, 3, CR_FACE_LEFT) / mean, cr_model_built_strength(side, year),
+                   1e-12);
+        check_near(energy_built(year, 12, CR_FACE_FRONT), energy_built(0, 12, CR_FACE_FRONT), 0);
+    }
+}
+
 static void test_symmetric_bits(void **state) {
     (void)state;
     for (int t = 0; t < CR_TYPES; t++) {
@@ -372,6 +410,10 @@ static void test_recipes_refused(void **state) {
          "lateral"},
         {"\"depth_m_ees_kmh\": [[0, 0], ", "\"depth_m_ees_kmh\": [[0, 0], [0.01, 500], ",
          CR_ERR_MODEL, "/faces/front/depth_m_ees_kmh", "never fall"},
+        {"\"built_strength\": [[2013, 0.", "\"built_strength\": [[2013, 70.", CR_ERR_RANGE,
+         "/faces/side/built_strength", "0.1 to 10"},
+        {"\"built_strength\": [[2013, ", "\"built_strength\": [[2018, ", CR_ERR_RANGE,
+         "/faces/side/built_strength", "increase"},
         {"\"body_weight\": {", "\"body_weight\": [", CR_ERR_SYNTAX, "", ""},
         {"\"y_m\": [0, ", "\"y_m\": [9, ", CR_ERR_RANGE, "/structures/0/y_m", "9 is outside"},
         {"\"track_m\": 1", "\"track_m\": 2.2, \"x_1\": 1", CR_ERR_MODEL, "/reference", "flank"},
@@ -396,6 +438,7 @@ int main(void) {
         cmocka_unit_test(test_types),
         cmocka_unit_test(test_face_energy),
         cmocka_unit_test(test_energy_per_kg_kept),
+        cmocka_unit_test(test_flanks_by_year),
         cmocka_unit_test(test_symmetric_bits),
         cmocka_unit_test(test_stiffness),
         cmocka_unit_test(test_residual_curve),
