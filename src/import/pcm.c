@@ -128,8 +128,15 @@ static enum cr_err find_slip(struct pcm *m, int column, struct cr_error *err) {
 }
 
 static enum cr_err find_columns(struct pcm *m, struct cr_error *err) {
-    bool v5, old = false, there;
-    enum cr_err code = cr_sql_has(m->im, m->db, "participant_data", "CASEID", &v5, err);
+    static const char *const tables[] = {"participant_data", "participant_shape", "dynamics"};
+    bool v5 = false, old = false, there;
+    enum cr_err code = CR_ERR_OK;
+    for (size_t i = 0; i < sizeof tables / sizeof *tables && code == CR_ERR_OK; i++) {
+        code = cr_sql_need_plain(m->im, m->db, tables[i], err);
+    }
+    if (code == CR_ERR_OK) {
+        code = cr_sql_has(m->im, m->db, "participant_data", "CASEID", &v5, err);
+    }
     if (code == CR_ERR_OK && !v5) {
         code = cr_sql_has(m->im, m->db, "participant_data", "FALL", &old, err);
     }

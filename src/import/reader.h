@@ -83,7 +83,7 @@ struct cr_import {
     char sha256[CR_HASH_SIZE]; /* of the one file, or of the lines in `files` */
     struct cr_str files;       /* "SHA-256  name" of each */
     int hashed;
-    long polls; /* of what is watched while it runs */
+    long polls, polls_most; /* of a database, while it is watched, and how many it may have */
 };
 
 /* Sets the name of the format in `source`, "PCM v5"; before the first case. */

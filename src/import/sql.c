@@ -5,19 +5,22 @@
 #if HAVE_SQLITE3
 #include "import/sql.h"
 
+#include <limits.h>
 #include <sqlite3.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
-/* watching() is called every STEPS instructions of SQLite and ends a query after CALLS_MAX calls,
- * which a view without end would reach. */
-enum { STEPS = 10000, CALLS_MAX = 100000000 };
+/* watching() is called every STEPS instructions of SQLite. A database of plain tables is read in
+ * about one for each byte of its file; statistics that a stranger made up can make that the square.
+ * One that wants fifty for each byte, and CALLS_LEAST calls, is ended. */
+enum { STEPS = 10000, CALLS_LEAST = 2000, BYTES_A_CALL = STEPS / 50 };
 
 static int watching(void *user) {
     struct cr_import *im = user;
     im->polls++;
-    return im->polls > CALLS_MAX ||
+    return im->polls > im->polls_most ||
            (im->opts->cancel != NULL && im->opts->cancel(im->opts->user) != 0);
 }
 
@@ -28,9 +31,14 @@ static enum cr_err fault(struct cr_import *im, sqlite3 *db, struct cr_error *err
         return cr_err_set(err, CR_ERR_MEMORY, "no memory for the database");
     }
     if (status == SQLITE_INTERRUPT) {
-        bool user = im->polls <= CALLS_MAX;
-        return cr_err_set(err, user ? CR_ERR_INTERRUPTED : CR_ERR_EXPENSIVE, "%s",
-                          user ? "interrupted" : "too expensive: a view of the database goes on");
+        bool user = im->polls <= im->polls_most;
+        code = cr_err_set(err, user ? CR_ERR_INTERRUPTED : CR_ERR_EXPENSIVE, "%s",
+                          user ? "interrupted" : "too expensive: the database misleads SQLite");
+        if (!user) {
+            cr_err_place(err, im->shown, 0, 0);
+            cr_err_hint(err, "DROP TABLE sqlite_stat1 takes its statistics away");
+        }
+        return code;
     }
     if (status == SQLITE_CANTOPEN || status == SQLITE_IOERR || status == SQLITE_FULL) {
         code = CR_ERR_IO;
@@ -50,6 +58,12 @@ static enum cr_err uri_of(const char *path, struct cr_str *uri, struct cr_error 
     }
     cr_str_add(uri, "?immutable=1");
     return uri->failed ? cr_err_set(err, CR_ERR_MEMORY, "no memory for the database") : CR_ERR_OK;
+}
+
+/* what there is to read, bytes; 0 where that is not known */
+static long size_of(const char *path) {
+    struct stat st;
+    return stat(path, &st) == 0 ? (long)(st.st_size < LONG_MAX ? st.st_size : LONG_MAX / 2) : 0;
 }
 
 enum cr_err cr_sql_open(struct cr_import *im, const char *path, sqlite3 **out,
@@ -74,6 +88,7 @@ enum cr_err cr_sql_open(struct cr_import *im, const char *path, sqlite3 **out,
     sqlite3_limit(*out, SQLITE_LIMIT_EXPR_DEPTH, 100);
     sqlite3_limit(*out, SQLITE_LIMIT_ATTACHED, 0);
     im->polls = 0;
+    im->polls_most = own ? LONG_MAX : CALLS_LEAST + size_of(path) / BYTES_A_CALL;
     sqlite3_progress_handler(*out, STEPS, watching, im);
     return CR_ERR_OK;
 }
@@ -115,6 +130,36 @@ enum cr_err cr_sql_has(struct cr_import *im, sqlite3 *db, const char *table, con
         *there = row && (column == NULL || (name != NULL && sqlite3_stricmp(name, column) == 0));
     }
     sqlite3_finalize(stmt);
+    return code;
+}
+
+/* A view or a computed column would run what a stranger wrote: without end, or with gigabytes to be
+ * sorted out of a few bytes. */
+enum cr_err cr_sql_need_plain(struct cr_import *im, sqlite3 *db, const char *table,
+                              struct cr_error *err) {
+    static const char computed[] = "SELECT 1 FROM pragma_table_xinfo(?1) WHERE hidden <> 0";
+    sqlite3_stmt *stmt = NULL;
+    bool there, row = false;
+    enum cr_err code = cr_sql_has(im, db, table, NULL, &there, err);
+    if (code != CR_ERR_OK || !there) {
+        return code;
+    }
+    int status = sqlite3_table_column_metadata(db, NULL, table, NULL, NULL, NULL, NULL, NULL, NULL);
+    bool view = status == SQLITE_ERROR;
+    if ((status != SQLITE_OK && !view) ||
+        sqlite3_prepare_v2(db, computed, -1, &stmt, NULL) != SQLITE_OK ||
+        sqlite3_bind_text(stmt, 1, table, -1, SQLITE_STATIC) != SQLITE_OK) {
+        code = fault(im, db, err);
+    } else {
+        code = cr_sql_step(im, db, stmt, &row, err);
+    }
+    sqlite3_finalize(stmt);
+    if (code == CR_ERR_OK && (view || row)) {
+        code =
+            cr_err_set(err, CR_ERR_TYPE, "%s is no plain table: the database computes it", table);
+        cr_err_place(err, im->shown, 0, 0);
+        cr_err_hint(err, "CREATE TABLE copy AS SELECT * FROM %s makes one", table);
+    }
     return code;
 }
 

@@ -68,4 +68,45 @@ else
     same "and the last command gives one result" "$(printf '%s\n' "$lesson" | tail -n 1)" 1
     head -c 9000 "$data/pcm5.db" >"$tmp/cut.db"
     refused "a database that is cut off" 3 'cut.db: error: ' "$tmp/cut.db"
+    # a database computes nothing: it could without end, or fill the disk with what it sorts
+    if python3 -c 'import sqlite3' 2>/dev/null; then
+        # made SQL: the database of the sample changed so
+        made() {
+            cp "$data/pcm5.db" "$tmp/made.db"
+            python3 -c 'import sqlite3, sys
+d = sqlite3.connect(sys.argv[1])
+d.executescript(sys.argv[2])
+d.commit()' "$tmp/made.db" "$1"
+        }
+        plain='is no plain table: the database computes it'
+        kept='ALTER TABLE dynamics RENAME TO kept'
+        made "$kept; CREATE VIEW dynamics AS SELECT * FROM kept"
+        refused "a view" 3 "made.db: error: dynamics $plain" "$tmp/made.db"
+        endless='WITH RECURSIVE r(n) AS (SELECT 0 UNION ALL SELECT n + 1 FROM r)'
+        made "$kept; CREATE VIEW dynamics AS $endless SELECT kept.* FROM kept, r"
+        refused "a view without end" 3 "dynamics $plain" "$tmp/made.db"
+        shape='ALTER TABLE participant_shape RENAME TO s; CREATE TABLE participant_shape'
+        made "$shape(CASEID, X, PARTID AS (zeroblob(9000000))); INSERT INTO participant_shape
+            SELECT CASEID, X FROM s"
+        refused "a computed column" 3 "participant_shape $plain" "$tmp/made.db"
+        made "CREATE VIEW other AS SELECT 1; CREATE INDEX i ON dynamics(CASEID)"
+        run import "$tmp/made.db"
+        same "what is not read may be a view" "$status" 0
+        # 3000 cases in tables that are said to have one row each: SQLite looks through all for each
+        bomb=$(for table in participant_data participant_shape dynamics; do
+            rest=$(sed -n '1{s/^CASEID,//;s/\r//;p;}' "$data/pcm5/$table.csv")
+            echo "INSERT INTO $table SELECT n + 2, $rest FROM $table,
+                (WITH RECURSIVE r(n) AS (SELECT 0 UNION ALL SELECT n + 1 FROM r LIMIT 3000)
+                SELECT n FROM r);"
+        done)
+        made "$bomb"
+        run import --case 7 "$tmp/made.db"
+        same "many cases are read" "$status" 0
+        made "CREATE TABLE x(y); ANALYZE; DELETE FROM sqlite_stat1; $bomb INSERT INTO sqlite_stat1
+            VALUES ('participant_data', NULL, '1'), ('participant_shape', NULL, '1'),
+            ('dynamics', NULL, '1')"
+        refused "statistics that mislead" 4 'made.db: error: too expensive' "$tmp/made.db"
+    else
+        skip "a database computes nothing" "no python3 with sqlite3"
+    fi
 fi
