@@ -50,6 +50,9 @@ int cr_catalogue_search(const struct cr_catalogue *catalogue, const char *words,
 CR_MUST_CHECK enum cr_err cr_catalogue_find(const struct cr_catalogue *catalogue, const char *words,
                                             const struct cr_car **out, struct cr_error *err);
 
+/* The model year that the words for a car say, 0: none. */
+int cr_car_year(const struct cr_car *car, const char *words);
+
 /* Add the name of a car, "Volkswagen Golf Hatchback 2015-2021". */
 void cr_car_name(const struct cr_car *car, struct cr_str *out);
 

@@ -125,6 +125,17 @@ static bool fits(const struct cr_car *car, const char *word) {
            fits_text(word, car->body) > 0;
 }
 
+int cr_car_year(const struct cr_car *car, const char *words) {
+    struct words w;
+    int said = 0, year;
+    split(words, &w);
+    for (int i = 0; i < w.n; i++) {
+        bool its = is_year(w.word[i], &year) && car->from <= year && year <= car->to;
+        said = its && fits_text(w.word[i], car->model) == 0 ? year : said; /* not a Peugeot 2008 */
+    }
+    return said;
+}
+
 int cr_catalogue_search(const struct cr_catalogue *c, const char *words, int *found) {
     struct words w;
     int n = 0;

@@ -154,6 +154,7 @@ enum cr_err cr_scene_from_car(struct cr_participant *p, const struct cr_model_li
     }
     bool heavy = !isnan(p->mass) && !isnan(p->load); /* these two say the kerb mass */
     bool light = p->mass < car->curb;                /* lighter than the row with all in it */
+    int year = cr_car_year(car, p->car);
     const struct {
         const char *key;
         double value;
@@ -162,8 +163,7 @@ enum cr_err cr_scene_from_car(struct cr_participant *p, const struct cr_model_li
                          : light ? p->mass
                                  : cr_scene_drawn_kerb_mass(p, car->curb + CR_CAR_DRIVER)},
         {"load_kg", isnan(p->mass) ? CR_CAR_DRIVER : (double)NAN},
-        /* its structure is that of the year in which its generation began */
-        {"built", car->from > 0 ? car->from : (double)NAN},
+        {"built", year > 0 ? year : (double)NAN}, /* a row's own years say too little */
         {"length_m", car->length},
         {"width_m", car->width},
         {"height_m", car->height},

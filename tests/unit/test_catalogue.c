@@ -61,6 +61,25 @@ static void one_car_by_many_words(void **state) {
     assert_string_equal(car->body, "Wagon");
 }
 
+/* A row spans years, of which a name may say one. */
+static void the_year_that_a_name_says(void **state) {
+    (void)state;
+    static const struct {
+        const char *words;
+        int year;
+    } row[] = {{"ford escape 2018", 2018}, {"2013 ford escape", 2013}, {"ford escape suv", 0}};
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+        const struct cr_car *car = NULL;
+        const char *asked = "ford escape 2018"; /* of several rows that of this year */
+        assert_int_equal(cr_catalogue_find(cars, asked, &car, NULL), CR_ERR_OK);
+        assert_int_equal(cr_car_year(car, row[i].words), row[i].year);
+        assert_int_equal(cr_car_year(car, "ford escape 1991"), 0); /* not its own */
+    }
+    const struct cr_car numbered = {.make = "Peugeot", .model = "2008", .from = 2005, .to = 2019};
+    assert_int_equal(cr_car_year(&numbered, "peugeot 2008"), 0);
+    assert_int_equal(cr_car_year(&numbered, "peugeot 2008 2016"), 2016);
+}
+
 static void what_is_not_one_car(void **state) {
     (void)state;
     static const struct {
@@ -327,6 +346,7 @@ static void heights_and_tracks_are_those_of_measured_cars(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(one_car_by_many_words),
+        cmocka_unit_test(the_year_that_a_name_says),
         cmocka_unit_test(what_is_not_one_car),
         cmocka_unit_test(no_length_is_told_that_is_unknown),
         cmocka_unit_test(make_then_model_then_year),
