@@ -13,6 +13,7 @@ libbase_a_SOURCES = \
 	src/base/records.c src/base/records.h \
 	src/base/quantity.c \
 	src/base/show.c src/base/show.h \
+	src/base/elementary.c src/base/elementary.h \
 	src/base/stats.c src/base/stats.h \
 	src/base/str.c src/base/str.h \
 	src/base/tree.c src/base/tree.h \

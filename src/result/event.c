@@ -1,6 +1,7 @@
 /* Groups the contacts of a solve into impacts and adds up what each did to its two bodies. */
 #include "result/event.h"
 
+#include "base/elementary.h"
 #include "scene/compiled.h"
 
 #include <math.h>
@@ -271,7 +272,8 @@ static void add_slice_to(const struct work *w, struct cr_event *e, int side,
     struct cr_event_body *of = &e->of[side];
     int body = e->body[side], k = s->sample - e->first;
     const struct cr_sample *is = end_of(sol, s->sample, body);
-    double c = cos(is->heading), sn = sin(is->heading);
+    double c, sn;
+    cr_sincos(is->heading, &sn, &c);
     struct cr_vec2 at = cr_vec2_unrotate(cr_vec2_sub(s->coe, is->pos), c, sn);
     struct cr_vec2 gain = cr_vec2_scale(push(s), side == 0 ? -1 : 1);
     of->vel[k] = cr_vec2_axpy(of->vel[k], inverse(w->cs->body[body].mass), gain);

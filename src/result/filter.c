@@ -2,6 +2,8 @@
  * Butterworth low pass, run forward and backward so that it does not shift in time [CFC-FILTER]. */
 #include "result/result.h"
 
+#include "base/elementary.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -20,7 +22,9 @@ struct biquad {
 };
 
 static struct biquad design(double cfc, double dt) {
-    double wa = tan(2 * CR_PI * cfc * cutoff * dt / 2);
+    double s, c;
+    cr_sincos(2 * CR_PI * cfc * cutoff * dt / 2, &s, &c);
+    double wa = s / c; /* the tangent */
     double d = 1 + sqrt(2.0) * wa + wa * wa;
     return (struct biquad){
         .b0 = wa * wa / d, .a1 = -2 * (wa * wa - 1) / d, .a2 = (-1 + sqrt(2.0) * wa - wa * wa) / d};

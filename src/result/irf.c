@@ -3,6 +3,7 @@
  * logistic, p = 1 / (1 + exp(-(b0 + b1 x + offset))), and power, p = (x / reference)^exponent. */
 #include "result/result_priv.h"
 
+#include "base/elementary.h"
 #include "base/file.h"
 #include "base/grow.h"
 
@@ -328,8 +329,8 @@ void cr_irf_apply(const struct cr_irf_set *set, const struct cr_irf_case *what,
         memcpy(to->function, f->name, sizeof to->function);
         memcpy(to->title, f->title, sizeof to->title);
         memcpy(to->level, f->level, sizeof to->level);
-        to->probability = f->power ? fmin(1, pow(fmax(0, x) / by, f->exponent))
-                                   : 1 / (1 + exp(-(f->intercept + f->slope * x + by)));
+        to->probability = f->power ? fmin(1, cr_pow(fmax(0, x) / by, f->exponent))
+                                   : 1 / (1 + cr_exp(-(f->intercept + f->slope * x + by)));
         to->extrapolated = x < f->lo || x > f->hi;
         /* A function need not know every direction: where it has no number it gives no risk. */
         if (!isfinite(to->probability)) {

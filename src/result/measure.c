@@ -2,6 +2,7 @@
  * risk, for each impact and in all (share/doc/sources.md, "Measures"). */
 #include "result/result_priv.h"
 
+#include "base/elementary.h"
 #include "result/damage.h"
 #include "result/pulse.h"
 #include "scene/compiled.h"
@@ -32,7 +33,7 @@ int cr_result_main_contact(const struct cr_solution *sol, int body) {
 
 double cr_result_pdof(struct cr_vec2 dv) {
     /* The impulse comes from the side opposite to the velocity change; right is -y. */
-    double pdof = atan2(dv.y, -dv.x);
+    double pdof = cr_atan2(dv.y, -dv.x);
     if (pdof < 0) {
         pdof += 2 * CR_PI;
     }
@@ -82,13 +83,13 @@ static void measure_motion(const struct taking *t, const struct cr_event *e, int
     s->ees = mass > 0 ? sqrt(2 * of->energy / mass) : 0;
     s->coe = of->coe;
     s->delta_v_world = of->delta_v;
-    s->delta_v_body = cr_vec2_unrotate(of->delta_v, cos(before->heading), sin(before->heading));
+    s->delta_v_body = cr_vec2_turn(of->delta_v, -before->heading);
     s->delta_v = s->delta_v_net = cr_vec2_len(of->delta_v);
     s->pdof = cr_result_pdof(s->delta_v_body);
     s->pdof_clock = cr_pdof_clock(s->pdof);
     s->yaw_rate_change = of->yaw_change;
     s->speed_after = cr_vec2_len(after->vel);
-    s->course_after = atan2(after->vel.y, after->vel.x);
+    s->course_after = cr_atan2(after->vel.y, after->vel.x);
     s->yaw_rate_after = after->yaw_rate;
     s->t_depth_max = e->t_elastic_end - r->solution->body[i].t_first;
     name_model(r, i, s);
@@ -219,7 +220,7 @@ static void add_up(const struct cr_severity *one, double heading, struct cr_seve
     s->impacts++;
     s->delta_v += one->delta_v;
     s->delta_v_world = cr_vec2_add(s->delta_v_world, one->delta_v_world);
-    s->delta_v_body = cr_vec2_unrotate(s->delta_v_world, cos(heading), sin(heading));
+    s->delta_v_body = cr_vec2_turn(s->delta_v_world, -heading);
     s->delta_v_net = cr_vec2_len(s->delta_v_world);
     s->yaw_rate_change += one->yaw_rate_change;
     s->deformation_area += one->deformation_area;
@@ -268,7 +269,7 @@ static void measure_totals(const struct taking *t, int body, struct cr_severity 
     s->energy_induced = o->induced;
     s->ees = mass > 0 ? sqrt(2 * o->energy / mass) : 0;
     s->speed_after = cr_vec2_len(o->after.vel);
-    s->course_after = atan2(o->after.vel.y, o->after.vel.x);
+    s->course_after = cr_atan2(o->after.vel.y, o->after.vel.x);
     s->yaw_rate_after = o->after.yaw_rate;
 }
 

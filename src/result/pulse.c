@@ -1,6 +1,8 @@
 /* Puts a pulse on a uniform time axis and computes its measures: OLC, VPI, ASI, THIV, PHD. */
 #include "result/pulse.h"
 
+#include "base/elementary.h"
+
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
@@ -92,7 +94,7 @@ static enum cr_err fill(struct cursor c, double from, double span, struct cr_vec
         struct motion b = cursor_at(&c, out->t0 + (i + 1) * pulse_step);
         struct cr_vec2 acc = cr_vec2_scale(cr_vec2_sub(b.vel, a.vel), 1 / pulse_step);
         double mid = (a.heading + b.heading) / 2;
-        struct cr_vec2 own = cr_vec2_unrotate(acc, cos(mid), sin(mid));
+        struct cr_vec2 own = cr_vec2_turn(acc, -mid);
         out->ax[i] = own.x;
         out->ay[i] = own.y;
         out->along[i] = cr_vec2_dot(acc, direction);
@@ -127,19 +129,11 @@ enum cr_err cr_pulse_of_event(const struct cr_solution *sol, const struct cr_eve
     return fill(c, event->t_begin, event->t_end - event->t_begin + rest_after, u, out, err);
 }
 
-/* The length of (x, y) if it is greater than `than`, else `than`. hypot is slow; the squares decide
- * wherever rounding cannot hide the answer. */
-static double greater(double x, double y, double than) {
-    bool may = x * x + y * y > than * than * (1 - 1e-12);
-    double length = may ? hypot(x, y) : than;
-    return length > than ? length : than;
-}
-
 double cr_pulse_peak(const struct cr_pulse *p, double *when) {
     double top = 0;
     *when = NAN;
     for (int k = 0; k < p->n; k++) {
-        double a = greater(p->ax[k], p->ay[k], top);
+        double a = cr_max(cr_vec2_len(cr_vec2(p->ax[k], p->ay[k])), top);
         if (a > top) {
             top = a;
             *when = p->t0 + (k + 0.5) * p->dt;
@@ -226,7 +220,7 @@ double cr_pulse_asi(const double *ax, const double *ay, int n, double dt) {
             sx -= ax[i - w];
             sy -= ay[i - w];
         }
-        top = greater(sx / w / limit_x, sy / w / limit_y, top);
+        top = cr_max(cr_vec2_len(cr_vec2(sx / w / limit_x, sy / w / limit_y)), top);
     }
     return top;
 }
@@ -237,9 +231,9 @@ static double phd_after(const struct cr_pulse *p, int from) {
     int w = (int)lround(window_s / p->dt);
     double sum = 0, top = 0;
     for (int i = from; i < p->n; i++) {
-        sum += hypot(p->ax[i], p->ay[i]);
+        sum += cr_vec2_len(cr_vec2(p->ax[i], p->ay[i]));
         if (i - w >= from) {
-            sum -= hypot(p->ax[i - w], p->ay[i - w]);
+            sum -= cr_vec2_len(cr_vec2(p->ax[i - w], p->ay[i - w]));
         }
         top = sum / w > top ? sum / w : top;
     }
@@ -259,13 +253,13 @@ double cr_pulse_thiv(const struct cr_pulse *p, int start, double *phd) {
         if (i < p->n) {
             psi = p->heading[i];
             w = p->yaw_rate[i];
-            acc = cr_vec2_rotate(cr_vec2(p->ax[i], p->ay[i]), cos(psi), sin(psi));
+            acc = cr_vec2_turn(cr_vec2(p->ax[i], p->ay[i]), psi);
         } else {
             psi += w * p->dt;
         }
         r = cr_vec2_axpy(r, p->dt, cr_vec2_axpy(v, -p->dt / 2, acc));
         v = cr_vec2_axpy(v, -p->dt, acc);
-        struct cr_vec2 own = cr_vec2_unrotate(r, cos(psi), sin(psi));
+        struct cr_vec2 own = cr_vec2_turn(r, -psi);
         if (fabs(own.x) >= ahead || fabs(own.y) >= aside) {
             *phd = i < p->n ? phd_after(p, i) : 0;
             break;

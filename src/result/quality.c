@@ -3,6 +3,7 @@
  * inputs. */
 #include "result/result_priv.h"
 
+#include "base/elementary.h"
 #include "scene/compiled.h"
 
 #include <math.h>
@@ -86,8 +87,7 @@ static bool swallowed(const struct cr_result *r, const struct cr_impact *k, int 
             continue;
         }
         const struct cr_sample *own = sample(sol, n, i), *it = sample(sol, n, other);
-        struct cr_vec2 p =
-            cr_vec2_unrotate(cr_vec2_sub(own->pos, it->pos), cos(it->heading), sin(it->heading));
+        struct cr_vec2 p = cr_vec2_turn(cr_vec2_sub(own->pos, it->pos), -it->heading);
         if (is_inside(&r->compiled->cs.body[other], p)) {
             return true;
         }
@@ -225,7 +225,7 @@ static void check_inputs(struct cr_result *r, int i, const struct cr_model_lib *
         return; /* mass and inertia would be judged by a wrong size */
     }
     double size = cr_clamp(p->length / ref->length, 0.6, 1.6);
-    check_value(r, p->id, "mass", p->mass, mass * pow(size, 2.7));
+    check_value(r, p->id, "mass", p->mass, mass * cr_pow(size, 2.7));
     check_value(r, p->id, "yaw inertia", p->yaw_inertia,
                 0.137 * p->mass * p->length * p->wheelbase);
 }

@@ -3,6 +3,7 @@
  * the model"). */
 #include "result/result_priv.h"
 
+#include "base/elementary.h"
 #include "scene/compiled.h"
 
 #include <math.h>
@@ -28,11 +29,11 @@ static struct cr_vec2 approach(const struct cr_participant *p, struct cr_vec2 *p
         course = w->heading;
         if (p->waypoints > 1) {
             struct cr_vec2 way = cr_vec2_sub(w->pos, w[-1].pos);
-            course = cr_vec2_len(way) > 0 ? atan2(way.y, way.x) : course;
+            course = cr_vec2_len(way) > 0 ? cr_atan2(way.y, way.x) : course;
         }
     }
     speed = isfinite(speed) ? speed : 0;
-    return cr_vec2(speed * cos(course), speed * sin(course));
+    return cr_vec2_scale(cr_vec2_toward(course), speed);
 }
 
 /* Guesses the PDOF, rad: the impulse of a full impact with friction works along the relative
@@ -60,7 +61,7 @@ static double guess_pdof(const struct cr_scene *scene, int i) {
     if (!(cr_vec2_len(push) > 0)) {
         return 0;
     }
-    return cr_result_pdof(cr_vec2_unrotate(push, cos(heading), sin(heading)));
+    return cr_result_pdof(cr_vec2_turn(push, -heading));
 }
 
 /* Whether the direction of the force, which only a solve tells, chooses the sector of the model. */
@@ -74,7 +75,8 @@ static void read_pdof(const struct cr_solution *sol, double pdof[CR_BODY_MAX]) {
     for (int i = 0; i < sol->bodies; i++) {
         const struct cr_outcome *o = &sol->body[i];
         if (cr_vec2_len(o->delta_v) > 0) {
-            double c = cos(o->before.heading), s = sin(o->before.heading);
+            double c, s;
+            cr_sincos(o->before.heading, &s, &c);
             pdof[i] = cr_result_pdof(cr_vec2_unrotate(o->delta_v, c, s));
         }
     }

@@ -1,6 +1,8 @@
 /* Gives the quantities of a result's time series by name and unit, and the motion at a time. */
 #include "result/result.h"
 
+#include "base/elementary.h"
+
 const char *cr_quantity_key(enum cr_quantity quantity) {
     static const char *const keys[CR_QUANTITIES] = {
 #define X(name, key, unit, factor) key,
@@ -27,7 +29,7 @@ const struct cr_sample *cr_result_motion_at(const struct cr_solution *sol, int b
 double cr_result_quantity(const struct cr_solution *sol, int sample, int body,
                           enum cr_quantity quantity) {
     const struct cr_sample *s = &sol->trace[(long)sample * sol->bodies + body];
-    struct cr_vec2 a = cr_vec2_unrotate(s->acc, cos(s->heading), sin(s->heading));
+    struct cr_vec2 a = cr_vec2_turn(s->acc, -s->heading);
     const double si[CR_QUANTITIES] = {
         [CR_QUANTITY_X] = s->pos.x,
         [CR_QUANTITY_Y] = s->pos.y,

@@ -1,6 +1,7 @@
 /* Resolved scene -> case for the solver. */
 #include "scene/scene_priv.h"
 
+#include "base/elementary.h"
 #include "scene/compiled.h"
 
 #include <math.h>
@@ -287,7 +288,7 @@ static enum cr_err make_object(struct making *m, int i, struct cr_body *body,
 }
 
 static struct cr_vec2 shifted(struct cr_vec2 pos, double heading, struct cr_vec2 by) {
-    return cr_vec2_add(pos, cr_vec2_rotate(by, cos(heading), sin(heading)));
+    return cr_vec2_add(pos, cr_vec2_turn(by, heading));
 }
 
 static enum cr_err make_motion(struct making *m, const struct cr_participant *p,
@@ -296,7 +297,7 @@ static enum cr_err make_motion(struct making *m, const struct cr_participant *p,
     body->pos = shifted(p->pos, p->heading, centre);
     body->heading = p->heading;
     body->yaw_rate = p->yaw_rate;
-    body->vel = cr_vec2(p->speed * cos(course), p->speed * sin(course));
+    body->vel = cr_vec2_scale(cr_vec2_toward(course), p->speed);
     if (p->waypoints == 0) {
         return CR_ERR_OK;
     }
@@ -312,7 +313,7 @@ static enum cr_err make_motion(struct making *m, const struct cr_participant *p,
     body->waypoint = way;
     body->pos = way[0].pos;
     body->heading = way[0].heading;
-    body->vel = cr_vec2(way[0].speed * cos(way[0].heading), way[0].speed * sin(way[0].heading));
+    body->vel = cr_vec2_scale(cr_vec2_toward(way[0].heading), way[0].speed);
     return CR_ERR_OK;
 }
 
@@ -540,7 +541,7 @@ static struct cr_opts make_opts(const struct cr_settings *set) {
     opts.induced = set->induced == 1;
     opts.plane = set->plane_normal == 1;
     opts.end = set->end;
-    opts.slope = cr_vec2_scale(cr_vec2(cos(set->downhill), sin(set->downhill)), set->slope);
+    opts.slope = cr_vec2_scale(cr_vec2_toward(set->downhill), set->slope);
     opts.rolling = set->rolling_auto ? rolling_free : set->rolling;
     opts.rolling_after = set->rolling_auto ? rolling_in_gear : set->rolling;
     return opts;

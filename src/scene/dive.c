@@ -1,6 +1,8 @@
 /* How far the bumper of a braking vehicle goes down. */
 #include "scene/scene.h"
 
+#include "base/elementary.h"
+
 #include <math.h>
 
 /* Natural frequency of a loaded car on its springs, Hz, and the share of the dive that the
@@ -32,7 +34,7 @@ double cr_scene_pitch(const struct cr_participant *p, double delta_v, double for
                       bool front) {
     /* F = m w dv sin(w t) turns the body by m w dv lever / I (w t - sin w t) / w^2, and half of the
      * energy is in at w t = pi/4. The springs (1.3 Hz) have no time to answer in these 33 ms. */
-    double course = CR_PI / 4 - sin(CR_PI / 4);
+    double course = CR_PI / 4 - cr_sin(CR_PI / 4);
     double lever = p->cg_height - force_height;
     double turn = course * p->mass * delta_v * lever / (crush_rate * p->yaw_inertia);
     double nose = p->cg_behind_front_axle + p->front_overhang;

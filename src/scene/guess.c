@@ -1,6 +1,7 @@
 /* Type and mass of a vehicle that gives neither: from the catalogue, else from its dimensions. */
 #include "scene/scene_priv.h"
 
+#include "base/elementary.h"
 #include "base/grow.h"
 #include "base/number.h"
 #include "catalogue/catalogue.h"
@@ -110,12 +111,12 @@ double cr_scene_guess_mass(const struct cr_participant *p, const struct cr_model
 
 /* Their scatter is that of kerb mass and driver together. */
 double cr_scene_drawn_kerb_mass(const struct cr_participant *p, double with_driver) {
-    return with_driver * exp(p->off_rule[CR_RULED_MASS]) - CR_CAR_DRIVER;
+    return with_driver * cr_exp(p->off_rule[CR_RULED_MASS]) - CR_CAR_DRIVER;
 }
 
 double cr_scene_kerb_by_rule(const struct cr_participant *p, double drawn) {
     double off = p->off_rule[CR_RULED_MASS];
-    return off == 0 ? drawn : (drawn + CR_CAR_DRIVER) * exp(-off) - CR_CAR_DRIVER;
+    return off == 0 ? drawn : (drawn + CR_CAR_DRIVER) * cr_exp(-off) - CR_CAR_DRIVER;
 }
 
 /* ---- the catalogue ---- */

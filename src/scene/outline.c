@@ -1,6 +1,8 @@
 /* Outlines of participants as they are placed, from their dimensions or shape. */
 #include "scene/scene_priv.h"
 
+#include "base/elementary.h"
+
 #include <math.h>
 
 /* a wall has no ends; drawn it reaches this far to both sides, and this far back */
@@ -18,7 +20,7 @@ static int rectangle(double x0, double x1, double half, struct cr_vec2 *out) {
 static int arc(struct cr_vec2 c, double r, double a, double turn, int n, struct cr_vec2 *out) {
     for (int i = 0; i <= n; i++) {
         double t = a + turn * i / n;
-        out[i] = cr_vec2(c.x + r * cos(t), c.y + r * sin(t));
+        out[i] = cr_vec2_axpy(c, r, cr_vec2_toward(t));
     }
     return n + 1;
 }

@@ -2,6 +2,8 @@
  * apart as wanted. */
 #include "scene/scene_priv.h"
 
+#include "base/elementary.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -48,7 +50,8 @@ static void extent(const struct hull *h, double *front, double *rear, double *le
 
 static struct hull hull_at(const struct hull *h, struct cr_vec2 pos, double heading) {
     struct hull out = {.n = h->n, .radius = h->radius};
-    double c = cos(heading), s = sin(heading);
+    double c, s;
+    cr_sincos(heading, &s, &c);
     for (int i = 0; i < h->n; i++) {
         out.corner[i] = cr_vec2_add(pos, cr_vec2_rotate(h->corner[i], c, s));
     }
@@ -167,7 +170,7 @@ static struct pose align(const struct cr_place *how, const struct face *f, const
     bool flank = how->side == CR_FACE_LEFT || how->side == CR_FACE_RIGHT;
     struct cr_vec2 along = flank ? cr_vec2(1, 0) : cr_vec2(0, 1);
     struct cr_vec2 touch = cr_vec2_axpy(f->middle, offset, along), origin;
-    double to_face = atan2(-f->normal.y, -f->normal.x);
+    double to_face = cr_atan2(-f->normal.y, -f->normal.x);
     if (how->rel == CR_PLACE_BESIDE) {
         /* flank to flank, fronts `along` apart */
         bool on_left = how->side == CR_FACE_LEFT;
@@ -178,7 +181,7 @@ static struct pose align(const struct cr_place *how, const struct face *f, const
         pose.heading = to_face;
     }
     struct cr_vec2 arm = cr_vec2_sub(origin, touch);
-    origin = cr_vec2_add(touch, cr_vec2_rotate(arm, cos(how->angle), sin(how->angle)));
+    origin = cr_vec2_add(touch, cr_vec2_turn(arm, how->angle));
     pose.pos = cr_vec2_axpy(origin, far_off, f->normal);
     pose.heading += how->angle;
     return pose;
@@ -258,14 +261,14 @@ static enum cr_err find_pose(const struct cr_participant *other, const struct hu
     double front, rear, left, right, offset, moved;
     struct face f = face_of(other, theirs, how->side);
     extent(mine, &front, &rear, &left, &right);
-    double half = (left - right) / 2, size = hypot(front - rear, left - right);
+    double half = (left - right) / 2, size = cr_vec2_len(cr_vec2(front - rear, left - right));
     f.counted = 2 * (theirs->barrier ? half : mine->barrier ? f.left : fmin(half, f.left));
     extent(theirs, &front, &rear, &left, &right);
     enum cr_err code = offset_of(how, &f, half, front, &offset, err);
     if (code != CR_ERR_OK) {
         return code;
     }
-    double far_off = 2 * (size + hypot(front - rear, left - right)) + how->gap;
+    double far_off = 2 * (size + cr_vec2_len(cr_vec2(front - rear, left - right))) + how->gap;
     *pose = align(how, &f, mine, offset, far_off);
     struct hull there = hull_at(mine, pose->pos, pose->heading);
     struct cr_vec2 to = cr_vec2_scale(f.normal, -1);
@@ -302,8 +305,7 @@ enum cr_err cr_scene_place(struct cr_scene *scene, const char *id, const char *o
     if (code != CR_ERR_OK) {
         return code;
     }
-    double c = cos(o->heading), s = sin(o->heading);
-    cr_scene_pose(p, cr_vec2_add(o->pos, cr_vec2_rotate(pose.pos, c, s)),
+    cr_scene_pose(p, cr_vec2_add(o->pos, cr_vec2_turn(pose.pos, o->heading)),
                   o->heading + pose.heading);
     return CR_ERR_OK;
 }

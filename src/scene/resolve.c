@@ -1,6 +1,7 @@
 /* Values that were not given, from the catalogue, from type and mass. */
 #include "scene/scene_priv.h"
 
+#include "base/elementary.h"
 #include "base/number.h"
 #include "catalogue/catalogue.h"
 
@@ -30,7 +31,7 @@ static double rule_length(const struct basis *b) {
     if (!isnan(b->part->wheelbase)) {
         return b->ref->length * b->part->wheelbase / b->ref->wheelbase;
     }
-    double size = isnan(kerb) ? 1 : cbrt((kerb + CR_TEST_LOAD) / b->ref_mass);
+    double size = isnan(kerb) ? 1 : cr_pow(fmax(0, kerb + CR_TEST_LOAD) / b->ref_mass, 1.0 / 3);
     return b->ref->length * cr_clamp(size, 0.8, 1.2);
 }
 
@@ -38,7 +39,8 @@ static double rule_length(const struct basis *b) {
  * power of length that is the inverse of that trend, but no more than the car weighs. */
 static double rule_kerb_mass(const struct basis *b) {
     double kerb = given_kerb_mass(b->part), size = b->part->length / b->ref->length;
-    return isnan(kerb) ? fmin((b->ref_mass - CR_TEST_LOAD) * pow(size, 2.7), b->part->mass) : kerb;
+    return isnan(kerb) ? fmin((b->ref_mass - CR_TEST_LOAD) * cr_pow(size, 2.7), b->part->mass)
+                       : kerb;
 }
 
 static double rule_load(const struct basis *b) {
@@ -48,7 +50,7 @@ static double rule_load(const struct basis *b) {
 
 /* what a draw makes of a rule's value */
 static double drawn(const struct basis *b, enum cr_ruled what, double value) {
-    return value * exp(b->part->off_rule[what]);
+    return value * cr_exp(b->part->off_rule[what]);
 }
 
 static double rule_mass(const struct basis *b) {

@@ -2,6 +2,8 @@
  * from it whenever type, size, heading or the other one change. */
 #include "scene/scene_priv.h"
 
+#include "base/elementary.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -41,10 +43,10 @@ static enum cr_err flank_at_pole(struct cr_participant *v, const struct cr_parti
     }
     double front = v->front_overhang + v->cg_behind_front_axle;
     struct cr_vec2 spot = cr_vec2(front - along, sign * v->width / 2);
-    struct cr_vec2 way = cr_vec2(cos(course), sin(course));
-    double ahead = pole->radius / sin(angle) + s->gap;
+    struct cr_vec2 way = cr_vec2_toward(course);
+    double ahead = pole->radius / cr_sin(angle) + s->gap;
     struct cr_vec2 pos = cr_vec2_axpy(pole->pos, -ahead, way);
-    pos = cr_vec2_sub(pos, cr_vec2_rotate(spot, cos(v->heading), sin(v->heading)));
+    pos = cr_vec2_sub(pos, cr_vec2_turn(spot, v->heading));
     cr_scene_pose(v, pos, v->heading);
     cr_scene_course(v, course);
     return CR_ERR_OK;

@@ -3,6 +3,7 @@
  * is struck in the flank, while it drives faster than what strikes it, struck at its front. */
 #include "scene/scene_priv.h"
 
+#include "base/elementary.h"
 #include "scene/compiled.h"
 
 #include <math.h>
@@ -33,7 +34,8 @@ static struct box box_of(const struct cr_participant *p) {
 
 /* the box about a box that stands at `at`, turned */
 static struct box turned(struct box of, struct cr_vec2 at, double turn) {
-    double c = cos(turn), s = sin(turn);
+    double c, s;
+    cr_sincos(turn, &s, &c);
     struct box out = {{INFINITY, -(double)INFINITY}, {INFINITY, -(double)INFINITY}};
     for (int n = 0; n < 4; n++) {
         struct cr_vec2 corner = {n & 1 ? of.x.hi : of.x.lo, n & 2 ? of.y.hi : of.y.lo};
@@ -57,7 +59,8 @@ static double meets(struct stretch moving, double v, struct stretch still) {
 enum cr_face cr_scene_struck_face(const struct cr_scene *scene, const struct cr_case *cs, int i,
                                   int k) {
     const struct cr_body *a = &cs->body[i], *b = &cs->body[k];
-    double c = cos(a->heading), s = sin(a->heading);
+    double c, s;
+    cr_sincos(a->heading, &s, &c);
     struct cr_vec2 v = cr_vec2_unrotate(cr_vec2_sub(b->vel, a->vel), c, s);
     struct cr_vec2 at = cr_vec2_unrotate(cr_vec2_sub(b->pos, a->pos), c, s);
     struct box own = box_of(&scene->part[i]);

@@ -1,6 +1,7 @@
 /* Step 2 of the paper: the force vector from the voxels that were deformed. */
 #include "solver/force.h"
 
+#include "base/elementary.h"
 #include "solver/tuning.h"
 
 /* Friction by kind of body: the smoother one decides. */
@@ -117,8 +118,8 @@ static struct cr_vec2 plane_normal(const struct cr_duo *d, struct cr_vec2 from,
     double xx = m.second[0] / m.weight - mean.x * mean.x + own * along.x * along.x;
     double xy = m.second[1] / m.weight - mean.x * mean.y + own * along.x * along.y;
     double yy = m.second[2] / m.weight - mean.y * mean.y + own * along.y * along.y;
-    double angle = 0.5 * atan2(2 * xy, xx - yy); /* of the plane, from world x */
-    struct cr_vec2 n = cr_vec2(-sin(angle), cos(angle));
+    double angle = 0.5 * cr_atan2(2 * xy, xx - yy); /* of the plane, from world x */
+    struct cr_vec2 n = cr_vec2_perp(cr_vec2_toward(angle));
     return cr_vec2_dot(n, pressure) < 0 ? cr_vec2_scale(n, -1) : n;
 }
 

@@ -1,13 +1,14 @@
 /* Step 4 of the paper: velocities and places, by semi-implicit Euler with an adapted slice. */
 #include "solver/motion.h"
+
+#include "base/elementary.h"
 #include "solver/phases.h"
 #include "solver/tuning.h"
 
 void cr_kinematics_place(struct cr_moving *m, struct cr_vec2 pos, double heading) {
     m->pos = pos;
     m->heading = heading;
-    m->c = cos(heading);
-    m->s = sin(heading);
+    cr_sincos(heading, &m->s, &m->c);
 }
 
 static double lerp(double a, double b, double u) {

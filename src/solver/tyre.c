@@ -1,6 +1,8 @@
 /* Tyre forces: static loads (paper, assumption), friction circle, lateral force that saturates
  * with the slip angle [TYRE-LATERAL]. */
 #include "solver/motion.h"
+
+#include "base/elementary.h"
 #include "solver/tuning.h"
 
 /* Share of the lateral force, with the sign of v.y: Fiala's cubic, full with a level tangent at the
@@ -10,7 +12,7 @@ static double side_share(struct cr_vec2 v) {
     if (fabs(v.y) > cr_slope_full * rolling_speed) {
         return copysign(1, v.y);
     }
-    double slip = atan2(v.y, rolling_speed) / cr_rad(cr_slip_full_deg);
+    double slip = cr_atan2(v.y, rolling_speed) / cr_rad(cr_slip_full_deg);
     double a = cr_min(fabs(slip), 1);
     return copysign(3 * a - 3 * a * a + a * a * a, v.y);
 }
@@ -82,8 +84,8 @@ bool cr_tyres_hold(const struct cr_solver *s, int body) {
     for (int i = 0; i < m->body->wheels && pull > 0; i++) {
         struct grip g = grip_of(s, m, i);
         double turn = m->heading + m->body->wheel[i].steer;
-        struct cr_vec2 own = cr_vec2_scale(cr_vec2_unrotate(down, cos(turn), sin(turn)), 1 / pull);
-        hold += g.limit * (g.slides ? 1 : hypot(g.pull * own.x, own.y));
+        struct cr_vec2 own = cr_vec2_scale(cr_vec2_turn(down, -turn), 1 / pull);
+        hold += g.limit * (g.slides ? 1 : cr_vec2_len(cr_vec2(g.pull * own.x, own.y)));
     }
     return pull <= hold;
 }
@@ -98,8 +100,7 @@ static struct cr_vec2 sum_forces(const struct cr_solver *s, const struct cr_movi
         struct cr_vec2 r = cr_vec2_rotate(w->at, m->c, m->s);
         double c = m->c, sn = m->s; /* of the wheel's heading */
         if (w->steer != 0) {
-            c = cos(m->heading + w->steer);
-            sn = sin(m->heading + w->steer);
+            cr_sincos(m->heading + w->steer, &sn, &c);
         }
         struct cr_vec2 v = cr_vec2_axpy(m->vel, m->yaw_rate, cr_vec2_perp(r));
         struct grip g = grip_of(s, m, i);

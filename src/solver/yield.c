@@ -7,6 +7,8 @@
  * left side rises and the right falls while no structure gets weaker as it is crushed, so there
  * is one share. */
 #include "solver/crush.h"
+
+#include "base/elementary.h"
 #include "solver/tuning.h"
 
 /* force of a structure that gives way by a share of the overlap, N; one that gets weaker within the
@@ -19,7 +21,7 @@ static double force_of(const struct cr_side *k, double share) {
 /* share of the one whose odds' logarithm is t; that of the other is share_of(-t), to the last bit
  * the same whichever of the two is called a */
 static double share_of(double t) {
-    return 1 / (1 + exp(-t));
+    return 1 / (1 + cr_exp(-t));
 }
 
 /* Force of a less that of b, each with its rate, for the share of a whose odds' logarithm is t; the
@@ -28,7 +30,7 @@ static double imbalance(const struct cr_duo *d, double t) {
     const struct cr_side *a = &d->s->side[0], *b = &d->s->side[1];
     double fa = d->touch->taut[0] + force_of(a, share_of(t)),
            fb = d->touch->taut[1] + force_of(b, share_of(-t)), rate = 0.5 * cr_rate_exponent * t;
-    return fa * exp(rate) - fb * exp(-rate);
+    return fa * cr_exp(rate) - fb * cr_exp(-rate);
 }
 
 /* root of imbalance by bisection of the odds: it rises with t; infinite where one gives nothing */
