@@ -20,6 +20,10 @@ static const struct {
      "EES are estimates; own A, B stiffness of the side can be given",
      "%: Seite vom breiten % getroffen; die Seiten der Modelle beruhen auf schmalen Pfählen: Tiefe "
      "und EES sind Schätzungen; eigene Steifigkeiten A, B der Seite können angegeben werden"},
+    {"%: side struck, and no model year: flanks of up to 2013 are dented a sixth deeper than "
+     "computed, those of 2017 and later a tenth less; give \"built\"",
+     "%: Seite getroffen, Baujahr unbekannt: Seiten bis 2013 werden um ein Sechstel tiefer "
+     "eingedrückt als berechnet, ab 2017 um ein Zehntel weniger; \"built\" angeben"},
     {"%: small overlap outside the rails: tested cars slid off rounded edges and poles, the model "
      "holds on; take delta-v and EES as upper bounds",
      "%: geringe Überdeckung außerhalb der Längsträger: geprüfte Fahrzeuge glitten an runden "

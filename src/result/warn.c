@@ -124,6 +124,13 @@ static void check_face(struct cr_result *r, const struct cr_contact *c, int car,
                        "given",
                        p->id, q->id);
     }
+    if (side && isnan(p->built) && !has_own(p, CR_MODEL_SIDE)) {
+        cr_result_warn(
+            r, "side-year",
+            "%s: side struck, and no model year: flanks of up to 2013 are dented a sixth "
+            "deeper than computed, those of 2017 and later a tenth less; give \"built\"",
+            p->id);
+    }
     /* Only damage at one edge is a small overlap, not that of a narrow object in the middle. */
     bool edge = s->cdc[0] && (s->cdc[3] == 'L' || s->cdc[3] == 'R');
     if (s->face == CR_FACE_FRONT && edge && q->kind == CR_KIND_OBJECT &&

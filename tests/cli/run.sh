@@ -234,6 +234,12 @@ run run "$SRC/share/scenes/pole-side.json" --format csv
 has "nor in the CSV" "$(printf '%s\n' "$out" | sed -n 2p)" '[0-9],,,,$'
 run stack "$SRC/share/scenes/rest.json"
 has "a place where there is one" "$out" '"rest":\{"x_m":-?[0-9.]+,"y_m":-?[0-9.]+,"heading_deg"'
+# flanks differ by model year
+run run "$SRC/share/scenes/pole-side.json"
+has "a flank without a year is told" "$out" '"code":.*"side-year"'
+sed 's/"kind": *"vehicle"/&, "built": 2012/' "$SRC/share/scenes/pole-side.json" >"$tmp/old.json"
+run run "$tmp/old.json"
+empty "not one whose year is given" "$(printf '%s\n' "$out" | grep side-year)"
 wall_scene >"$tmp/wall.json"
 has "explain tells how long an elastic phase lasts" \
     "$("$crumple" -e "load $tmp/wall.json" -e solve -e "explain last" 2>&1)" \
