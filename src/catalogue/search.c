@@ -112,13 +112,18 @@ static int fits_text(const char *word, const char *text) {
     return best;
 }
 
+/* Whether a word is one of a car's model years. */
+static bool is_its_year(const struct cr_car *car, const char *word, int *year) {
+    return is_year(word, year) && car->from <= *year && *year <= car->to;
+}
+
 static bool fits(const struct cr_car *car, const char *word) {
     int year;
     double length;
     if (is_length(word, &length)) {
         return fabs(car->length - length) < 0.006;
     }
-    if (is_year(word, &year) && car->from <= year && year <= car->to) {
+    if (is_its_year(car, word, &year)) {
         return true;
     }
     return fits_text(make_of(word), car->make) > 0 || fits_text(word, car->model) > 0 ||
@@ -130,7 +135,7 @@ int cr_car_year(const struct cr_car *car, const char *words) {
     int said = 0, year;
     split(words, &w);
     for (int i = 0; i < w.n; i++) {
-        bool its = is_year(w.word[i], &year) && car->from <= year && year <= car->to;
+        bool its = is_its_year(car, w.word[i], &year);
         said = its && fits_text(w.word[i], car->model) == 0 ? year : said; /* not a Peugeot 2008 */
     }
     return said;

@@ -66,6 +66,12 @@ double cr_model_face_energy(const struct cr_model_face *f, enum cr_curve curve, 
     return dynamic_energy(f, depth + f->springback) - rest;
 }
 
+void cr_model_face_scale(struct cr_model_face *face, double by) {
+    for (int i = 0; i < face->ees.n; i++) {
+        face->ees.y[i] *= by;
+    }
+}
+
 double cr_model_built_strength(const struct cr_model_face *face, double year) {
     return year > 0 && face->built.n > 0 ? cr_model_knots_at(&face->built, year) : 1;
 }

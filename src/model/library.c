@@ -331,10 +331,7 @@ static void faces_of(const struct cr_model_recipe *r, const struct cr_model_quer
                      struct cr_model_face out[CR_MODEL_ENDS]) {
     for (int i = 0; i < CR_MODEL_ENDS; i++) {
         out[i] = r->face[i];
-        double root = sqrt(cr_model_built_strength(&r->face[i], q->built));
-        for (int k = 0; k < out[i].ees.n; k++) {
-            out[i].ees.y[k] *= root;
-        }
+        cr_model_face_scale(&out[i], sqrt(cr_model_built_strength(&out[i], q->built)));
     }
 }
 
@@ -362,10 +359,12 @@ static enum cr_err substitute(const struct cr_model_lib *lib, const struct cr_mo
     code = plan_of(r, &lib->cache->kept[q->type], z, &scratch, &plan, err);
     pthread_mutex_unlock(&lib->cache->lock);
     if (!code) {
-        faces_of(r, q, own);
-        code = cr_model_resample(
-            &(struct cr_model_parts){r, face != NULL ? face : own, &plan, &stretch}, q, arena, out,
-            err);
+        if (face == NULL) {
+            faces_of(r, q, own);
+            face = own;
+        }
+        code = cr_model_resample(&(struct cr_model_parts){r, face, &plan, &stretch}, q, arena, out,
+                                 err);
     }
     cr_arena_free(&scratch);
     return code;

@@ -125,6 +125,9 @@ enum cr_curve {
 /* Plastic energy per kg of vehicle mass (J/kg = EES^2/2) of the face crushed to a depth, m. */
 double cr_model_face_energy(const struct cr_model_face *face, enum cr_curve curve, double depth);
 
+/* Stretch a face's EES by a factor, which changes its force by the square of the factor. */
+void cr_model_face_scale(struct cr_model_face *face, double by);
+
 /* Strength of a face of a car built in a year against that of the tests' mean; 1 where the year is
  * not known (0), or says nothing of that face. */
 double cr_model_built_strength(const struct cr_model_face *face, double year);

@@ -133,7 +133,7 @@ double cr_pulse_peak(const struct cr_pulse *p, double *when) {
     double top = 0;
     *when = NAN;
     for (int k = 0; k < p->n; k++) {
-        double a = cr_max(cr_vec2_len(cr_vec2(p->ax[k], p->ay[k])), top);
+        double a = cr_vec2_len(cr_vec2(p->ax[k], p->ay[k]));
         if (a > top) {
             top = a;
             *when = p->t0 + (k + 0.5) * p->dt;

@@ -75,9 +75,7 @@ static void read_pdof(const struct cr_solution *sol, double pdof[CR_BODY_MAX]) {
     for (int i = 0; i < sol->bodies; i++) {
         const struct cr_outcome *o = &sol->body[i];
         if (cr_vec2_len(o->delta_v) > 0) {
-            double c, s;
-            cr_sincos(o->before.heading, &s, &c);
-            pdof[i] = cr_result_pdof(cr_vec2_unrotate(o->delta_v, c, s));
+            pdof[i] = cr_result_pdof(cr_vec2_turn(o->delta_v, -o->before.heading));
         }
     }
 }

@@ -156,13 +156,6 @@ static void fit_front(const struct cr_calibration *f, int type, double prior_u, 
     *s = (a * q - b * p) / det;
 }
 
-/* Stretches a face's EES by a factor, which changes its force by the square of the factor. */
-static void scale_face(struct cr_model_face *f, double by) {
-    for (int i = 0; i < f->ees.n; i++) {
-        f->ees.y[i] *= by;
-    }
-}
-
 /* What the springbacks must grow by for a mean percentage error of 0 in the deep crushes of a type
  * (CR_TYPES: all). */
 static double shift_of(const struct cr_calibration *f, int type) {
@@ -191,7 +184,7 @@ static enum cr_err front_round(struct cr_calibration *f, struct cr_error *err) {
     }
     for (int t = 0; t < CR_TYPES; t++) {
         struct cr_model_face front = *cr_model_face(f->lib, (enum cr_type)t, CR_MODEL_FRONT);
-        scale_face(&front, 1 / (u[t] * cr_calibration_slope(&front)));
+        cr_model_face_scale(&front, 1 / (u[t] * cr_calibration_slope(&front)));
         front.springback = s[t] + f->shift[t];
         cr_model_set_face(f->lib, (enum cr_type)t, CR_MODEL_FRONT, &front);
     }
@@ -326,7 +319,7 @@ static enum cr_err side_round(struct cr_calibration *f, struct cr_error *err) {
     for (int t = 0; t < CR_TYPES; t++) {
         double force = damaged / cr_test_pole_area * exp(stronger_flank(f, t, all, mean));
         struct cr_model_face side = *cr_model_face(f->lib, (enum cr_type)t, CR_MODEL_SIDE);
-        scale_face(&side, sqrt(force));
+        cr_model_face_scale(&side, sqrt(force));
         side.drag_slope *= slope;
         set_built(f, t, missed, &side);
         cr_model_set_face(f->lib, (enum cr_type)t, CR_MODEL_SIDE, &side);

@@ -159,7 +159,8 @@ static void newer_flanks_stand_more(void **state) {
     double old = depth_at_side_pole(2012), unknown = depth_at_side_pole(0),
            new = depth_at_side_pole(2019);
     print_message("# side pole, m: 2012 %.3f, year not known %.3f, 2019 %.3f\n", old, unknown, new);
-    assert_true(new < unknown &&unknown < old);
+    assert_true(unknown < old);
+    assert_true(new < unknown);
     check_near(old / new, 1.33, 0.05);
     check_near(depth_at_side_pole(1998), old, 0);
 }
