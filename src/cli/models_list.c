@@ -151,7 +151,7 @@ static void add_faces(const struct cr_model_lib *lib, enum cr_type type, struct 
     for (int d = 1; d <= 8; d++) {
         cr_str_addf(out, "%7.1f", 0.1 * d);
     }
-    cr_str_add(out, "   springback m     drag slope\n");
+    cr_str_add(out, "   springback m  drag slope, bend\n");
     for (int i = 0; i < CR_MODEL_ENDS; i++) {
         const struct cr_model_face *f = cr_model_face(lib, type, (enum cr_model_end)i);
         cr_str_addf(out, "  %-7s", name[i]);
@@ -159,7 +159,7 @@ static void add_faces(const struct cr_model_lib *lib, enum cr_type type, struct 
             double e = cr_model_face_energy(f, CR_CURVE_DYNAMIC, 0.1 * d);
             cr_str_addf(out, "%7.1f", cr_kmh(sqrt(2 * e)));
         }
-        cr_str_addf(out, "   %12.3f   %12.1f\n", f->springback, f->drag_slope);
+        cr_str_addf(out, "   %12.3f  %9.1f  %5.1f\n", f->springback, f->drag_slope, f->drag_bend);
     }
 }
 

@@ -13,10 +13,11 @@ struct cr_grid {
     double x0, y0; /* corner of voxel (0,0) with the least x and y, body frame from the CG, m */
     const double *fill;   /* [iy * nx + ix] share of the voxel that is material, 0..1 */
     const double *energy; /* [iy * nx + ix] energy that crushes all that material, J */
-    /* Per face: how many m of depth are lost per m beside a contact at most (0: nothing is dragged
-     * along); the depth behind which its lines move as one piece, m (0: nowhere); dynamic minus
-     * residual depth of a deep crush, m. */
-    double drag_slope[CR_FACES], block[CR_FACES], springback[CR_FACES];
+    /* Per face: how the depth falls beside a contact at most, at the distance a by slope a +
+     * bend a^2, slope in m per m and bend in 1/m (both 0: nothing is dragged along); the depth
+     * behind which its lines move as one piece, m (0: nowhere); dynamic minus residual depth of a
+     * deep crush, m. */
+    double drag_slope[CR_FACES], drag_bend[CR_FACES], block[CR_FACES], springback[CR_FACES];
 };
 
 /* Whether the lines of a face are rows of the grid (front, rear), not columns (left, right). */

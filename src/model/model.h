@@ -66,7 +66,8 @@ struct cr_model_face {
                                   last knot. 0: the last slope goes on */
     double springback;         /* dynamic minus residual depth, m */
     double spread;             /* residual depth over which the energy that springs back fades, m */
-    double drag_slope;         /* m of depth lost per m beside a contact, at most; 0: no drag */
+    double drag_slope;         /* m of depth lost per m beside a contact, at most, */
+    double drag_bend;          /* and per m and m of the distance, 1/m; both 0: no drag */
     double block;              /* depth of the engine, which moves as one piece, m; 0: none */
     struct cr_model_knots built; /* model year -> strength against that of the tests that the face
                                     is calibrated on; n = 0: the same for all years */
@@ -195,9 +196,10 @@ struct cr_voxels {
     double mass_kg;    /* of the vehicle whose energies these are */
     double pdof;       /* rad, as in the query */
     struct cr_dims dims;
-    double drag_slope[CR_FACES], block[CR_FACES], springback[CR_FACES]; /* as in struct cr_grid */
-    const double *fill;                                                 /* 0..1 */
-    const double *energy;                                               /* J */
+    double drag_slope[CR_FACES], drag_bend[CR_FACES]; /* as in struct cr_grid */
+    double block[CR_FACES], springback[CR_FACES];
+    const double *fill;   /* 0..1 */
+    const double *energy; /* J */
 };
 enum { CR_VOXELS_MAX = 50000000 };
 

@@ -160,7 +160,7 @@ struct cr_voxels_field {
     bool optional;
     double *at[4];
 };
-enum { CR_VOXELS_FIELDS = 16 };
+enum { CR_VOXELS_FIELDS = 17 };
 /* The fields with their places in v and count. */
 void cr_voxels_fields(struct cr_voxels *v, double count[3],
                       struct cr_voxels_field out[CR_VOXELS_FIELDS]);

@@ -191,6 +191,7 @@ enum cr_err cr_voxels_substitute(const struct cr_voxels *v, const struct cr_mode
     }
     for (int i = 0; i < CR_FACES; i++) {
         g.drag_slope[i] = v->drag_slope[i];
+        g.drag_bend[i] = v->drag_bend[i];
         g.block[i] = v->block[i];
         g.springback[i] = v->springback[i];
     }

@@ -12,7 +12,7 @@
 void cr_voxels_fields(struct cr_voxels *v, double count[3],
                       struct cr_voxels_field out[CR_VOXELS_FIELDS]) {
     struct cr_dims *d = &v->dims;
-    double *slope = v->drag_slope, *b = v->block, *s = v->springback;
+    double *slope = v->drag_slope, *bend = v->drag_bend, *b = v->block, *s = v->springback;
     const struct cr_voxels_field row[] = {
         {"edge_m", 1, 1, false, false, {&v->edge}},
         {"count", 3, 2, false, false, {&count[0], &count[1], &count[2]}},
@@ -20,6 +20,7 @@ void cr_voxels_fields(struct cr_voxels *v, double count[3],
         {"mass_kg", 1, 1, false, false, {&v->mass_kg}},
         {"pdof_deg", 1, 1, false, true, {&v->pdof}},
         {"drag_slope", 4, 4, false, true, {slope, slope + 1, slope + 2, slope + 3}},
+        {"drag_bend_per_m", 4, 4, false, true, {bend, bend + 1, bend + 2, bend + 3}},
         {"block_m", 4, 4, false, true, {b, b + 1, b + 2, b + 3}},
         {"springback_m", 4, 4, false, true, {s, s + 1, s + 2, s + 3}},
         {"length_m", 1, 1, true, false, {&d->length}},
@@ -119,6 +120,9 @@ bool cr_voxels_check_header(const struct cr_voxels *v, struct cr_voxels_fault *f
     for (int i = 0; i < CR_FACES; i++) {
         if (!(v->drag_slope[i] >= 0 && v->drag_slope[i] <= 100)) {
             return fail(f, CR_ERR_RANGE, "drag_slope", "slopes must be 0 to 100");
+        }
+        if (!(v->drag_bend[i] >= 0 && v->drag_bend[i] <= 100)) {
+            return fail(f, CR_ERR_RANGE, "drag_bend_per_m", "bends must be 0 to 100 1/m");
         }
         if (!(v->block[i] >= 0 && v->block[i] <= 10)) {
             return fail(f, CR_ERR_RANGE, "block_m", "depths of a block must be 0 to 10 m");

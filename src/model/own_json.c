@@ -192,10 +192,10 @@ static void read_field(struct cr_model_json *j, const cJSON *o, const struct cr_
 }
 
 static void read_header(struct cr_model_json *j, const cJSON *root, struct cr_voxels *v) {
-    static const char *const known[] = {"crumple_voxels", "name",    "edge_m",       "count",
-                                        "origin_m",       "mass_kg", "pdof_deg",     "vehicle",
-                                        "drag_slope",     "block_m", "springback_m", "provenance",
-                                        "fill",           "energy_J"};
+    static const char *const known[] = {
+        "crumple_voxels", "name",         "edge_m",     "count",      "origin_m",
+        "mass_kg",        "pdof_deg",     "vehicle",    "drag_slope", "drag_bend_per_m",
+        "block_m",        "springback_m", "provenance", "fill",       "energy_J"};
     double count[3] = {0};
     struct cr_voxels_field field[CR_VOXELS_FIELDS];
     struct cr_voxels_fault fault = {.key = ""};

@@ -75,6 +75,10 @@ static void read_shape(struct cr_model_json *j, const cJSON *root, struct cr_mod
     cr_model_json_leave(j);
 }
 
+static double read_or_0(struct cr_model_json *j, const cJSON *o, const char *key, double most) {
+    return cJSON_HasObjectItem(o, key) ? cr_model_json_number(j, o, key, 0, most) : 0;
+}
+
 static void read_face(struct cr_model_json *j, const cJSON *faces, const char *key, double mass,
                       struct cr_model_face *f) {
     const cJSON *o = cr_model_json_object(j, faces, key);
@@ -91,18 +95,13 @@ static void read_face(struct cr_model_json *j, const cJSON *faces, const char *k
     }
     static const char *const between[] = {"ees", "energy"};
     f->energy_linear = cr_model_json_word(j, o, "between", between, 2) == 1;
-    f->compartment = 0;
-    if (cJSON_HasObjectItem(o, "compartment_N")) {
-        f->compartment = cr_model_json_number(j, o, "compartment_N", 0, 1e7);
-    }
+    f->compartment = read_or_0(j, o, "compartment_N", 1e7);
     f->beyond = f->compartment / mass;
     f->springback = cr_model_json_number(j, o, "springback_m", 0, 0.6);
     f->spread = cr_model_json_number(j, o, "residual_spread_m", 0.01, 0.6);
-    f->drag_slope = cr_model_json_number(j, o, "drag_slope", 0, 100);
-    f->block = 0;
-    if (cJSON_HasObjectItem(o, "block_m")) {
-        f->block = cr_model_json_number(j, o, "block_m", 0, 10);
-    }
+    f->drag_slope = read_or_0(j, o, "drag_slope", 100);
+    f->drag_bend = read_or_0(j, o, "drag_bend_per_m", 100);
+    f->block = read_or_0(j, o, "block_m", 10);
     f->built.n = 0;
     if (cJSON_HasObjectItem(o, "built_strength")) {
         cr_model_json_knots(j, o, "built_strength", &f->built);

@@ -241,6 +241,7 @@ static void set_faces(const struct work *w, struct cr_grid *g) {
     for (int i = 0; i < CR_FACES; i++) {
         const struct cr_model_face *f = &w->face[end_of[i]];
         g->drag_slope[i] = f->drag_slope;
+        g->drag_bend[i] = f->drag_bend;
         g->block[i] = f->block;
         g->springback[i] = w->q->curve == CR_CURVE_DYNAMIC ? f->springback : 0;
     }

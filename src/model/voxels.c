@@ -142,6 +142,7 @@ static void describe(const struct cr_model_query *q, const struct cr_grid *g, st
                             .dims = q->dims};
     snprintf(v->name, sizeof v->name, "%s/%d", cr_type_word(q->type), cr_pdof_clock(q->pdof));
     memcpy(v->drag_slope, g->drag_slope, sizeof v->drag_slope);
+    memcpy(v->drag_bend, g->drag_bend, sizeof v->drag_bend);
     memcpy(v->block, g->block, sizeof v->block);
     memcpy(v->springback, g->springback, sizeof v->springback);
 }

@@ -1,11 +1,13 @@
 /* Step 1, induced deformation: a struck face drags along what lies beside the contact.
  *
- * The depth w of a face, along its lines, falls by no more than the slope k beside the contact:
- * w[i] >= w[j] - k |y[i] - y[j]| - (o[i] - o[j])+, o being how far the undeformed outline of a
- * line lies back: a wall on a rounded front drags nothing. Where the surface of the contact
- * itself recedes with the slope s, the limit is k + s: a corner that is driven on obliquely does
- * not drag the flank. The least such depths come from a pass up and a pass down the lines. A
- * stamp of the width b on a uniform face q: E = q (b d + d^2 / k). */
+ * The depth w of a face, along its lines, falls by no more than k a + c a^2 at the distance a from
+ * what the contact holds: w[i] >= w[j] - k a - c a^2 - (o[i] - o[j])+, a = |y[i] - y[j]|, o being
+ * how far the undeformed outline of a line lies back: a wall on a rounded front drags nothing.
+ * A flank is stretched, by the slope k; the beam of an end is bent, by c. Where the surface of the
+ * contact itself recedes with the slope s, the limit is k + s: a corner that is driven on obliquely
+ * does not drag the flank. The least such depths come from a walk up and a walk down the lines from
+ * each that the contact holds. A stamp of the width b on a uniform face q: E = q (b d + d^2 / k)
+ * where it is stretched, q (b d + 4/3 d sqrt(d / c)) where it is bent. */
 #include "solver/crush.h"
 #include "solver/tuning.h"
 
@@ -21,11 +23,12 @@ struct face {
     struct cr_line *line;
 };
 
-/* Slope of the structure beside a line at a depth, between the lines i and i + 1. Behind its front
- * an engine is pushed along as one. */
-static double slope_at(const struct face *f, int i, double depth) {
+/* Slope of the structure at a depth, at the distance `away` from what holds it, between the lines i
+ * and i + 1. Behind its front an engine is pushed along as one. */
+static double slope_at(const struct face *f, int i, double depth, double away) {
     const struct cr_grid *g = f->k->m->surface.grid;
-    double k = g->drag_slope[f->face], block = g->block[f->face];
+    double k = g->drag_slope[f->face] + 2 * g->drag_bend[f->face] * away;
+    double block = g->block[f->face];
     double out = fabs(2.0 * (i + 1) / f->lines.n - 1);
     if (cr_face_is_end(f->face) && out > cr_rails_share) {
         return cr_max(k, cr_beyond_rails);
@@ -33,10 +36,12 @@ static double slope_at(const struct face *f, int i, double depth) {
     return block > 0 ? k * (1 - cr_clamp((depth - block) / cr_block_rise, 0, 1)) : k;
 }
 
-/* Slope of the limit between the lines i and i + 1 beside what is held: how the contact recedes
- * that way, and the structure. */
-static double limit_slope(const struct face *f, bool up, int i, struct cr_hold held) {
-    return f->lean[up] + slope_at(f, i, held.depth) / held.in;
+/* The hold one step up or down the face from another, a part of the way between the lines i and
+ * i + 1: how the contact recedes that way, and the structure. */
+static struct cr_hold step(const struct face *f, bool up, int i, struct cr_hold held, double part) {
+    double way = part * f->k->m->surface.grid->h;
+    double slope = f->lean[up] + slope_at(f, i, held.depth, held.away + way / 2) / held.in;
+    return (struct cr_hold){held.depth - slope * way, held.in, held.away + way};
 }
 
 /* How deep a place lies below the undeformed outline of the body, m. */
@@ -51,9 +56,9 @@ static double rest_depth(const struct cr_surface *s, struct cr_vec2 place) {
     return cr_min(along, across);
 }
 
-static void deepen(struct cr_hold *l, double depth, double in) {
-    if (depth > l->depth) {
-        *l = (struct cr_hold){depth, in};
+static void deepen(struct cr_hold *l, struct cr_hold by) {
+    if (by.depth > l->depth) {
+        *l = by;
     }
 }
 
@@ -74,15 +79,14 @@ static double open_about(const struct face *f, double at) {
  * neither, and one upon a line holds both of its neighbours. */
 static void hold_side(struct face *f, bool up, double at, struct cr_hold held) {
     const double *o = f->k->m->surface.outline[f->face];
-    double h = f->k->m->surface.grid->h, far = 0;
+    double far = 0;
     int i = (int)cr_clamp(floor(at) + up, 0, f->lines.n - 1);
     double off = up ? i - at : at - i;
     for (int n = 0; n < 2 && off >= 0 && i >= 0 && i < f->lines.n; n++) {
-        double slope = limit_slope(f, up, up ? i - 1 : i, held);
-        held.depth -= slope * (n == 0 ? off : 1) * h + far;
+        held = step(f, up, up ? i - 1 : i, held, n == 0 ? off : 1);
+        held.depth -= far;
         /* the contact itself is not on a line beside it */
-        deepen(n > 0 || off > cr_beside ? &f->line[i].tow[up] : &f->line[i].own, held.depth,
-               held.in);
+        deepen(n > 0 || off > cr_beside ? &f->line[i].tow[up] : &f->line[i].own, held);
         int next = up ? i + 1 : i - 1;
         far = next >= 0 && next < f->lines.n ? cr_min(off, 1) * cr_max(o[i] - o[next], 0) : 0;
         i = next;
@@ -104,7 +108,7 @@ static void hold(struct face *f, struct cr_vec2 place, double rest) {
     double at = cr_vec2_dot(r, f->lines.along) / h - 0.5;
     double hidden = cr_max(deep - (open_about(f, at) + cr_hidden_voxels) * h, 0);
     for (int up = 0; up < 2; up++) {
-        hold_side(f, up, at, (struct cr_hold){deep - 2 * hidden, faces});
+        hold_side(f, up, at, (struct cr_hold){deep - 2 * hidden, faces, 0});
     }
     f->held = true;
 }
@@ -168,18 +172,30 @@ static void hold_all(const struct cr_side *k, struct face face[CR_FACES]) {
     }
 }
 
-/* No slope is too steep: a pass up or down the lines. What tows a line hands on to the next how its
- * own surface recedes, and nothing tows itself. */
-static void limit_slopes(const struct face *f, bool up) {
-    struct cr_line *line = f->line;
+/* A walk up or down the lines from what holds one of them. Who is nearer falls off less from there
+ * on, so it ends where the contact itself, or what is nearer, holds a line deeper. */
+static void walk(const struct face *f, bool up, int i, struct cr_hold from) {
     const double *o = f->k->m->surface.outline[f->face];
-    double h = f->k->m->surface.grid->h;
-    for (int n = 0; n + 1 < f->lines.n; n++) {
-        int i = up ? n : f->lines.n - 1 - n, next = up ? i + 1 : i - 1;
-        struct cr_hold from = line[i].own;
-        deepen(&from, line[i].tow[up].depth, line[i].tow[up].in);
-        double slope = limit_slope(f, up, up ? i : next, from);
-        deepen(&line[next].tow[up], from.depth - cr_max(o[i] - o[next], 0) - slope * h, from.in);
+    while (from.depth > 0 && (up ? i + 1 < f->lines.n : i > 0)) {
+        int next = up ? i + 1 : i - 1;
+        struct cr_line *l = &f->line[next];
+        from = step(f, up, up ? i : next, from, 1);
+        from.depth -= cr_max(o[i] - o[next], 0);
+        if (from.depth <= l->own.depth || from.depth <= l->tow[up].depth) {
+            return;
+        }
+        l->tow[up] = from;
+        i = next;
+    }
+}
+
+/* What tows each line, of all that the contact holds. The nearest walks first, and nothing tows
+ * itself. */
+static void tow_lines(const struct face *f, bool up) {
+    for (int n = 0; n < f->lines.n; n++) {
+        int i = up ? f->lines.n - 1 - n : n;
+        walk(f, up, i, f->line[i].tow[up]);
+        walk(f, up, i, f->line[i].own);
     }
 }
 
@@ -233,7 +249,7 @@ static struct face face_of(struct cr_side *k, enum cr_face face, struct cr_line 
     struct cr_vec2 n = cr_vec2_unit(k->pressure, cr_vec2(0, 0));
     double aside = cr_vec2_dot(n, f.lines.along);
     f.in = cr_vec2_dot(n, f.lines.in);
-    bool drags = s->grid->drag_slope[face] > 0 && f.lines.n > 1;
+    bool drags = s->grid->drag_slope[face] + s->grid->drag_bend[face] > 0 && f.lines.n > 1;
     double looks = (f.in - cr_drags_none) / (cr_drags_whole - cr_drags_none);
     f.faces = drags ? cr_clamp(looks, 0, 1) : 0;
     if (f.faces > 0) {
@@ -252,7 +268,7 @@ static void find_tow(struct cr_side *k, struct face face[CR_FACES], struct cr_li
         face[f] = face_of(k, f, line);
         any = any || face[f].faces > 0;
         for (int i = 0; i < face[f].lines.n && face[f].faces > 0; i++) {
-            const struct cr_hold none = {-INFINITY, 1};
+            const struct cr_hold none = {-INFINITY, 1, 0};
             line[i] = (struct cr_line){.own = none, .tow = {none, none}};
         }
     }
@@ -262,8 +278,8 @@ static void find_tow(struct cr_side *k, struct face face[CR_FACES], struct cr_li
     hold_all(k, face);
     for (int f = 0; f < CR_FACES; f++) {
         if (face[f].held) {
-            limit_slopes(&face[f], true);
-            limit_slopes(&face[f], false);
+            tow_lines(&face[f], true);
+            tow_lines(&face[f], false);
         }
     }
 }
@@ -284,7 +300,7 @@ static bool tow_face(struct cr_duo *d, int side, struct face *f) {
         if (tow > l->own.depth + cr_one_depth) {
             tow = cr_min(tow, cr_max(*limit, s->first[f->face][i] * s->grid->h) + way);
             *limit = cr_max(*limit, tow);
-            if (!crush_line(f, i, tow, slope_at(f, up ? i - 1 : i, tow))) {
+            if (!crush_line(f, i, tow, slope_at(f, up ? i - 1 : i, tow, l->tow[up].away))) {
                 return false;
             }
         }

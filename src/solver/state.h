@@ -101,10 +101,10 @@ struct cr_side {
     double weight;         /* sum of strength, N */
 };
 
-/* To what depth a line of a face is held, behind the edge of the grid, m, and how far what holds it
- * looks at the face, 0..1. */
+/* To what depth a line of a face is held, behind the edge of the grid, m; how far what holds it
+ * looks at the face, 0..1; and how far away along the face that is, m. */
 struct cr_hold {
-    double depth, in;
+    double depth, in, away;
 };
 
 /* What holds a line: the contact itself, the line before and the line behind it. */

@@ -27,6 +27,12 @@ static const char *object_end(const char *p) {
     return NULL;
 }
 
+static void add_unless_0(struct cr_str *out, const char *key, double value) {
+    if (value > 0) {
+        cr_str_addf(out, ",\n      \"%s\": %.3g", key, value);
+    }
+}
+
 static void add_face(const struct cr_model_face *f, const char *name, struct cr_str *out) {
     cr_str_addf(out, "    \"%s\": {\n      \"between\": \"%s\",\n      \"depth_m_ees_kmh\": [",
                 name, f->energy_linear ? "energy" : "ees");
@@ -35,15 +41,13 @@ static void add_face(const struct cr_model_face *f, const char *name, struct cr_
     }
     cr_str_add(out, "],\n");
     if (f->compartment > 0) {
-        cr_str_addf(out, "      \"compartment_N\": %.6g,\n", f->compartment);
+        cr_str_addf(out, "      \"compartment_N\": %.7g,\n", f->compartment);
     }
-    cr_str_addf(out,
-                "      \"springback_m\": %.3g,\n      \"residual_spread_m\": %.3g,\n"
-                "      \"drag_slope\": %.3g",
-                f->springback, f->spread, f->drag_slope);
-    if (f->block > 0) {
-        cr_str_addf(out, ",\n      \"block_m\": %.3g", f->block);
-    }
+    cr_str_addf(out, "      \"springback_m\": %.3g,\n      \"residual_spread_m\": %.3g",
+                f->springback, f->spread);
+    add_unless_0(out, "drag_slope", f->drag_slope);
+    add_unless_0(out, "drag_bend_per_m", f->drag_bend);
+    add_unless_0(out, "block_m", f->block);
     for (int i = 0; i < f->built.n; i++) {
         cr_str_addf(out, "%s[%.5g, %.4g]%s", i == 0 ? ",\n      \"built_strength\": [" : ", ",
                     f->built.x[i], f->built.y[i], i + 1 == f->built.n ? "]" : "");

@@ -3,7 +3,8 @@
  * the slope k beside it:
  *     A(w0) = b w0 + w0^2 / k,  E(w0) = q A,  P(w0) = q (b + 2 w0 / k),
  *     xi = w0 / k of damage on either side.
- * With the numbers of the median 32 km/h side pole: q = 150 kN/m, k = 0.6, 54 kJ, b = 0.25 m. */
+ * With the numbers of the median 32 km/h side pole: q = 150 kN/m, k = 0.6, 54 kJ, b = 0.25 m.
+ * Where it falls by no more than c a^2 at the distance a: A(w0) = b w0 + 4/3 w0 sqrt(w0 / c). */
 #include "solver_cases.h"
 #include "test.h"
 
@@ -13,6 +14,7 @@ static const double q = 150e3, slope = 0.6, b = 0.25, energy = 54e3, mass = 1500
 static const double length = 6, width = 1.6, gap = 0.01;
 /* E(w0) = 54 kJ: 37.5 kN w0 + 250 kN/m w0^2 = 54e3, 14.841 + 39.159 kJ at 0.39577 m */
 static const double closed_depth = 0.39577;
+static const double bend = 2.4;
 
 static const struct cr_vec2 nose[] = {{-0.125, -0.5}, {0.125, -0.5}, {0.125, 0.5}, {-0.125, 0.5}};
 
@@ -24,17 +26,17 @@ struct dent {
     double w0;
 };
 
-/* The car moves sideways with 54 kJ onto the fixed box, which covers whole voxels but for a shift
- * by the share `phase` of one. */
-static void make_dent_at(struct dent *d, double h, double k, bool induced, double phase) {
+/* The car, whose flank is dragged along by a slope or a bend, moves sideways with 54 kJ onto
+ * something fixed. */
+static void make(struct dent *d, double h, double k, double c, bool induced, struct cr_body fixed) {
     memset(d, 0, sizeof *d);
     struct cr_grid grid = block_grid(&d->arena, length, width, h, constant_strength, &q);
     grid.drag_slope[CR_FACE_LEFT] = k;
+    grid.drag_bend[CR_FACE_LEFT] = c;
     struct cr_body car = block_body(grid, mass, length, width, at(0, 0, 0, 0));
     car.inertia = 0;
     car.vel = cr_vec2(0, sqrt(2 * energy / mass));
-    double off = (fmod(0.5 * b / h, 1) > 0.1 ? 0.5 * h : 0) + phase * h;
-    d->cs = case_of(car, polygon_body(off, width / 2 + 0.5 + gap, 0, nose, 4));
+    d->cs = case_of(car, fixed);
     d->cs.opts.induced = induced;
     d->cs.opts.restitution = 0;
     d->cs.opts.dt = 0.25e-3;
@@ -43,8 +45,14 @@ static void make_dent_at(struct dent *d, double h, double k, bool induced, doubl
     d->w0 = d->o->body[0].rest.pos.y - gap;
 }
 
+/* the box covers whole voxels but for a shift by the share `phase` of one */
+static struct cr_body box(double h, double phase) {
+    double off = (fmod(0.5 * b / h, 1) > 0.1 ? 0.5 * h : 0) + phase * h;
+    return polygon_body(off, width / 2 + 0.5 + gap, 0, nose, 4);
+}
+
 static void make_dent(struct dent *d, double h, double k, bool induced) {
-    make_dent_at(d, h, k, induced, 0);
+    make(d, h, k, 0, induced, box(h, 0));
 }
 
 static void free_dent(struct dent *d) {
@@ -101,9 +109,9 @@ static void force_over_depth(void **state) {
     for (double phase = 0; phase < 0.9; phase += 0.2) {
         struct dent coarse, fine;
         double force[2], work[2];
-        make_dent_at(&coarse, 0.05, slope, true, phase);
+        make(&coarse, 0.05, slope, 0, true, box(0.05, phase));
         deviation(&coarse, &force[0], &work[0]);
-        make_dent_at(&fine, 0.0125, slope, true, phase);
+        make(&fine, 0.0125, slope, 0, true, box(0.0125, phase));
         deviation(&fine, &force[1], &work[1]);
         double held = b + 2 * 0.15 / slope, mean = b + 0.15 / slope;
         assert_true(force[0] < 2.5 * 0.05 / held && work[0] < 2.5 * 0.05 / mean);
@@ -185,6 +193,63 @@ static void damaged_length_and_area(void **state) {
     free_dent(&d);
 }
 
+/* 37.5 kN w0 + 129.1 kN/sqrt(m) w0^1.5 = 54e3: 16.459 + 37.541 kJ at 0.4389 m */
+static void a_bend_takes_the_square(void **state) {
+    (void)state;
+    static const double closed = 0.4389;
+    check_near(q * (b * closed + 4 / 3.0 * closed * sqrt(closed / bend)), energy, 60);
+    static const struct {
+        double h, tol;
+    } grids[] = {{0.05, 0.04}, {0.025, 0.021}, {0.0125, 0.013}};
+    for (int i = 0; i < 3; i++) {
+        struct dent d;
+        make(&d, grids[i].h, 0, bend, true, box(grids[i].h, 0));
+        print_message("# %.4f m: %.4f m deep, closed %.4f\n", grids[i].h, d.w0, closed);
+        check_near(d.w0, closed, grids[i].tol * closed);
+        check_near(d.o->body[0].energy, energy, 1e-3 * energy);
+        free_dent(&d);
+    }
+}
+
+/* how deep the wedge holds a line, m */
+static double wedge_depth(double w0, double y) {
+    double beside = fabs(y) - 0.1;
+    return beside > 0.3 ? -1e9 : beside > 0 ? w0 - 0.75 * beside : w0;
+}
+
+/* area that a wedge crushes: every line as deep as any place of the wedge drags it */
+static double wedge_area(double w0) {
+    static const double step = 0.00625;
+    double area = 0;
+    for (double y = -length / 2; y < length / 2; y += step) {
+        double most = 0;
+        for (double at = -0.4; at <= 0.4; at += step) {
+            most = fmax(most, wedge_depth(w0, at) - bend * (y - at) * (y - at));
+        }
+        area += most * step;
+    }
+    return area;
+}
+
+/* A nose with slanting sides: its front holds the lines close by, its corners, which are less deep
+ * but nearer, those further off. With only the deepest of what holds a line handed on to the next
+ * the nose goes in by 3.5 % more. */
+static void who_is_nearer_holds_further(void **state) {
+    (void)state;
+    static const struct cr_vec2 wedge[] = {{-0.1, -0.5}, {0.1, -0.5}, {0.4, -0.275},
+                                           {0.4, 0.5},   {-0.4, 0.5}, {-0.4, -0.275}};
+    double lo = 0.1, hi = 1;
+    while (hi - lo > 1e-5) {
+        double mid = (lo + hi) / 2;
+        *(wedge_area(mid) < energy / q ? &lo : &hi) = mid;
+    }
+    struct dent d;
+    make(&d, 0.0125, 0, bend, true, polygon_body(0, width / 2 + 0.5 + gap, 0, wedge, 6));
+    print_message("# %.4f m deep, closed %.4f\n", d.w0, lo);
+    check_near(d.w0, lo, 0.02 * lo);
+    free_dent(&d);
+}
+
 static void none_without_slope_or_setting(void **state) {
     (void)state;
     static const double slopes[] = {0, 0.6};
@@ -223,6 +288,8 @@ int main(void) {
         cmocka_unit_test(force_over_depth),
         cmocka_unit_test(two_boxes_at_once),
         cmocka_unit_test(damaged_length_and_area),
+        cmocka_unit_test(a_bend_takes_the_square),
+        cmocka_unit_test(who_is_nearer_holds_further),
         cmocka_unit_test(none_without_slope_or_setting),
         cmocka_unit_test(a_wall_pulls_nothing),
     };
