@@ -56,8 +56,10 @@ static double rest_depth(const struct cr_surface *s, struct cr_vec2 place) {
     return cr_min(along, across);
 }
 
+/* Of two that hold a line at one depth, as all do behind an engine, the nearer one holds it. */
 static void deepen(struct cr_hold *l, struct cr_hold by) {
-    if (by.depth > l->depth) {
+    double more = by.depth - l->depth;
+    if (more > cr_one_depth || (more > -cr_one_depth && by.away < l->away)) {
         *l = by;
     }
 }
@@ -181,7 +183,7 @@ static void walk(const struct face *f, bool up, int i, struct cr_hold from) {
         struct cr_line *l = &f->line[next];
         from = step(f, up, up ? i : next, from, 1);
         from.depth -= cr_max(o[i] - o[next], 0);
-        if (from.depth <= l->own.depth || from.depth <= l->tow[up].depth) {
+        if (from.depth <= cr_max(l->own.depth, l->tow[up].depth) + cr_one_depth) {
             return;
         }
         l->tow[up] = from;
