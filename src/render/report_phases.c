@@ -104,7 +104,7 @@ static enum cr_err auto_notes(const struct cr_page *page, struct cr_error *err) 
     } note[] = {
         {set->restitution_auto, "e auto: from the closing speed, the kind of partner and the share "
                                 "of an end's width that was pressed"},
-        {set->friction_auto, "friction auto: 1.0 between vehicles, 0.15 on objects without one of "
+        {set->friction_auto, "friction auto: 1.0 between vehicles, 0.13 on objects without one of "
                              "their own"},
         {set->elastic_auto, "elastic auto: from the force at the end of the plastic phase"},
     };

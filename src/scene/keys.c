@@ -81,7 +81,7 @@ static const struct cr_key settings_keys[] = {
          "restitution impulse over compression impulse, or auto from the closing speed"),
      RANGED("", NUMBER, 0, 0.95), .def = {NAN, 0.1}, .aux = IN(cr_settings, restitution_auto)},
     {ROW("friction", CR_KEY_NUMBER, 0, 0, IN(cr_settings, friction),
-         "Coulomb friction between bodies, or auto: 1.0 between vehicles, 0.15 on objects"),
+         "Coulomb friction between bodies, or auto: 1.0 between vehicles, 0.13 on objects"),
      RANGED("", NUMBER, 0, 2), .def = {NAN, 0}, .aux = IN(cr_settings, friction_auto)},
     SETTING("road_friction", "", NUMBER, 0, 2, 0.8, 0.8, road_friction,
             "friction of the tyres on the road"),

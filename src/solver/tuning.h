@@ -52,9 +52,9 @@ static const double cr_beside = 0.499;
 static const double cr_block_rise = 0.1;
 /* fitted: sheet metal and bars that crush each other interlock (0.55 in SMAC, up to 0.8 in staged
  * crashes): 1.0 is what leads the delta-v of the car-to-car tests; on a smooth rigid surface sheet
- * metal slides: 0.15 is what leads the fleet past the edge of a rigid barrier as in 398 tests with
+ * metal slides: 0.13 is what leads the fleet past the edge of a rigid barrier as in 398 tests with
  * 25 % overlap. */
-static const double cr_friction_hooked = 1.0, cr_friction_smooth = 0.15;
+static const double cr_friction_hooked = 1.0, cr_friction_smooth = 0.13;
 /* guard: a force closer to the surface than this cosine has no approach that could be divided
  * by. */
 static const double cr_cosine_least = 1e-4;

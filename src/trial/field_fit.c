@@ -115,8 +115,8 @@ enum cr_err cr_field_fit(struct cr_field_table *field, int without, struct cr_cr
     nlopt_set_lower_bounds(opt, least);
     nlopt_set_upper_bounds(opt, most);
     nlopt_set_initial_step(opt, step);
-    nlopt_set_ftol_rel(opt, 1e-5);
-    nlopt_set_maxeval(opt, 600);
+    nlopt_set_ftol_rel(opt, 1e-6);
+    nlopt_set_maxeval(opt, 2000);
     nlopt_result result = nlopt_optimize(opt, x, &value);
     nlopt_destroy(opt);
     if (result < 0 && result != NLOPT_ROUNDOFF_LIMITED) {
