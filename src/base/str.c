@@ -77,7 +77,9 @@ void cr_str_fill(struct cr_str *str, char c, int n) {
 
 void cr_str_csv(struct cr_str *str, const char *text) {
     bool formula = text[0] != '\0' && strchr("=+-@\t\r", text[0]) != NULL;
-    const char *quote = strpbrk(text, ",;\"\r\n") != NULL ? "\"" : "";
+    /* a row that begins with # is a remark, and blanks before a cell are none of it */
+    bool quoted = text[0] == '#' || text[0] == ' ' || strpbrk(text, ",;\"\r\n") != NULL;
+    const char *quote = quoted ? "\"" : "";
     cr_str_add(str, quote);
     cr_str_add(str, formula ? "'" : "");
     for (; *text != '\0'; text++) {

@@ -134,6 +134,9 @@ static void test_csv_fields(void **state) {
                {"-A,1", "\"'-A,1\""},
                {"@SUM(A1)", "'@SUM(A1)"},
                {"\tx", "'\tx"},
+               {"#1", "\"#1\""}, /* a row that begins with # would be a remark */
+               {" x", "\" x\""},
+               {"no #1", "no #1"},
                {"a=b", "a=b"}};
     for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
         struct cr_str out = {0};
