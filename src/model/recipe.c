@@ -99,8 +99,10 @@ static void read_face(struct cr_model_json *j, const cJSON *faces, const char *k
     f->beyond = f->compartment / mass;
     f->springback = cr_model_json_number(j, o, "springback_m", 0, 0.6);
     f->spread = cr_model_json_number(j, o, "residual_spread_m", 0.01, 0.6);
-    f->drag_slope = read_or_0(j, o, "drag_slope", 100);
     f->drag_bend = read_or_0(j, o, "drag_bend_per_m", 100);
+    f->drag_slope = cJSON_HasObjectItem(o, "drag_bend_per_m")
+                        ? read_or_0(j, o, "drag_slope", 100)
+                        : cr_model_json_number(j, o, "drag_slope", 0, 100); /* one must be said */
     f->block = read_or_0(j, o, "block_m", 10);
     f->built.n = 0;
     if (cJSON_HasObjectItem(o, "built_strength")) {

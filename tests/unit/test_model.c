@@ -412,6 +412,7 @@ static void test_recipes_refused(void **state) {
         {"\"mass_kg\": 1666", "\"mass_kg\": -1", CR_ERR_RANGE, "/reference/mass_kg",
          "-1 is outside"},
         {"\"mass_kg\": 1666,", "", CR_ERR_MISSING, "/reference/mass_kg", "missing"},
+        {"\"drag_bend_per_m\": 2.4,", "", CR_ERR_MISSING, "/faces/front/drag_slope", "missing"},
         {"\"between\": \"energy\"", "\"between\": \"enery\"", CR_ERR_NAME, "/faces/front/between",
          "energy"},
         {"\"front_m\": [[0, 0]", "\"front_m\": [[0, 0.1]", CR_ERR_MODEL, "/shape/front_m",
